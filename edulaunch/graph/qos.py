@@ -1,0 +1,50 @@
+"""Quality of service: the policies of an endpoint, and when two endpoints can talk."""
+from __future__ import annotations
+
+from typing import NamedTuple
+
+RELIABLE, BEST_EFFORT = 'reliable', 'best_effort'
+VOLATILE, TRANSIENT_LOCAL = 'volatile', 'transient_local'
+KEEP_LAST, KEEP_ALL = 'keep_last', 'keep_all'
+AUTOMATIC, MANUAL_BY_TOPIC = 'automatic', 'manual_by_topic'
+INFINITE_NS = 0
+"""A deadline, lifespan or lease of 0 ns means that there is none, as in rmw."""
+
+
+class QoS(NamedTuple):
+    """The policies of one endpoint; times in nanoseconds, 0 for infinite.
+
+    Resolved values only: `rclpy`'s system defaults and `best_available` are settled before an endpoint is made.
+    """
+
+    depth: int = 10
+    reliability: str = RELIABLE
+    durability: str = VOLATILE
+    history: str = KEEP_LAST
+    deadline_ns: int = INFINITE_NS
+    lifespan_ns: int = INFINITE_NS
+    liveliness: str = AUTOMATIC
+    lease_ns: int = INFINITE_NS
+
+    @property
+    def queue_length(self) -> int | None:
+        """How many messages a queue of this endpoint holds; None for no limit."""
+        return None if self.history == KEEP_ALL else max(1, self.depth)
+
+
+def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
+    """The policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
+
+    The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
+    """
+    if offered.durability == VOLATILE and requested.durability == TRANSIENT_LOCAL:
+        return 'DURABILITY'
+    if requested.deadline_ns and not 0 < offered.deadline_ns <= requested.deadline_ns:
+        return 'DEADLINE'
+    if offered.liveliness == AUTOMATIC and requested.liveliness == MANUAL_BY_TOPIC:
+        return 'LIVELINESS'
+    if requested.lease_ns and not 0 < offered.lease_ns <= requested.lease_ns:
+        return 'LIVELINESS'
+    if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
+        return 'RELIABILITY'
+    return None

@@ -1,0 +1,136 @@
+"""Topics: publishers, subscriptions, and the delivery between them."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.qos import TRANSIENT_LOCAL, QoS, incompatible_policy
+
+if TYPE_CHECKING:
+    from edulaunch.graph.graph import Graph, NodeEntry
+
+Taken = tuple[Any, int, 'Publisher']
+"""What a subscription's queue holds: (wire tuple, time of publication in ns, publisher)."""
+
+
+class Endpoint:
+    """What publishers and subscriptions share."""
+
+    kind = 'endpoint'
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        self.graph = graph
+        self.node = node
+        self.topic_name = topic_name
+        self.cls = cls
+        self.type_name: str = cls.TYPE
+        self.qos = qos
+        self.index = graph.next_index()
+        self.destroyed = False
+        self.on_incompatible: Callable[[str], object] | None = None
+        self.on_matched: Callable[[int], object] | None = None
+
+    def _tell_matched(self, change: int) -> None:
+        if self.on_matched is not None:
+            self.on_matched(change)
+
+    def _tell_incompatible(self, policy: str) -> None:
+        if self.on_incompatible is not None:
+            self.on_incompatible(policy)
+
+
+class Publisher(Endpoint):
+    """One publisher of one node. Numbered in order of creation (`index`)."""
+
+    kind = 'publisher'
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self._sim = graph.sim
+        self._record = graph.tracer.channel(self)
+        self._matched: list[Subscription] = []
+        self._history: deque[Taken] | None = None
+        if qos.durability == TRANSIENT_LOCAL:
+            self._history = deque(maxlen=qos.queue_length)
+
+    @property
+    def subscription_count(self) -> int:
+        """How many subscriptions this publisher reaches."""
+        return len(self._matched)
+
+    def publish(self, wire: Any) -> None:
+        """Deliver a snapshot: it stands in all matched queues, and their nodes are told, when this returns."""
+        now = self._sim.now_ns
+        self._record((now, self.index, wire))
+        if self._history is not None:
+            self._history.append((wire, now, self))
+        for subscription in self._matched:
+            subscription.queue.append((wire, now, self))
+            subscription.on_ready()
+
+    def destroy(self) -> None:
+        """Leave the topic. Doing it twice is doing it once."""
+        self.graph.remove_publisher(self)
+
+
+class Subscription(Endpoint):
+    """One subscription of one node.
+
+    `queue` holds what was not taken yet, oldest first; when it is full (QoS depth) the oldest is dropped. `on_ready()` is
+    called on the publisher's turn after each delivery: it marks and wakes, nothing more.
+    """
+
+    kind = 'subscription'
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS,
+                 on_ready: Callable[[], object]) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self.on_ready = on_ready
+        self.queue: deque[Taken] = deque(maxlen=qos.queue_length)
+        self.publishers: list[Publisher] = []
+
+    @property
+    def publisher_count(self) -> int:
+        """How many publishers reach this subscription."""
+        return len(self.publishers)
+
+    def take(self) -> Taken | None:
+        """The oldest waiting (wire, source time in ns, publisher), or None."""
+        return self.queue.popleft() if self.queue else None
+
+    def destroy(self) -> None:
+        """Leave the topic; what waits in the queue is gone."""
+        self.graph.remove_subscription(self)
+
+
+def connect(publisher: Publisher, subscription: Subscription) -> None:
+    """Match two endpoints of one topic, or tell both why they do not match."""
+    policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
+    if policy is not None:
+        publisher.graph.tracer.incompatible(publisher, subscription, policy)
+        if policy != 'TYPE':
+            publisher._tell_incompatible(policy)
+            subscription._tell_incompatible(policy)
+        return
+    publisher._matched.append(subscription)
+    publisher._matched.sort(key=_creation)
+    subscription.publishers.append(publisher)
+    publisher._tell_matched(+1)
+    subscription._tell_matched(+1)
+    if publisher._history and subscription.qos.durability == TRANSIENT_LOCAL:
+        subscription.queue.extend(publisher._history)
+        subscription.on_ready()
+
+
+def disconnect(publisher: Publisher, subscription: Subscription) -> None:
+    """Undo `connect`, if it made a match."""
+    if subscription in publisher._matched:
+        publisher._matched.remove(subscription)
+        subscription.publishers.remove(publisher)
+        publisher._tell_matched(-1)
+        subscription._tell_matched(-1)
+
+
+def _creation(endpoint: Endpoint) -> int:
+    return endpoint.index

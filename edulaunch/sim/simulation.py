@@ -1,0 +1,108 @@
+"""Simulated time and the agenda: the whole kernel in one class."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from heapq import heappop, heappush
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.errors import SimulationError
+
+if TYPE_CHECKING:
+    import random
+
+EPOCH_NS = 1_700_000_000_000_000_000
+"""Where simulated time starts: an even second, so that printed stamps look real and repeat from run to run."""
+
+Item = list[Any]
+"""An agenda item: [time in ns, priority, sequence, callback]. A cancelled or finished item has no callback."""
+
+
+class Simulation:
+    """Owns the time (integer nanoseconds), one agenda and the seed. Nothing else keeps a clock.
+
+    The agenda is a heap of (time, priority, sequence, callback): ties are settled by priority, then by who asked first.
+    Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
+    :class:`~edulaunch.sim.task.Task`).
+
+    :param seed: from which every random generator of the run is derived.
+    :param start_ns: the simulated time at the beginning.
+    """
+
+    def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
+        self.seed = seed
+        self.start_ns = start_ns
+        self.now_ns = start_ns
+        self.hub: Any = None
+        self._agenda: list[Item] = []
+        self._sequence = 0
+        self._stopped = False
+
+    @property
+    def elapsed_s(self) -> float:
+        """Simulated seconds since the start."""
+        return (self.now_ns - self.start_ns) / 1e9
+
+    def schedule(self, at_ns: int, callback: Callable[[], object], priority: int = 0) -> Item:
+        """Put `callback` on the agenda for `at_ns`; among equal times the lower priority number runs first.
+
+        :raises SimulationError: when `at_ns` has passed already.
+        """
+        if at_ns < self.now_ns:
+            raise SimulationError(f'cannot schedule {self.now_ns - at_ns} ns into the past')
+        self._sequence += 1
+        item = [at_ns, priority, self._sequence, callback]
+        heappush(self._agenda, item)
+        return item
+
+    @staticmethod
+    def cancel(item: Item) -> None:
+        """Take an item off the agenda; one that has run already is left alone."""
+        item[3] = None
+
+    def next_time_ns(self) -> int | None:
+        """When the next item is due, or None on an empty agenda."""
+        agenda = self._agenda
+        while agenda and agenda[0][3] is None:
+            heappop(agenda)
+        return agenda[0][0] if agenda else None
+
+    def step(self) -> bool:
+        """Run the next item. False when there is none."""
+        agenda = self._agenda
+        while agenda:
+            item = heappop(agenda)
+            callback = item[3]
+            if callback is not None:
+                item[3] = None
+                self.now_ns = item[0]
+                callback()
+                return True
+        return False
+
+    def run(self, until_ns: int | None = None) -> None:
+        """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
+        self._stopped = False
+        agenda = self._agenda
+        limit = float('inf') if until_ns is None else until_ns
+        while agenda and not self._stopped:
+            item = heappop(agenda)
+            callback = item[3]
+            if callback is None:
+                continue
+            if item[0] > limit:
+                heappush(agenda, item)
+                break
+            item[3] = None
+            self.now_ns = item[0]
+            callback()
+        if until_ns is not None and not self._stopped and self.now_ns < until_ns:
+            self.now_ns = until_ns
+
+    def stop(self) -> None:
+        """Let :meth:`run` return after the item that is running now."""
+        self._stopped = True
+
+    def random(self, name: str) -> random.Random:
+        """A random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
+        import random
+        return random.Random(f'{self.seed}/{name}')

@@ -1,0 +1,213 @@
+"""Programs that block: tasks that give their turn back and get it again.
+
+A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time; which
+one is the agenda's choice. Everything else that blocks (sleeping, locks, waiting for a message) is `park` and `wake`.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from greenlet import getcurrent, greenlet
+
+from edulaunch.errors import SimulationError
+from edulaunch.sim.simulation import Item, Simulation
+
+POLLS_BEFORE_TIME_PASSES = 1000
+POLL_PAUSE_NS = 1_000_000
+
+
+class TaskKilled(BaseException):
+    """Raised inside a task that is being killed; a program cannot go on after it."""
+
+
+class Task:
+    """One blocking program in simulated time.
+
+    :param body: the program; its return value is kept as `result`, an exception that leaves it as `exception`.
+    :param name: for people.
+    :param owner: whatever the running code belongs to (a `Process`); found again through :func:`current_task`.
+    """
+
+    def __init__(self, sim: Simulation, body: Callable[[], object], *, name: str = 'task', owner: Any = None) -> None:
+        self.sim = sim
+        self.name = name
+        self.owner = owner
+        self.finished = False
+        self.result: object = None
+        self.exception: BaseException | None = None
+        self.loop: Any = None
+        self._body = body
+        self._greenlet: Any = None
+        self._parked = False
+        self._woken = False
+        self._killed = False
+        self._interrupts: list[BaseException] = []
+        self._timer: Item | None = None
+        self._polls = 0
+        self._done: list[Callable[[Task], object]] = []
+
+    def __repr__(self) -> str:
+        return f'<Task {self.name}>'
+
+    def start(self) -> None:
+        """Give the task its first turn, at the present simulated time."""
+        self._greenlet = _TaskGreenlet(self._run)
+        self._greenlet.task = self
+        self._parked = True
+        self.wake()
+
+    def _run(self) -> None:
+        try:
+            if self._killed:
+                raise TaskKilled
+            if self._interrupts:
+                raise self._interrupts.pop(0)
+            self.result = self._body()
+        except TaskKilled:
+            pass
+        except BaseException as error:
+            self.exception = error
+        self.finished = True
+        if self._timer is not None:
+            self._timer[3] = None
+        getcurrent().parent = self.sim.hub
+        for callback in self._done:
+            callback(self)
+
+    def add_done_callback(self, callback: Callable[[Task], object]) -> None:
+        """Call `callback(task)` when the program has ended (at once if it has)."""
+        if self.finished:
+            callback(self)
+        else:
+            self._done.append(callback)
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """Give the turn back until :meth:`wake`, or until the simulated time is `deadline_ns`.
+
+        A wake that came since the last park ends this one at once. Callers therefore look again at what they wait for.
+
+        :returns: True when woken, False when the deadline came first.
+        :raises TaskKilled: when the task is killed; and whatever :meth:`interrupt` was given.
+        """
+        self._polls = 0
+        if not self._woken:
+            self._set_timer(deadline_ns)
+            self._parked = True
+            if self.loop is None:
+                self.sim.hub.switch()
+            else:
+                self.loop.step_aside(self.sim.hub.switch)
+            self._parked = False
+        woken = self._woken
+        self._woken = False
+        if self._killed:
+            raise TaskKilled
+        if self._interrupts:
+            raise self._interrupts.pop(0)
+        return woken
+
+    def _set_timer(self, deadline_ns: int | None) -> None:
+        timer = self._timer
+        if deadline_ns is None:
+            if timer is not None:
+                timer[3] = None
+                self._timer = None
+            return
+        sim = self.sim
+        if deadline_ns < sim.now_ns:
+            deadline_ns = sim.now_ns
+        if timer is not None:
+            if timer[0] == deadline_ns:
+                return
+            timer[3] = None
+        self._timer = sim.schedule(deadline_ns, self._on_timer)
+
+    def _on_timer(self) -> None:
+        self._timer = None
+        if self._parked and not self._woken:
+            self._switch_in()
+
+    def wake(self) -> None:
+        """Let the task run again, after everything that is already due at the present time. Waking twice is waking once."""
+        if not self._woken:
+            self._woken = True
+            if self._parked:
+                sim = self.sim
+                sim.schedule(sim.now_ns, self._on_wake)
+
+    def _on_wake(self) -> None:
+        if self._parked:
+            self._switch_in()
+
+    def _switch_in(self) -> None:
+        if not self.finished:
+            self.sim.hub = getcurrent()
+            self._greenlet.switch()
+
+    def interrupt(self, exception: BaseException) -> None:
+        """Raise `exception` inside the task where it is parked (or will park next)."""
+        self._interrupts.append(exception)
+        self.wake()
+
+    def kill(self) -> None:
+        """End the task: `TaskKilled` is raised wherever it parks, again and again."""
+        self._killed = True
+        self.wake()
+
+    def poll(self) -> None:
+        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time."""
+        self._polls += 1
+        if self._polls > POLLS_BEFORE_TIME_PASSES:
+            self.sleep_until(self.sim.now_ns + POLL_PAUSE_NS)
+
+    def sleep_until(self, at_ns: int) -> None:
+        """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""
+        missed = self.park(at_ns)
+        while self.sim.now_ns < at_ns:
+            missed = self.park(at_ns) or missed
+        if missed:
+            self._woken = True
+
+
+class AmbientTask(Task):
+    """Stands for code outside any task, such as a plain script or a notebook cell: parking it runs the simulation in place."""
+
+    def __init__(self, sim: Simulation, owner: Any = None) -> None:
+        super().__init__(sim, lambda: None, name='main', owner=owner)
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """As :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
+        sim = self.sim
+        while not self._woken:
+            next_ns = sim.next_time_ns()
+            if deadline_ns is not None and (next_ns is None or next_ns > deadline_ns):
+                sim.now_ns = max(sim.now_ns, deadline_ns)
+                return False
+            if not sim.step():
+                raise SimulationError('waiting for ever: nothing that is scheduled could end this wait')
+        self._woken = False
+        if self._interrupts:
+            raise self._interrupts.pop(0)
+        return True
+
+
+class _TaskGreenlet(greenlet):
+    """A greenlet that knows its task."""
+
+    task: Task
+
+
+def running_task() -> Task | None:
+    """The task whose code runs now, or None on the hub and outside any simulation."""
+    return getattr(getcurrent(), 'task', None)
+
+
+def current_task() -> Task:
+    """The task whose code runs now; outside any task the ambient one of this thread, made at first use."""
+    current = getcurrent()
+    try:
+        task: Task = current.task
+    except AttributeError:
+        task = current.task = AmbientTask(Simulation())
+    return task
