@@ -42,7 +42,7 @@ class Task:
         self._parked = False
         self._woken = False
         self._killed = False
-        self._interrupts: list[BaseException] = []
+        self._interrupts: list[Callable[[], object]] = []
         self._timer: Item | None = None
         self._polls = 0
         self._done: list[Callable[[Task], object]] = []
@@ -61,8 +61,7 @@ class Task:
         try:
             if self._killed:
                 raise TaskKilled
-            if self._interrupts:
-                raise self._interrupts.pop(0)
+            self._deliver_interrupts()
             self.result = self._body()
         except TaskKilled:
             pass
@@ -88,7 +87,7 @@ class Task:
         A wake that came since the last park ends this one at once. Callers therefore look again at what they wait for.
 
         :returns: True when woken, False when the deadline came first.
-        :raises TaskKilled: when the task is killed; and whatever :meth:`interrupt` was given.
+        :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
         """
         self._polls = 0
         if not self._woken:
@@ -104,7 +103,7 @@ class Task:
         if self._killed:
             raise TaskKilled
         if self._interrupts:
-            raise self._interrupts.pop(0)
+            self._deliver_interrupts()
         return woken
 
     def _set_timer(self, deadline_ns: int | None) -> None:
@@ -145,10 +144,14 @@ class Task:
             self.sim.hub = getcurrent()
             self._greenlet.switch()
 
-    def interrupt(self, exception: BaseException) -> None:
-        """Raise `exception` inside the task where it is parked (or will park next)."""
-        self._interrupts.append(exception)
+    def interrupt(self, action: Callable[[], object]) -> None:
+        """Run `action` inside the task where it is parked (or will park next); what it raises is raised there."""
+        self._interrupts.append(action)
         self.wake()
+
+    def _deliver_interrupts(self) -> None:
+        while self._interrupts:
+            self._interrupts.pop(0)()
 
     def kill(self) -> None:
         """End the task: `TaskKilled` is raised wherever it parks, again and again."""
@@ -187,8 +190,7 @@ class AmbientTask(Task):
             if not sim.step():
                 raise SimulationError('waiting for ever: nothing that is scheduled could end this wait')
         self._woken = False
-        if self._interrupts:
-            raise self._interrupts.pop(0)
+        self._deliver_interrupts()
         return True
 
 

@@ -1,0 +1,210 @@
+"""Names of nodes, topics and services: validation with ROS 2's reasons, expansion and remapping."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+Problem = tuple[str, int]
+"""Why a name is refused, in ROS 2's words, and the index of the offending character."""
+
+MAX_NODE_NAME = 255
+MAX_NAMESPACE = 245
+MAX_TOPIC_NAME = 247
+
+_DIGITS = frozenset('0123456789')
+_WORD = frozenset('abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_')
+_PATH = _WORD | {'/'}
+
+
+def _first_outside(name: str, allowed: frozenset[str]) -> int:
+    return next((index for index, character in enumerate(name) if character not in allowed), -1)
+
+
+def _digit_token(name: str) -> int:
+    """Index of the first digit that begins a token after a slash, or -1."""
+    return next((index for index in range(1, len(name)) if name[index] in _DIGITS and name[index - 1] == '/'), -1)
+
+
+def node_name_problem(name: str) -> Problem | None:
+    """What is wrong with a node's own name, or None."""
+    if not name:
+        return 'node name must not be empty', 0
+    bad = _first_outside(name, _WORD)
+    if bad >= 0:
+        return "node name must not contain characters other than alphanumerics or '_'", bad
+    if name[0] in _DIGITS:
+        return 'node name must not start with a number', 0
+    if len(name) > MAX_NODE_NAME:
+        return f"node name length should not exceed '{MAX_NODE_NAME}'", MAX_NODE_NAME - 1
+    return None
+
+
+def _absolute_path_problem(kind: str, name: str, limit: int, too_long: str) -> Problem | None:
+    bad = _first_outside(name, _PATH)
+    if bad >= 0:
+        return f"{kind} must not contain characters other than alphanumerics, '_', or '/'", bad
+    double = name.find('//')
+    if double >= 0:
+        return f"{kind} must not contain repeated '/'", double + 1
+    digit = _digit_token(name)
+    if digit >= 0:
+        return f'{kind} must not have a token that starts with a number', digit
+    return (too_long, limit - 1) if len(name) > limit else None
+
+
+def namespace_problem(namespace: str) -> Problem | None:
+    """What is wrong with an absolute namespace, or None."""
+    if not namespace:
+        return 'namespace must not be empty', 0
+    if namespace[0] != '/':
+        return "namespace must be absolute, it must lead with a '/'", 0
+    if namespace == '/':
+        return None
+    if namespace[-1] == '/':
+        return "namespace must not end with a '/', unless only a '/'", len(namespace) - 1
+    return _absolute_path_problem('namespace', namespace, MAX_NAMESPACE, f"namespace should not exceed '{MAX_NAMESPACE}'")
+
+
+def full_topic_name_problem(name: str) -> Problem | None:
+    """What is wrong with an expanded topic or service name, or None."""
+    if not name:
+        return 'topic name must not be empty', 0
+    if name[0] != '/':
+        return "topic name must be absolute, it must lead with a '/'", 0
+    if name[-1] == '/':
+        return "topic name must not end with a forward slash '/'", len(name) - 1
+    return _absolute_path_problem('topic name', name, MAX_TOPIC_NAME, f"topic length should not exceed '{MAX_TOPIC_NAME}'")
+
+
+def topic_name_problem(name: str) -> Problem | None:
+    """What is wrong with a topic or service name as a program writes it (before expansion), or None."""
+    if not name:
+        return 'topic name must not be empty string', 0
+    if name[0] in _DIGITS:
+        return 'topic name token must not start with a number', 0
+    if name[-1] == '/':
+        return 'topic name must not end with a forward slash', len(name) - 1
+    return _character_problem(name) or _token_problem(name)
+
+
+def _character_problem(name: str) -> Problem | None:
+    opened = -1
+    for index, character in enumerate(name):
+        if character in '{}':
+            if (character == '{') == (opened >= 0):
+                return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened if opened >= 0 else index
+            opened = index if character == '{' else -1
+        elif character in _WORD:
+            if opened == index - 1 >= 0 and name[opened] == '{' and character in _DIGITS:
+                return 'substitution name must not start with a number', index
+        elif opened >= 0:
+            return "substitution name must not contain characters other than alphanumerics or '_'", index
+        elif character == '~':
+            if index:
+                return "topic name must not have tilde '~' unless it is the first character", index
+        elif character != '/':
+            return "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'", index
+    if opened >= 0:
+        return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened
+    return None
+
+
+def _token_problem(name: str) -> Problem | None:
+    if name[0] == '~' and len(name) > 1 and name[1] != '/':
+        return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
+    digit = _digit_token(name)
+    return ('topic name token must not start with a number', digit) if digit >= 0 else None
+
+
+def caret_text(kind: str, name: str, problem: Problem) -> str:
+    """The three lines in which ROS 2 reports a refused name: reason, name, and a caret under the offending character."""
+    reason, index = problem
+    return f"Invalid {kind}: {reason}:\n  '{name}'\n   {' ' * index}^"
+
+
+def absolute_namespace(namespace: str) -> str:
+    """`namespace` with the leading slash that ROS 2 adds; '' becomes '/'."""
+    return namespace if namespace.startswith('/') else '/' + namespace
+
+
+def fully_qualified_name(namespace: str, name: str) -> str:
+    """The absolute name of a node, or of a relative topic, in `namespace`."""
+    return f'/{name}' if namespace == '/' else f'{namespace}/{name}'
+
+
+def expand_name(name: str, node_name: str, namespace: str) -> str:
+    """The absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
+
+    :raises ValueError: for a substitution that ROS 2 does not know.
+    """
+    if '{' in name:
+        name = _substituted(name, node_name, namespace)
+    if name.startswith('/'):
+        return name
+    if name.startswith('~'):
+        return fully_qualified_name(namespace, node_name) + name[1:]
+    return fully_qualified_name(namespace, name)
+
+
+def _substituted(name: str, node_name: str, namespace: str) -> str:
+    values = {'node': node_name, 'ns': namespace, 'namespace': namespace}
+    head, *parts = name.split('{')
+    for part in parts:
+        key, _, rest = part.partition('}')
+        if key not in values:
+            raise ValueError(f"unknown substitution: {{{key}}}")
+        value = values[key]
+        if head.endswith('/') and value.startswith('/'):
+            value = value[1:]
+        elif value == '/' and rest.startswith('/'):
+            value = ''
+        head += value + rest
+    return head
+
+
+class RemapRule(NamedTuple):
+    """One `from:=to` rule.
+
+    :ivar kind: 'topic', 'service', 'any' (topics and services), 'node' or 'namespace'.
+    :ivar node_name: the only node that the rule is for, or None for all.
+    :ivar match: the name to replace, as written; unused for 'node' and 'namespace'.
+    """
+
+    kind: str
+    node_name: str | None
+    match: str
+    replacement: str
+
+
+def remapped_node_name(rules: Iterable[RemapRule], name: str) -> str:
+    """The node's name after the first `__node` rule that is for it."""
+    return _replacement(rules, 'node', name) or name
+
+
+def remapped_namespace(rules: Iterable[RemapRule], node_name: str, namespace: str) -> str:
+    """The node's namespace after the first `__ns` rule that is for it (`node_name` is the renamed one)."""
+    return _replacement(rules, 'namespace', node_name) or namespace
+
+
+def _replacement(rules: Iterable[RemapRule], kind: str, node_name: str) -> str | None:
+    for rule in rules:
+        if rule.kind == kind and rule.node_name in (None, node_name):
+            return rule.replacement
+    return None
+
+
+def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: str, namespace: str) -> str:
+    """An expanded topic or service name after the first rule that matches it; rules never chain.
+
+    :param kind: 'topic' or 'service'.
+    """
+    for rule in rules:
+        if rule.kind in (kind, 'any') and rule.node_name in (None, node_name) \
+                and expand_name(rule.match, node_name, namespace) == name:
+            return expand_name(rule.replacement, node_name, namespace)
+    return name
+
+
+def is_hidden(name: str) -> bool:
+    """Whether tools leave this name out: one of its tokens begins with an underscore."""
+    return name.startswith('_') or '/_' in name

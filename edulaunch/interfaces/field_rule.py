@@ -1,0 +1,192 @@
+"""What may be assigned to a field: rclpy's checks with their texts, each with one line of help."""
+from __future__ import annotations
+
+import sys
+from array import array
+from collections import UserList, UserString
+from collections.abc import Iterable, Sequence, Set
+from typing import Any, NoReturn
+
+from edulaunch.interfaces.kinds import FLOAT32_MAX
+from edulaunch.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
+from edulaunch.interfaces.message import Message
+from edulaunch.interfaces.spec import Field
+
+_INF = float('inf')
+
+
+class FieldRule:
+    """The rule of one field; `message` is the class of a nested message, or None.
+
+    Generated setters handle the common right value themselves and call `accept` for everything else.
+    """
+
+    __slots__ = ('name', 'type', 'kind', 'message')
+
+    def __init__(self, field: Field, message: type[Message] | None) -> None:
+        self.name = field.name
+        self.type = field.type
+        self.kind = field.type.kind
+        self.message = message
+
+    def accept(self, value: Any) -> Any:
+        """The value as the slot stores it.
+
+        :raises AssertionError: in rclpy's words, when the value has a wrong type, length or range.
+        """
+        if not self.type.array:
+            return self._accept_one(value)
+        if is_fixed_numbers(self.type):
+            return self._accept_fixed_numbers(value)
+        if isinstance(value, array) and is_number_sequence(self.type):
+            return self._accept_array(value)
+        return self._accept_several(value)
+
+    # One value
+
+    def _accept_one(self, value: Any) -> Any:
+        if not self._is_one(value):
+            self._refuse(f'must be {self._one_words()}', value)
+        if self.kind is None:
+            return value
+        if not self._is_in_range(value):
+            words = self.kind.range_words or f'string value not longer than {self.type.string_bound}'
+            article = 'an ' if words[0] in 'iu' else 'a ' if self.kind.range_words else ''
+            self._refuse(f'must be {article}{words}', value)
+        # A subclass (numpy.float64, an IntEnum, bool as a number) is stored as the plain value that a wire tuple needs.
+        return self.kind.python(value)
+
+    def _one_words(self) -> str:
+        if self.message is not None:
+            return f"a sub message of type '{self.message.__name__}'"
+        if self.kind is not None and self.kind.python is bytes:
+            return "of type 'bytes' or 'ByteString' with length 1"
+        return f"of type '{self._python_name()}'"
+
+    def _python_name(self) -> str:
+        return self.message.__name__ if self.kind is None and self.message else self.kind.python.__name__ if self.kind else ''
+
+    def _is_one(self, value: Any) -> bool:
+        if self.kind is None:
+            return self.message is not None and isinstance(value, self.message)
+        if self.kind.python is bytes:
+            return isinstance(value, (bytes, bytearray, memoryview)) and len(value) == 1
+        return isinstance(value, self.kind.python)
+
+    def _is_in_range(self, value: Any) -> bool:
+        kind = self.kind
+        if kind is None or kind.python is bytes or kind.python is bool:
+            return True
+        if kind.python is str:
+            return self.type.string_bound is None or len(value) <= self.type.string_bound
+        return bool(kind.low <= value <= kind.high) or (kind.python is float and (value != value or abs(value) == _INF))
+
+    # Several values
+
+    def _accept_several(self, value: Any) -> Any:
+        if not self._are_right(value):
+            self._refuse(f'must be {self._several_words()}', value)
+        if not is_number_sequence(self.type) or self.kind is None:
+            return value
+        return array(self.kind.code, value)
+
+    def _are_right(self, value: Any) -> bool:
+        listed = isinstance(value, (Sequence, Set, UserList)) and not isinstance(value, (str, UserString))
+        return listed and self._is_right_length(len(value)) and self._each_is_right(value)
+
+    def _is_right_length(self, length: int) -> bool:
+        return {'fixed': length == self.type.size, 'bounded': length <= self.type.size}.get(self.type.array, True)
+
+    def _each_is_right(self, values: Iterable[Any]) -> bool:
+        return all(self._is_one(value) and self._is_in_range(value) for value in values)
+
+    def _several_words(self) -> str:
+        words = ['a set or sequence']
+        if self.type.array != 'unbounded':
+            words.append(f'with length {"<= " if self.type.array == "bounded" else ""}{self.type.size}')
+        words.append(f"and each value of type '{self._python_name()}'")
+        if self.kind is not None and self.kind.range_words:
+            words.append(f'and each {self.kind.range_words}')
+        if self.type.string_bound is not None:
+            words.append(f'and each string value not longer than {self.type.string_bound}')
+        return ' '.join(words)
+
+    def _accept_array(self, value: array[Any]) -> array[Any]:
+        assert self.kind is not None
+        if value.typecode != self.kind.code:
+            raise AssertionError(f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
+                                 f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)")
+        if not self._is_right_length(len(value)):
+            raise AssertionError(f"The '{self.name}' array.array() must have a size <= {self.type.size}"
+                                 f'\n  help: this one has {len(value)} values')
+        return value
+
+    def _accept_fixed_numbers(self, value: Any) -> Any:
+        """A numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when first read."""
+        assert self.kind is not None
+        numpy = sys.modules.get('numpy')
+        if numpy is not None and isinstance(value, numpy.ndarray):
+            return self._accept_ndarray(value)
+        if not self._are_right(value):
+            self._refuse(f'must be {self._several_words()}', value)
+        numbers = array(self.kind.code, value)
+        return numbers.tobytes() if is_byte_like(self.type) else tuple(numbers)
+
+    def _accept_ndarray(self, value: Any) -> Any:
+        assert self.kind is not None
+        if value.dtype != self.kind.name:
+            raise AssertionError(f"The '{self.name}' numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'"
+                                 f"\n  help: this one has '{value.dtype}': write value.astype('{self.kind.name}')")
+        if value.size != self.type.size:
+            raise AssertionError(f"The '{self.name}' numpy.ndarray() must have a size of {self.type.size}"
+                                 f'\n  help: this one has {value.size} values')
+        return value
+
+    # Help
+
+    def _refuse(self, words: str, value: Any) -> NoReturn:
+        from edulaunch.interfaces.field_help import help_for
+
+        raise AssertionError(f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}")
+
+    # Snapshots of the fields whose content may have changed since it was assigned
+
+    def list_to_wire(self, values: Any) -> Any:
+        """The wire value of a list field (bool, byte, strings).
+
+        :raises AssertionError: when something wrong was appended to the list since it was assigned.
+        """
+        if not self._are_right(values):
+            self._refuse(f'must be {self._several_words()}', values)
+        return b''.join(values) if is_byte_like(self.type) else tuple(values)
+
+    def refuse_elements(self, values: Any) -> None:
+        """Raise unless every message in the list is of the right class (a subclass will do) and the length is legal."""
+        if not self._are_right(values):
+            self._refuse(f'must be {self._several_words()}', values)
+
+    def array_to_wire(self, values: array[Any]) -> tuple[Any, ...] | bytes:
+        """The wire value of a bounded sequence of numbers."""
+        self._accept_array(values)
+        return values.tobytes() if is_byte_like(self.type) else tuple(values)
+
+    def fixed_to_wire(self, values: Any) -> tuple[Any, ...] | bytes:
+        """The wire value of a fixed array of numbers that has been read, and so became a numpy array."""
+        raw = self._accept_fixed_numbers(values)
+        if isinstance(raw, (tuple, bytes)):
+            return raw
+        return raw.tobytes() if is_byte_like(self.type) else tuple(raw.ravel().tolist())
+
+    def to_numpy(self, wire: Any) -> Any:
+        """A fresh numpy array with the wire value of a fixed array of numbers."""
+        import numpy  # late: a run that never looks into a covariance does not pay for it
+
+        assert self.kind is not None
+        if isinstance(wire, bytes):
+            return numpy.frombuffer(wire, self.kind.name).copy()
+        return numpy.array(wire, self.kind.name)
+
+
+def float32_limits() -> tuple[float, float]:
+    """The range that ROS lets a float32 field take."""
+    return -FLOAT32_MAX, FLOAT32_MAX

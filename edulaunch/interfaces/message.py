@@ -1,0 +1,97 @@
+"""The base of all generated message classes, and class attributes that are made when first read."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+
+from edulaunch.interfaces.naming import did_you_mean
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from edulaunch.interfaces.layout import Layout
+    from edulaunch.interfaces.spec import MessageSpec
+
+
+class Lazy:
+    """A class attribute computed at its first reading, then kept on the class that owns it."""
+
+    def __init__(self, compute: Callable[[], Any]) -> None:
+        self._compute = compute
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: type) -> Any:
+        value = self._compute()
+        setattr(owner, self._name, value)
+        return value
+
+
+class Message:
+    """What every message class has besides its fields; the fields look and behave as in rclpy.
+
+    `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message from one.
+    """
+
+    __slots__ = ()
+    TYPE: ClassVar[str]
+    LAYOUT: ClassVar[Layout]
+    SLOT_TYPES: ClassVar[tuple[Any, ...]]
+    _SPEC: ClassVar[MessageSpec]
+    _FIELDS: ClassVar[dict[str, str]]
+    to_wire: ClassVar[Callable[[Any], tuple[Any, ...]]]
+    if TYPE_CHECKING:
+        def __init__(self, **kwargs: Any) -> None: ...
+
+        @staticmethod
+        def from_wire(wire: tuple[Any, ...]) -> Self:
+            """A new message with the values of a wire tuple."""
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Field names with their types as text, in order: {'linear': 'geometry_msgs/Vector3', ...}."""
+        return dict(cls._FIELDS)
+
+    @classmethod
+    def wire_type(cls) -> tuple[tuple[str, str], ...]:
+        """(dotted path, type in .msg notation) of each entry of a wire tuple, in order."""
+        return tuple((leaf.path, leaf.type.text) for leaf in cls.LAYOUT.leaves)
+
+    @property
+    def _check_fields(self) -> bool:
+        """ROS 2 Jazzy can switch the type checks off (`check_fields`); here they always stay on."""
+        return True
+
+    def __repr__(self) -> str:
+        cls = type(self)
+        package, kind = cls.TYPE.split('/')[:2]
+        values = []
+        for name, text in cls._FIELDS.items():
+            value = getattr(self, name)
+            # Sequences of numbers are shown as plain lists, as rclpy does; everything else as itself.
+            shown = value.tolist() if text.startswith('sequence<') and hasattr(value, 'typecode') else value
+            values.append(f'{name}={shown!r}')
+        return f'{package}.{kind}.{cls.__name__}({", ".join(values)})'
+
+
+def set_fields(message: Message, values: dict[str, Any]) -> None:
+    """Set the keyword arguments of a constructor, in the order of the fields.
+
+    :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
+    """
+    values.pop('check_fields', None)
+    fields = message._FIELDS
+    if not values.keys() <= fields.keys():
+        _refuse_arguments(message, values)
+    for name in fields:
+        if name in values:
+            setattr(message, name, values[name])
+
+
+def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
+    fields = message._FIELDS
+    unknown = sorted(values.keys() - fields.keys())
+    words = did_you_mean(unknown[0], fields) or ''
+    listed = f'the fields of {type(message).__name__} are: {", ".join(fields) or "(none)"}'
+    raise AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}')

@@ -1,0 +1,72 @@
+"""CMake's syntax: commands, quoted and bare words, comments and ${variables}."""
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+_TOKEN = re.compile(r'''
+    (?P<comment>\#\[\[.*?\]\]|\#[^\n]*)
+  | "(?P<quoted>(?:[^"\\]|\\.)*)"
+  | (?P<paren>[()])
+  | (?P<bare>(?:[^\s()"\#\\]|\\.)+)
+  ''', re.VERBOSE | re.DOTALL)
+_VARIABLE = re.compile(r'\$\{([^${}]*)\}')
+
+
+@dataclass(frozen=True)
+class Command:
+    """`name(words...)` at `line`; `quoted` tells which words stood in quotes."""
+
+    name: str
+    line: int
+    words: tuple[str, ...]
+    quoted: tuple[bool, ...]
+
+
+def commands(text: str) -> Iterator[Command]:
+    """The commands of a CMake file in order, names in lower case. Text that is no command is passed over."""
+    name, line, depth = '', 0, 0
+    words: list[tuple[str, bool]] = []
+    for match in _TOKEN.finditer(text):
+        kind, token = match.lastgroup, match[match.lastgroup or 0]
+        if kind == 'comment':
+            continue
+        if kind != 'paren':
+            if depth:
+                words.append((token, kind == 'quoted'))
+            else:
+                name, line, words = token.lower(), text.count('\n', 0, match.start()) + 1, []
+        elif token == '(':
+            depth += 1
+        elif depth:
+            depth -= 1
+            if depth == 0:
+                yield Command(name, line, tuple(word for word, _ in words), tuple(quoted for _, quoted in words))
+
+
+def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
+    """The words with ${variables} filled in; a bare word becomes as many words as its lists have items.
+
+    A word with a variable that is not known is left out, after `unknown(name)`.
+    """
+    result: list[str] = []
+    for word, quoted in zip(command.words, command.quoted):
+        missing = []
+
+        def value(match: re.Match[str]) -> str:
+            if match[1] not in variables:
+                missing.append(match[1])
+            return ';'.join(variables.get(match[1], ()))
+
+        previous = ''
+        text = word
+        while text != previous and not missing:
+            previous, text = text, _VARIABLE.sub(value, text)
+        if missing:
+            unknown(missing[0])
+        elif quoted:
+            result.append(text)
+        else:
+            result += [part for part in text.split(';') if part]
+    return result

@@ -1,0 +1,121 @@
+"""The index: one view over source workspaces, install prefixes and the underlay."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+from edulaunch.packages.place import Place
+from edulaunch.packages.prefix import Prefix, expand_prefixes
+from edulaunch.packages.program import Program
+from edulaunch.packages.reading import PackageWarning
+from edulaunch.packages.underlay import Underlay
+from edulaunch.packages.workspace import Workspace
+from edulaunch.underlay_place import underlay_prefix
+
+
+class Index:
+    """Finds packages, their share folders, executables, modules and interfaces.
+
+    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay last. Paths
+    are strings. A package of a source workspace is presented as if installed, in a generated prefix of links; use
+    :meth:`source_path` to get back to the student's own file.
+
+    :param prefixes: install prefixes, or colcon `install/` folders of either layout.
+    :param workspaces: folders with source packages.
+    :param underlay: the built-in packages' prefix; None for an index without them.
+    """
+
+    def __init__(self, prefixes: Iterable[str | os.PathLike[str]] = (), workspaces: Iterable[str | os.PathLike[str]] = (),
+                 *, underlay: str | None = underlay_prefix()) -> None:
+        self._warnings: list[PackageWarning] = []
+        self._workspaces = [Workspace(os.fspath(folder), self._warnings) for folder in workspaces]
+        expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
+        self._places: list[Place] = [*self._workspaces, *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay))]
+        if underlay is not None:
+            self._places.append(Underlay(underlay))
+
+    @property
+    def warnings(self) -> tuple[PackageWarning, ...]:
+        """What is wrong in the packages that were looked at so far."""
+        return tuple(self._warnings)
+
+    def search_paths(self) -> list[str]:
+        """The prefixes in order of search, as AMENT_PREFIX_PATH would list them."""
+        return [place.path for place in self._places]
+
+    def packages(self) -> dict[str, str]:
+        """Each package's prefix, by name; the first place that has a package wins."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for name in place.packages():
+                found.setdefault(name, place.path)
+        return dict(sorted(found.items()))
+
+    def prefix(self, package: str) -> str | None:
+        """The prefix that holds the package, or None. Its files stand there when this returns."""
+        place = self._place(package)
+        if place is None:
+            return None
+        place.install(package)
+        return place.path
+
+    def share(self, package: str) -> str | None:
+        """`<prefix>/share/<package>`, or None when there is no such package. The folder itself may be missing, as in ROS."""
+        prefix = self.prefix(package)
+        return None if prefix is None else os.path.join(prefix, 'share', package)
+
+    def executables(self, package: str) -> list[str]:
+        """Names of the package's executables, sorted; none for an unknown package."""
+        place = self._place(package)
+        return [] if place is None else place.executables(package)
+
+    def native_executables(self, package: str) -> dict[str, str]:
+        """Executables that the package's CMakeLists.txt builds from C++: name -> 'file:line'. They cannot run here."""
+        place = self._place(package)
+        if not isinstance(place, Workspace):
+            return {}
+        folder = place.package_folder(package)
+        return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
+
+    def find_program(self, path: str) -> Program | None:
+        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not one of ours."""
+        folder, executable = os.path.split(path)
+        lib, package = os.path.split(folder)
+        prefix, name = os.path.split(lib)
+        if name != 'lib':
+            return None
+        for place in self._places:
+            if place.path == prefix and package in place.packages():
+                return place.program(package, executable)
+        return None
+
+    def python_modules(self) -> dict[str, str]:
+        """Top-level modules of workspaces and prefixes, by name, with the path of each folder or .py file."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for name, path in place.modules().items():
+                found.setdefault(name, path)
+        return found
+
+    def python_roots(self) -> list[str]:
+        """The folders that hold :meth:`python_modules`, in order of search."""
+        return list(dict.fromkeys(os.path.dirname(path) for path in self.python_modules().values()))
+
+    def interface_roots(self) -> list[str]:
+        """Share folders with msg/, srv/ or action/ files; the folder's name is the package. First match wins."""
+        found: dict[str, str] = {}
+        for place in self._places:
+            for package in place.interface_packages():
+                found.setdefault(package, os.path.join(place.path, 'share', package))
+        return list(found.values())
+
+    def source_path(self, path: str) -> str:
+        """The file as the student wrote it: links of generated prefixes are followed, other paths come back as they are."""
+        for place in self._places:
+            found = place.source_path(path)
+            if found is not None:
+                return found
+        return path
+
+    def _place(self, package: str) -> Place | None:
+        return next((place for place in self._places if package in place.packages()), None)

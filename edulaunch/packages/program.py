@@ -1,0 +1,26 @@
+"""What an executable of a package is, before anything runs."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Program:
+    """A Python program that can run in the simulation.
+
+    :param kind: 'entry_point' (a function of a module) or 'script' (a file run as `__main__`).
+    :param path: `<prefix>/lib/<package>/<executable>`, the word that stands in a command line.
+    :param module: dotted module name of an entry point, else ''.
+    :param function: name of the entry point's function, else ''.
+    :param file: the script as the student wrote it (never a generated link), else ''.
+    :param python_roots: folders from which this program's own modules are imported, first match wins.
+    """
+
+    kind: str
+    package: str
+    executable: str
+    path: str
+    module: str = ''
+    function: str = ''
+    file: str = ''
+    python_roots: tuple[str, ...] = ()

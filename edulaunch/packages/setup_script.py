@@ -1,0 +1,191 @@
+"""What a setup.py installs, read without running it."""
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.packages.manifest import Manifest
+from edulaunch.packages.reading import Contents, PackageWarning
+from edulaunch.packages.static_values import Unknown, first_unknown
+
+_SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
+_ENTRY = re.compile(r'\s*([^=\s]+)\s*=\s*([\w.-]+)\s*(?::\s*([\w.]*))?\s*(?:\[.*\])?\s*')
+_MARKERS = 'share/ament_index/resource_index/packages'
+
+
+def read_setup_script(manifest: Manifest) -> Contents:
+    """The contents of an ament_python package; what a build would reject or only a run could tell becomes a warning."""
+    return _SetupScript(manifest).read()
+
+
+class _SetupScript:
+    """One setup.py while it is read."""
+
+    def __init__(self, manifest: Manifest) -> None:
+        self.package = manifest.name
+        self.folder = manifest.folder
+        self.file = os.path.join(manifest.folder, 'setup.py')
+        self.line = 0
+        self.contents = Contents()
+
+    def read(self) -> Contents:
+        options = self._options()
+        if options is not None:
+            self._data_files(options)
+            self._modules(options)
+            self._executables(options)
+        for needed, source in ((f'share/{self.package}/package.xml', 'package.xml'), (f'{_MARKERS}/{self.package}', 'package.xml')):
+            self.contents.files.setdefault(needed, os.path.join(self.folder, source))  # colcon adds both when a setup.py forgets them
+        return self.contents
+
+    def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
+        self.contents.warnings.append(PackageWarning(file or self.file, self.line if line is None else line, sentence))
+
+    def _options(self) -> dict[str, Any] | None:
+        """The keywords of the setup() call."""
+        import ast
+
+        from edulaunch.packages.static_python import StaticPython
+        try:
+            with open(self.file, encoding='utf-8') as stream:
+                tree = ast.parse(stream.read(), self.file)
+        except FileNotFoundError:
+            self.warn('is missing, so this ament_python package cannot be built', 0)
+            return None
+        except (SyntaxError, ValueError) as error:
+            self.warn(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
+            return None
+        module = StaticPython(self.file, self.folder, _SETUP)
+        module.run(tree.body)
+        if not module.calls:
+            self.warn('does not call setup(), so nothing is installed', 0)
+            return None
+        self.line, options = module.calls[0]
+        return options
+
+    def _known(self, options: dict[str, Any], name: str) -> Any:
+        """An option, with a warning for each part of it that only running the file would tell."""
+        value = options.get(name)
+        for unknown in _unknowns(value):
+            self.warn(f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out', unknown.line)
+        return None if isinstance(value, Unknown) else value
+
+    def _data_files(self, options: dict[str, Any]) -> None:
+        for entry in self._known(options, 'data_files') or ():
+            if first_unknown(entry) is not None and not (isinstance(entry, tuple | list) and isinstance(entry[0], str)):
+                continue
+            try:
+                target, sources = entry
+            except (TypeError, ValueError):
+                self.warn(f'data_files holds {entry!r}; a pair (folder, [files]) was expected')
+                continue
+            if isinstance(sources, str):
+                self.warn(f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]')
+                sources = [sources]
+            for source in sources if isinstance(sources, list | tuple) else ():
+                if isinstance(source, str):
+                    self._data_file(str(target), source)
+
+    def _data_file(self, target: str, source: str) -> None:
+        path = os.path.normpath(os.path.join(self.folder, source))
+        if os.path.isfile(path):
+            name = os.path.normpath(os.path.join(target, os.path.basename(path))).lstrip('/')
+            self.contents.files[name] = path
+            self.contents.interfaces |= path.endswith(('.msg', '.srv', '.action'))
+        else:
+            kind = 'a folder; only files can be listed, so use glob()' if os.path.isdir(path) else 'not there'
+            self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
+
+    def _modules(self, options: dict[str, Any]) -> None:
+        """Top-level import names, from packages= and py_modules=."""
+        folders = self._known(options, 'package_dir') or {}
+        for name in self._known(options, 'packages') or ():
+            if not isinstance(name, str) or '.' in name:
+                continue
+            path = os.path.normpath(os.path.join(self.folder, folders.get(name) or os.path.join(folders.get('') or '', name)))
+            if os.path.isdir(path):
+                self.contents.python_modules[name] = path
+            else:
+                self.warn(f"packages= names {name!r}, but there is no folder {os.path.relpath(path, self.folder)}/ "
+                          f"(a build stops with \"package directory '{name}' does not exist\")")
+        for name in self._known(options, 'py_modules') or ():
+            if isinstance(name, str):
+                path = os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.'))) + '.py'
+                self.contents.python_modules[name.partition('.')[0]] = path
+
+    def _executables(self, options: dict[str, Any]) -> None:
+        entries = list(self._console_scripts(self._known(options, 'entry_points')))
+        scripts = [script for script in self._known(options, 'scripts') or () if isinstance(script, str)]
+        if not entries and not scripts:
+            return
+        place = self._script_folder()
+        for name, module, function in entries:
+            self.contents.entry_points[f'{place}/{name}'] = (module, function)
+        for script in scripts:
+            path = os.path.normpath(os.path.join(self.folder, script))
+            if os.path.isfile(path):
+                self.contents.files[f'{place}/{os.path.basename(path)}'] = path
+                self.contents.programs.add(f'{place}/{os.path.basename(path)}')
+            else:
+                self.warn(f'scripts= lists {script!r}, which is not there')
+
+    def _console_scripts(self, entry_points: Any) -> Iterator[tuple[str, str, str]]:
+        """(executable, module, function) of each console script; entry_points= may be a dict or one ini-like text."""
+        if isinstance(entry_points, str):
+            entry_points = _ini_sections(entry_points)
+        if not isinstance(entry_points, dict):
+            return
+        lines = entry_points.get('console_scripts') or ()
+        for line in lines.splitlines() if isinstance(lines, str) else lines:
+            if not isinstance(line, str) or not line.strip():
+                continue
+            match = _ENTRY.fullmatch(line)
+            if match is None or not match[3]:
+                self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
+            else:
+                yield match[1], match[2], match[3]
+
+    def _script_folder(self) -> str:
+        """Where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
+        from configparser import ConfigParser, Error
+        file = os.path.join(self.folder, 'setup.cfg')
+        parser = ConfigParser(interpolation=None)
+        try:
+            parser.read(file, encoding='utf-8')
+            section = parser['install'] if parser.has_section('install') else {}
+        except (Error, UnicodeDecodeError) as error:
+            self.warn(f'cannot be read: {str(error).splitlines()[0]}', 0, file)
+            section = {}
+        value = section.get('install_scripts') or section.get('install-scripts') or ''
+        if not value:
+            self.warn(f'has no install_scripts=$base/lib/{self.package} below [install], so `ros2 run {self.package} ...` and Node() '
+                      'find no executable of this package', 0, file)
+            return 'bin'
+        return os.path.normpath(value.replace('$base', '').lstrip('/'))
+
+
+def _unknowns(value: Any) -> Iterator[Unknown]:
+    """Every Unknown inside a value, at most one for each list item."""
+    if isinstance(value, Unknown):
+        yield value
+    elif isinstance(value, dict):
+        for item in value.values():
+            yield from _unknowns(item)
+    elif isinstance(value, list | tuple | set):
+        for item in value:
+            found = first_unknown(item)
+            if found is not None:
+                yield found
+
+
+def _ini_sections(text: str) -> dict[str, list[str]]:
+    sections: dict[str, list[str]] = {}
+    name = ''
+    for line in text.splitlines():
+        if line.strip().startswith('['):
+            name = line.strip().strip('[]').strip()
+        elif line.strip():
+            sections.setdefault(name, []).append(line)
+    return sections

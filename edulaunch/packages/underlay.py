@@ -1,0 +1,71 @@
+"""The built-in packages, laid out like a prefix.
+
+Every folder of `share/` is a package. Its executables stand in `share/<package>/console_scripts.txt`, one
+`name = module:function` on a line; the modules lie in the underlay's `python/` folder, on the ordinary path.
+"""
+from __future__ import annotations
+
+import os
+
+from edulaunch.packages.program import Program
+from edulaunch.packages.share import interface_packages
+
+_SIGNS = ('package.xml', 'console_scripts.txt', 'interfaces', 'msg', 'srv', 'action')
+
+
+class Underlay:
+    """One underlay prefix."""
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self._packages: list[str] | None = None
+        self._scripts: dict[str, dict[str, tuple[str, str]]] = {}
+
+    def packages(self) -> list[str]:
+        """Names of the built-in packages."""
+        if self._packages is None:
+            share = os.path.join(self.path, 'share')
+            names = sorted(os.listdir(share)) if os.path.isdir(share) else []
+            self._packages = [name for name in names if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)]
+        return self._packages
+
+    def install(self, package: str) -> None:
+        """Nothing to do: the files stand there."""
+
+    def executables(self, package: str) -> list[str]:
+        """Names in the package's console_scripts.txt."""
+        return sorted(self._entries(package))
+
+    def program(self, package: str, executable: str) -> Program | None:
+        """A built-in program."""
+        entry = self._entries(package).get(executable)
+        if entry is None:
+            return None
+        return Program('entry_point', package, executable, os.path.join(self.path, 'lib', package, executable), entry[0], entry[1])
+
+    def modules(self) -> dict[str, str]:
+        """None: built-in modules are shared and lie on the ordinary path."""
+        return {}
+
+    def interface_packages(self) -> list[str]:
+        """Built-in packages with interface files in their share folder."""
+        return interface_packages(self.path, self.packages())
+
+    def source_path(self, path: str) -> str | None:
+        """Built-in files are where they are."""
+        return None
+
+    def _entries(self, package: str) -> dict[str, tuple[str, str]]:
+        entries = self._scripts.get(package)
+        if entries is None:
+            entries = self._scripts[package] = {}
+            try:
+                with open(os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8') as stream:
+                    lines = [line.partition('#')[0] for line in stream]
+            except OSError:
+                lines = []  # a package without executables
+            for line in filter(str.strip, lines):
+                name, _, target = line.partition('=')
+                module, _, function = target.strip().partition(':')
+                entries[name.strip()] = (module.strip(), function.strip())
+        return entries

@@ -1,0 +1,34 @@
+"""The process that stands for code outside any launched program."""
+from __future__ import annotations
+
+import os
+import sys
+
+from edulaunch.graph.graph import Graph
+from edulaunch.packages import Index
+from edulaunch.processes.host import Host
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.task import AmbientTask
+from edulaunch.underlay_place import underlay_prefix
+
+
+class AmbientProcess(Process):
+    """A script or notebook cell that uses the ROS faces by itself: its streams are the real ones."""
+
+    def write(self, stream: str, text: str) -> None:
+        """Write to the real stream of that name."""
+        target = sys.stdout if stream == 'stdout' else sys.stderr
+        target.write(text)
+        target.flush()
+
+
+def make_ambient_process(task: AmbientTask) -> Process:
+    """A process around `task`, with a graph, an index of the underlay and a host of its own."""
+    prefixes = [path for path in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if path]
+    host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], []), env=dict(os.environ))
+    spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
+    process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
+    process.task = task
+    process.signal_handlers.clear()
+    return process

@@ -1,0 +1,141 @@
+"""Starts programs: those it knows as simulated processes, any other as a real program of this machine."""
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Protocol
+
+from edulaunch.graph.graph import Graph
+from edulaunch.graph.tracer import Tracer
+from edulaunch.packages import Index, Program
+from edulaunch.processes.process import OnExit, OnOutput, Process
+from edulaunch.processes.programs import run_program
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.simulation import Simulation
+
+if TYPE_CHECKING:
+    from edulaunch.processes.real import RealProcess
+
+FIRST_PID = 1001
+WRAPPERS = ('env', 'gdb', 'gnome-terminal', 'gnome-terminal.wrapper', 'konsole', 'lxterminal', 'nice', 'perf', 'python',
+            'python3', 'screen', 'stdbuf', 'strace', 'taskset', 'terminator', 'time', 'tmux', 'valgrind', 'xterm')
+SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
+
+
+class CommandRunner(Protocol):
+    """Runs a `ros2 ...` command inside a simulated process and returns its exit code."""
+
+    def __call__(self, process: Process) -> object: ...
+
+
+class Host:
+    """Owns the processes of one simulation.
+
+    :param env: the environment that programs inherit.
+    :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
+    :param stdin: text that programs may read, by launch name or executable; others read an empty input.
+    """
+
+    def __init__(self, sim: Simulation, graph: Graph, index: Index, *, env: Mapping[str, str],
+                 ros2: CommandRunner | None = None, stdin: Mapping[str, str] | None = None) -> None:
+        self.sim = sim
+        self.graph = graph
+        self.index = index
+        self.tracer: Tracer = graph.tracer
+        self.env = dict(env)
+        self.processes: list[Process] = []
+        self.real_programs: list[RealProcess] = []
+        self._ros2 = ros2
+        self._stdin = dict(stdin or {})
+        self._pid = FIRST_PID
+
+    def next_pid(self) -> int:
+        """Process numbers count up from 1001, so that they repeat from run to run."""
+        pid = self._pid
+        self._pid += 1
+        return pid
+
+    def stdin_for(self, spec: ProcessSpec) -> Any:
+        """What the program reads: the text given for its launch name or executable, else nothing."""
+        import io
+        text = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
+        return io.StringIO(text)
+
+    def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Process | RealProcess:
+        """Start a program. Its first turn comes after what is due now.
+
+        :param on_output: called as on_output('stdout' | 'stderr', text) for everything it writes.
+        :param on_exit: called with the return code, once.
+        :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
+        """
+        known = self._known_command(spec)
+        if known is None:
+            from edulaunch.processes.real import RealProcess
+            real = RealProcess(self, spec, on_output, on_exit)
+            self.real_programs.append(real)
+            return real
+        argv, program = known
+        process = Process(self, spec, self.next_pid(), argv, self._ros2 if program is None else _runner(program))  # type: ignore[arg-type]
+        process.on_output = on_output
+        process.on_exit = on_exit
+        return self.adopt(process)
+
+    def adopt(self, process: Process) -> Process:
+        """Take charge of a process made elsewhere, and start it."""
+        self.processes.append(process)
+        self.tracer.process_started(process)
+        process.task.start()
+        return process
+
+    def _known_command(self, spec: ProcessSpec) -> tuple[list[str], Program | None] | None:
+        """The words that a simulated program sees, and the program (None for `ros2`); None for any other command."""
+        words = list(spec.argv)
+        if spec.shell:
+            line = ' '.join(words)
+            if SHELL_SIGNS & set(_outside_quotes(line)):
+                return None
+            words = shlex.split(line)
+        for position, word in enumerate(words):
+            program = self.index.find_program(word)
+            if program is not None:
+                return words[position:], program
+            if os.path.basename(word) == 'ros2' and self._ros2 is not None:
+                return words[position:], None
+            if position == 0 and os.path.basename(word) not in WRAPPERS:
+                return None
+        return None
+
+    def ended(self, process: Process) -> None:
+        """Called by a process when it has ended."""
+        self.processes.remove(process)
+        self.tracer.process_exited(process)
+
+    def close(self) -> None:
+        """End everything at once, without more simulated time: tasks are unwound, real programs are killed."""
+        for real in list(self.real_programs):
+            real.kill()
+        for process in list(self.processes):
+            process.on_output = process.on_exit = None
+            process.task.kill()
+            for thread in process.threads:
+                thread.kill()
+        until = self.sim.now_ns
+        self.sim.run(until)
+
+
+def _runner(program: Program) -> CommandRunner:
+    return lambda process: run_program(process, program)
+
+
+def _outside_quotes(line: str) -> str:
+    """The characters of a shell line that stand outside quotation marks."""
+    kept, quote = [], ''
+    for character in line:
+        if quote:
+            quote = '' if character == quote else quote
+        elif character in '"\'':
+            quote = character
+        else:
+            kept.append(character)
+    return ''.join(kept)

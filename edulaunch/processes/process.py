@@ -1,0 +1,218 @@
+"""A launched program in the simulation: its own pid, arguments, environment, streams, modules and end."""
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.task import Task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.host import Host
+    from edulaunch.processes.loader import Loader
+
+OnOutput = Callable[[str, str], object]
+OnExit = Callable[[int], object]
+
+
+class Process:
+    """One simulated program. `state` is a dict in which the ROS faces keep what would be process-wide globals.
+
+    Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `returncode` (None while it runs;
+    negative for a signal, as in `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdout`, `stderr`, `loader`.
+    """
+
+    def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
+        self.host = host
+        self.sim = host.sim
+        self.graph = host.graph
+        self.index = host.index
+        self.tracer = host.tracer
+        self.spec = spec
+        self.pid = pid
+        self.argv = argv
+        self.env: dict[str, str] = dict(spec.env if spec.env is not None else host.env)
+        self.state: dict[str, Any] = {}
+        self.returncode: int | None = None
+        self.on_output: OnOutput | None = None
+        self.on_exit: OnExit | None = None
+        self.signal_handlers: dict[int, Callable[[int], object]] = {}
+        self.at_exit: list[Callable[[], object]] = []
+        self.threads: list[Task] = []
+        self.stdin: Any = host.stdin_for(spec)
+        self.stdout = OutputStream(self, 'stdout')
+        self.stderr = OutputStream(self, 'stderr')
+        self._main = main
+        self._loader: Loader | None = None
+        self._signal: int | None = None
+        self.task = Task(host.sim, self._run, name=spec.name, owner=self)
+
+    def __repr__(self) -> str:
+        return f'<process {self.spec.name} [{self.pid}]>'
+
+    @property
+    def name(self) -> str:
+        """The launch name, such as 'talker-1'."""
+        return self.spec.name
+
+    @property
+    def loader(self) -> Loader:
+        """The private modules of this program."""
+        if self._loader is None:
+            from edulaunch.processes.loader import Loader
+            self._loader = Loader(self)
+        return self._loader
+
+    def write(self, stream: str, text: str) -> None:
+        """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
+        self.tracer.output(self, stream, text)
+        if self.on_output is not None:
+            self.on_output(stream, text)
+
+    def log(self, level: int, logger: str, message: str) -> None:
+        """Record a log message (its console line is written separately)."""
+        self.tracer.log(self, level, logger, message)
+
+    def note(self, kind: str, text: str) -> None:
+        """Record something that the engine noticed and the user should hear about."""
+        self.tracer.note(self, kind, text)
+
+    def start_thread(self, body: Callable[[], object], name: str, daemon: bool) -> Task:
+        """A further task of this program. The program does not end before its threads do, unless they are daemons."""
+        task = Task(self.sim, body, name=name, owner=self)
+        if not daemon:
+            self.threads.append(task)
+        else:
+            self.at_exit.append(task.kill)
+        task.start()
+        return task
+
+    def send_signal(self, signum: int) -> None:
+        """Deliver a signal. A handler in `signal_handlers` decides; else SIGINT raises KeyboardInterrupt in the program where
+        it waits, SIGKILL, SIGTERM, SIGQUIT and SIGHUP end it, and any other is ignored. Nothing happens after the end.
+        """
+        signum = int(signum)
+        if self.returncode is not None:
+            return
+        handler = self.signal_handlers.get(signum)
+        if handler is not None and signum != signal.SIGKILL:
+            self.task.interrupt(lambda: handler(signum))
+        elif signum == signal.SIGINT:
+            self.task.interrupt(_raise_keyboard_interrupt)
+        elif signum in (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP):
+            self._signal = signum
+            self.task.kill()
+
+    def exit_now(self, code: int) -> None:
+        """End at once without cleaning up, as `os._exit`."""
+        self.returncode = code
+        self.task.kill()
+        self.task.park()
+
+    def _run(self) -> None:
+        code: int | None = None
+        try:
+            code = self._main_exit_code()
+            self._join_threads()
+        finally:
+            if self.returncode is None:
+                self.returncode = code if code is not None else -(self._signal or signal.SIGKILL)
+            self._end()
+
+    def _main_exit_code(self) -> int:
+        try:
+            return exit_code(self, self._main(self))
+        except SystemExit as end:
+            return exit_code(self, end.code)
+        except KeyboardInterrupt as error:
+            self._print_traceback(error)
+            return -signal.SIGINT
+        except Exception as error:
+            self._print_traceback(error)
+            return 1
+
+    def _print_traceback(self, error: BaseException) -> None:
+        from edulaunch.processes.traceback_text import student_traceback
+        text, place = student_traceback(error)
+        self.write('stderr', text)
+        self.state['exception'] = {'type': type(error).__name__, 'message': str(error), 'place': place}
+
+    def _join_threads(self) -> None:
+        for thread in self.threads:
+            while not thread.finished:
+                thread.add_done_callback(lambda _: self.task.wake())
+                self.task.park()
+
+    def _end(self) -> None:
+        for action in self.at_exit:
+            action()
+        for thread in self.threads:
+            if not thread.finished:
+                thread.kill()
+        self.graph.remove_process(self)
+        self.host.ended(self)
+        if self.on_exit is not None:
+            assert self.returncode is not None
+            self.on_exit(self.returncode)
+
+
+def exit_code(process: Process, value: object) -> int:
+    """The exit status that `sys.exit(value)` gives: None is 0, a number itself, anything else is printed and 1."""
+    if value is None:
+        return 0
+    if isinstance(value, int):
+        return value & 0xFF
+    process.write('stderr', f'{value}\n')
+    return 1
+
+
+def _raise_keyboard_interrupt() -> None:
+    raise KeyboardInterrupt
+
+
+class OutputStream:
+    """`sys.stdout` or `sys.stderr` as a simulated program sees it."""
+
+    encoding = 'utf-8'
+    errors = 'replace'
+    closed = False
+    newlines = None
+    line_buffering = True
+
+    def __init__(self, process: Process, name: str) -> None:
+        self._process = process
+        self._stream = name
+        self.name = f'<{name}>'
+
+    def write(self, text: str) -> int:
+        """Hand the text on at once."""
+        if not isinstance(text, str):
+            raise TypeError(f'write() argument must be str, not {type(text).__name__}')
+        if text:
+            self._process.write(self._stream, text)
+        return len(text)
+
+    def writelines(self, lines: list[str]) -> None:
+        """Write all of them."""
+        for line in lines:
+            self.write(line)
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+
+    def isatty(self) -> bool:
+        """A launched program writes to a pipe."""
+        return False
+
+    def writable(self) -> bool:
+        """Yes."""
+        return True
+
+    def readable(self) -> bool:
+        """No."""
+        return False
+
+    def fileno(self) -> int:
+        """The number that the stream has in every program."""
+        return 1 if self._stream == 'stdout' else 2

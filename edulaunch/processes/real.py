@@ -1,0 +1,88 @@
+"""Real programs of this machine, started by ExecuteProcess.
+
+While one of them runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
+cannot repeat exactly; a recording says so.
+"""
+from __future__ import annotations
+
+import os
+import queue
+import signal
+import subprocess
+import threading
+import time
+from typing import IO, TYPE_CHECKING
+
+from edulaunch.processes.process import OnExit, OnOutput
+from edulaunch.processes.spec import ProcessSpec
+
+if TYPE_CHECKING:
+    from edulaunch.processes.host import Host
+
+LOOK_EVERY_NS = 10_000_000
+
+
+class RealProcess:
+    """A program of the operating system with the same face as a simulated one: `pid`, `returncode`, `send_signal`."""
+
+    def __init__(self, host: Host, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+        self.host = host
+        self.spec = spec
+        self.returncode: int | None = None
+        self.on_output = on_output
+        self.on_exit = on_exit
+        command = ' '.join(spec.argv) if spec.shell else list(spec.argv)
+        environment = dict(spec.env) if spec.env is not None else host.env
+        self._child = subprocess.Popen(command, shell=spec.shell, cwd=spec.cwd, env=environment, stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        self.pid = self._child.pid
+        self._lines: queue.SimpleQueue[tuple[str, str | None]] = queue.SimpleQueue()
+        self._open = 2
+        for stream, pipe in (('stdout', self._child.stdout), ('stderr', self._child.stderr)):
+            assert pipe is not None
+            threading.Thread(target=self._read, args=(stream, pipe), daemon=True).start()
+        host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
+        self._look_again()
+
+    def _read(self, stream: str, pipe: IO[bytes]) -> None:
+        with pipe:
+            while chunk := os.read(pipe.fileno(), 65536):
+                self._lines.put((stream, chunk.decode('utf-8', 'replace')))
+        self._lines.put((stream, None))
+
+    def _look_again(self) -> None:
+        sim = self.host.sim
+        sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
+
+    def _look(self) -> None:
+        deadline = time.monotonic() + LOOK_EVERY_NS / 1e9
+        while self._open:
+            try:
+                stream, text = self._lines.get(timeout=max(0.0, deadline - time.monotonic()))
+            except queue.Empty:
+                break
+            if text is None:
+                self._open -= 1
+            elif self.on_output is not None:
+                self.on_output(stream, text)
+        if self._open or self._child.poll() is None:
+            self._look_again()
+            return
+        self.returncode = self._child.returncode
+        self.host.real_programs.remove(self)
+        if self.on_exit is not None:
+            self.on_exit(self.returncode)
+
+    def send_signal(self, signum: int) -> None:
+        """Send a signal to the program and everything it started."""
+        if self._child.poll() is None:
+            try:
+                os.killpg(self.pid, signum)
+            except ProcessLookupError:
+                return
+
+    def kill(self) -> None:
+        """End it for good; nobody is told."""
+        self.on_output = self.on_exit = None
+        self.send_signal(signal.SIGKILL)
+        self._child.wait()

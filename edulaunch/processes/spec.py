@@ -1,0 +1,32 @@
+"""What to start: the frozen description of a program, made by launch actions and judged by most checks."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from edulaunch.processes.origin import Origin
+
+
+@dataclass(frozen=True)
+class ProcessSpec:
+    """Everything that is decided before a program starts.
+
+    :ivar argv: the command line, program first, exactly as the launch action resolved it.
+    :ivar name: the launch name, such as 'talker-1'.
+    :ivar cwd: working directory, None for the launcher's own.
+    :ivar env: the whole environment of the program; None for a copy of the launcher's.
+    :ivar shell: whether the joined command line goes through the shell.
+    :ivar origin: the launch file and line of the action.
+    :ivar package, executable: of a Node action.
+    :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
+    """
+
+    argv: tuple[str, ...]
+    name: str = 'process'
+    cwd: str | None = None
+    env: Mapping[str, str] | None = None
+    shell: bool = False
+    origin: Origin | None = None
+    package: str | None = None
+    executable: str | None = None
+    parameter_origins: Mapping[str, str] = field(default_factory=dict)

@@ -1,0 +1,30 @@
+"""`__builtins__` of a simulated program."""
+from __future__ import annotations
+
+import builtins
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
+    """Python's builtins with `__import__`, `print`, `input`, `exit` and `quit` of this process."""
+
+    def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
+                      flush: bool = False) -> None:
+        builtins.print(*values, sep=sep, end=end, file=process.stdout if file is None else file, flush=flush)
+
+    def private_input(prompt: object = '') -> str:
+        process.stdout.write(str(prompt))
+        line: str = process.stdin.readline()
+        if not line:
+            raise EOFError('EOF when reading a line')
+        return line.rstrip('\n')
+
+    def private_exit(code: object = None) -> None:
+        raise SystemExit(code)
+
+    return {**builtins.__dict__, '__import__': import_, 'print': private_print, 'input': private_input,
+            'exit': private_exit, 'quit': private_exit}

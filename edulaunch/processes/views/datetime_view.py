@@ -1,0 +1,58 @@
+"""`datetime` in simulated time: `now`, `utcnow` and `today` read the simulation's clock."""
+from __future__ import annotations
+
+import datetime as real
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.views import copy_names
+from edulaunch.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+class _RealInstances(type):
+    """isinstance() with one of our classes accepts what the real class made."""
+
+    def __instancecheck__(cls, instance: object) -> bool:
+        return isinstance(instance, cls.__mro__[1])
+
+
+def make(view: ModuleType, process: Process) -> ModuleType:
+    """Local time is UTC, so that a run does not depend on the machine's time zone."""
+    sim = process.sim
+
+    def now() -> real.datetime:
+        current_task().poll()
+        return real.datetime(1970, 1, 1) + real.timedelta(microseconds=sim.now_ns // 1000)
+
+    class datetime(real.datetime, metaclass=_RealInstances):
+        """As `datetime.datetime`."""
+
+        @classmethod
+        def now(cls, tz: real.tzinfo | None = None) -> Any:
+            """The simulated time."""
+            return now() if tz is None else now().replace(tzinfo=real.timezone.utc).astimezone(tz)
+
+        @classmethod
+        def utcnow(cls) -> Any:
+            """The simulated time."""
+            return now()
+
+        @classmethod
+        def today(cls) -> Any:
+            """The simulated time."""
+            return now()
+
+    class date(real.date, metaclass=_RealInstances):
+        """As `datetime.date`."""
+
+        @classmethod
+        def today(cls) -> Any:
+            """The simulated day."""
+            return now().date()
+
+    view.__dict__.update(datetime=datetime, date=date)
+    copy_names(view, real)
+    return view

@@ -1,0 +1,35 @@
+"""`random`, seeded per process: a student's unseeded randomness repeats from run to run."""
+from __future__ import annotations
+
+import random as real
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.views import copy_names
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+def make(view: ModuleType, process: Process) -> ModuleType:
+    """Module functions use one generator seeded by (simulation seed, process name); `Random()` without a seed draws one from it."""
+    generator = process.sim.random(process.name)
+
+    class Random(real.Random):
+        """As `random.Random`; without a seed it is seeded from the process's generator, not from the machine."""
+
+        def __init__(self, x: Any = None) -> None:
+            super().__init__(generator.random() if x is None else x)
+
+        def seed(self, a: Any = None, version: int = 2) -> None:
+            """As `random.Random.seed`, never from the machine."""
+            super().seed(generator.random() if a is None else a, version)
+
+    for name in dir(generator):
+        if not name.startswith('_') and hasattr(real, name):
+            view.__dict__[name] = getattr(generator, name)
+    view.__dict__['seed'] = lambda a=None, version=2: generator.seed(
+        f'{process.sim.seed}/{process.name}' if a is None else a, version)
+    view.__dict__['Random'] = view.__dict__['SystemRandom'] = Random
+    copy_names(view, real)
+    return view

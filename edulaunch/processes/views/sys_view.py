@@ -1,0 +1,42 @@
+"""`sys` of a simulated program: its own arguments, streams, path and modules."""
+from __future__ import annotations
+
+import sys as real
+from collections import ChainMap
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+class SysView(ModuleType):
+    """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
+
+    def __init__(self, process: Process) -> None:
+        super().__init__('sys')
+        self.__edulaunch_view__ = True
+        self.argv = process.argv
+        self.stdin = self.__stdin__ = process.stdin
+        self.stdout = self.__stdout__ = process.stdout
+        self.stderr = self.__stderr__ = process.stderr
+        self._shared_path = list(real.path)
+        self.path = [*process.loader.roots, *self._shared_path]
+        self.modules = ChainMap(process.loader.modules, real.modules)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(real, name)
+
+    def private_path(self) -> list[str]:
+        """The folders that this program added to its path."""
+        return [folder for folder in self.path if folder not in self._shared_path]
+
+    @staticmethod
+    def exit(status: object = None) -> None:
+        """End this program only."""
+        raise SystemExit(status)
+
+
+def make(view: ModuleType, process: Process) -> ModuleType:
+    """See `SysView`."""
+    return SysView(process)

@@ -1,0 +1,88 @@
+"""A recording as text: JSON lines, the same bytes for the same run.
+
+The first line is the header, then one line per part, then one line per topic. Messages are wire tuples written as JSON
+lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
+"""
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from edulaunch.errors import RecordingError
+
+FORMAT = 'edulaunch recording'
+VERSION = 1
+PARTS = ('roots', 'launch', 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output', 'notes')
+HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
+TOPIC_KEYS = ('topic', 'type', 'times', 'publishers', 'messages')
+
+
+def encode(content: dict[str, Any]) -> bytes:
+    """The bytes of a recording's content."""
+    header = {'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}}
+    lines = [_line(header), *(_line({part: content[part]}) for part in PARTS)]
+    lines += [_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics']]
+    return ('\n'.join(lines) + '\n').encode('utf-8')
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, default=_plain, separators=(',', ':'))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (bytes, bytearray)):
+        return {'hex': bytes(value).hex()}
+    if hasattr(value, 'tolist'):
+        return value.tolist()
+    raise TypeError(f'a recording holds plain data only, not {type(value).__name__}')
+
+
+def _restore(mapping: dict[str, Any]) -> Any:
+    return bytes.fromhex(mapping['hex']) if len(mapping) == 1 and 'hex' in mapping else mapping
+
+
+def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
+    """The content of a recording file.
+
+    :raises RecordingError: when it is no recording, is of another version, or is damaged.
+    """
+    lines = data.split(b'\n')
+    header = _parse(lines[0], name, 1)
+    if header.get('format') != FORMAT:
+        raise RecordingError(f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`')
+    if header.get('version') != VERSION:
+        raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
+    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'topics': []}
+    for number, line in enumerate(lines[1:], 2):
+        if line:
+            part = _parse(line, name, number)
+            if set(part) == set(TOPIC_KEYS):
+                content['topics'].append(part)
+            else:
+                content.update(part)
+    _check(content, name)
+    return content
+
+
+def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
+    try:
+        value = json.loads(line, object_hook=_restore)
+    except (ValueError, RecursionError) as error:
+        raise RecordingError(f'{name} is damaged: line {number} is not JSON ({error}).') from None
+    if not isinstance(value, dict):
+        raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
+    return value
+
+
+def _check(content: dict[str, Any], name: str) -> None:
+    """Every part is there and of the right kind, so that nothing above has to doubt it."""
+    if any(not isinstance(content[key], int) for key in HEADER_NUMBERS):
+        raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')
+    for part in PARTS:
+        expected = dict if part == 'launch' else list
+        if not isinstance(content.get(part), expected):
+            raise RecordingError(f'{name} is damaged: the part {part!r} is missing or cut off.')
+    for topic in content['topics']:
+        columns = [topic['times'], topic['publishers'], topic['messages']]
+        if any(not isinstance(column, list) for column in columns) or len({len(column) for column in columns}) != 1:
+            raise RecordingError(f'{name} is damaged: the columns of topic {topic["topic"]!r} do not fit together.')

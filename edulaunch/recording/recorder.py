@@ -1,0 +1,133 @@
+"""Collects what happens in a simulation. The only cost on the hot path is one `list.append` per publication."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.graph import NodeEntry
+from edulaunch.graph.tracer import Record, Tracer
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+    from edulaunch.recording.recording import Recording
+    from edulaunch.sim.simulation import Simulation
+
+
+class Recorder(Tracer):
+    """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self.sim = sim
+        self.on = True
+        self.launch: dict[str, Any] = {}
+        self.roots: list[list[str]] = []
+        self.columns: dict[tuple[str, str], list[Record]] = {}
+        self.endpoints: list[list[Any]] = []
+        self.nodes: list[list[Any]] = []
+        self.processes: list[dict[str, Any]] = []
+        self.parameters: list[list[Any]] = []
+        self.calls: list[list[Any]] = []
+        self.logs: list[list[Any]] = []
+        self.output_lines: list[list[Any]] = []
+        self.notes: list[list[Any]] = []
+        self._node_row: dict[NodeEntry, list[Any]] = {}
+        self._process_row: dict[Any, dict[str, Any]] = {}
+        self._call_row: dict[tuple[int, int], list[Any]] = {}
+        self._duration_ns = 0
+
+    def _now(self) -> int:
+        return self.sim.now_ns - self.sim.start_ns
+
+    def stop(self) -> None:
+        """Keep nothing that comes later: what is unwound at the end of a run is not part of it."""
+        if self.on:
+            self.on = False
+            self._duration_ns = self._now()
+
+    def recording(self) -> Recording:
+        """What has been collected, as a Recording. Stops first."""
+        from edulaunch.recording.recording import Recording
+        self.stop()
+        return Recording(self.content())
+
+    def content(self) -> dict[str, Any]:
+        """The recording as plain data, in a fixed order."""
+        start = self.sim.start_ns
+        end = start + self._duration_ns
+        topics = [
+            {'topic': topic, 'type': kind, 'times': [row[0] - start for row in rows if row[0] <= end],
+             'publishers': [row[1] for row in rows if row[0] <= end], 'messages': [row[2] for row in rows if row[0] <= end]}
+            for (topic, kind), rows in sorted(self.columns.items())]
+        return {'seed': self.sim.seed, 'start_ns': start, 'duration_ns': self._duration_ns, 'roots': self.roots, 'launch': self.launch, 'processes': self.processes,
+                'nodes': self.nodes, 'endpoints': self.endpoints, 'parameters': self.parameters, 'calls': self.calls,
+                'logs': self.logs, 'output': self.output_lines, 'notes': self.notes, 'topics': topics}
+
+    def channel(self, publisher: Any) -> Callable[[Record], object]:
+        """One list per topic and type; publishing appends to it."""
+        return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).append
+
+    def node_added(self, node: NodeEntry) -> None:
+        if self.on:
+            row = [node.fully_qualified_name, node.process.name, self._now(), None, node.index]
+            self._node_row[node] = row
+            self.nodes.append(row)
+
+    def node_removed(self, node: NodeEntry) -> None:
+        if self.on and node in self._node_row:
+            self._node_row[node][3] = self._now()
+
+    def endpoint_added(self, kind: str, endpoint: Any) -> None:
+        if self.on:
+            name = endpoint.topic_name if kind in ('publisher', 'subscription') else endpoint.service_name
+            self.endpoints.append([kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(), list(endpoint.qos)])
+
+    def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
+        if self.on:
+            row = [self._now(), client.service_name, client.type_name, client.node.fully_qualified_name, wire, served, None, None]
+            self._call_row[client.index, sequence] = row
+            self.calls.append(row)
+
+    def response(self, client: Any, sequence: int, wire: Any) -> None:
+        if self.on:
+            self._call_row[client.index, sequence][6:] = [self._now(), wire]
+
+    def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
+        if self.on:
+            text = (f'{publisher.topic_name}: {publisher.node.fully_qualified_name} ({publisher.type_name}) and '
+                    f'{subscription.node.fully_qualified_name} ({subscription.type_name}) cannot talk because of {policy}')
+            self.notes.append([self._now(), publisher.node.process.name, 'incompatible', text])
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        if self.on:
+            self.parameters.append([self._now(), node.fully_qualified_name, name, value, origin])
+
+    def process_started(self, process: Process) -> None:
+        if self.on:
+            spec = process.spec
+            row = {'name': spec.name, 'pid': process.pid, 'argv': list(spec.argv), 'package': spec.package,
+                   'executable': spec.executable, 'file': spec.origin.file if spec.origin else None,
+                   'line': spec.origin.line if spec.origin else None, 'parameter_origins': dict(spec.parameter_origins),
+                   'started': self._now(), 'ended': None, 'returncode': None, 'exception': None}
+            self._process_row[process] = row
+            self.processes.append(row)
+
+    def process_exited(self, process: Process) -> None:
+        row = self._process_row.get(process)
+        if self.on and row is not None:
+            row.update(ended=self._now(), returncode=process.returncode)
+            error = process.state.get('exception')
+            if error is not None:
+                file, line = error['place'] or (None, None)
+                row['exception'] = {'type': error['type'], 'message': error['message'], 'file': file, 'line': line}
+
+    def output(self, process: Process, stream: str, text: str) -> None:
+        if self.on:
+            self.output_lines.append([self._now(), process.name, stream, text])
+
+    def log(self, process: Process, level: int, logger: str, message: str) -> None:
+        if self.on:
+            self.logs.append([self._now(), process.name, logger, level, message])
+
+    def note(self, process: Process | None, kind: str, text: str) -> None:
+        if self.on:
+            self.notes.append([self._now(), process.name if process is not None else None, kind, text])

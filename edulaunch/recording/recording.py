@@ -1,0 +1,217 @@
+"""What a run leaves behind, and the questions one asks it."""
+from __future__ import annotations
+
+import os
+from functools import cached_property
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.errors import RecordingError
+from edulaunch.recording import file_format
+from edulaunch.recording.records import (
+    DeclaredArgument, Frame, LaunchRecord, LogRecord, NodeRecord, Note, Output, Parameter, ProcessRecord, ServiceCall, TopicRecord)
+
+if TYPE_CHECKING:
+    from edulaunch.recording.trajectory import Trajectory
+
+
+class Recording:
+    """A run as data: processes, nodes, parameters with their origin, every message, tf, logs.
+
+    All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
+    """
+
+    def __init__(self, content: dict[str, Any]) -> None:
+        self._content = content
+        self.seed: int = content['seed']
+        self.start_ns: int = content['start_ns']
+        self.duration_s: float = content['duration_ns'] / 1e9
+
+    def __repr__(self) -> str:
+        return (f'<Recording {self.duration_s:.3f} s: {len(self.processes)} processes, {len(self.nodes)} nodes, '
+                f'{sum(topic.count for topic in self.topics.values())} messages>')
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Recording:
+        """Read a recording file.
+
+        :raises RecordingError: when the file is missing, damaged, or something else.
+        """
+        try:
+            with open(path, 'rb') as file:
+                return cls.from_bytes(file.read(), os.fspath(path))
+        except OSError as error:
+            raise RecordingError(f'cannot read the recording {os.fspath(path)!r}: {error.strerror or error}') from None
+
+    @classmethod
+    def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
+        """A recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
+        return cls(file_format.decode(data, name))
+
+    def to_bytes(self) -> bytes:
+        """The recording as text (JSON lines), the same bytes for the same run."""
+        return file_format.encode(self._content)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a recording file, whole or not at all. Raises RecordingError when it cannot be written."""
+        temporary = f'{os.fspath(path)}.part'
+        try:
+            with open(temporary, 'wb') as file:
+                file.write(self.to_bytes())
+            os.replace(temporary, path)
+        except OSError as error:
+            raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: {error.strerror or error}') from None
+
+    def digest(self) -> str:
+        """SHA-256 of everything that happened: equal for equal launch file, arguments and seed, on every machine.
+
+        Paths of the launch files are left out, so that a copy of a workspace gives the same digest.
+        """
+        import hashlib
+        from edulaunch.recording.canonical import canonical
+        return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
+
+    @cached_property
+    def launch(self) -> LaunchRecord:
+        """What was launched, its declared arguments, and launch's return code."""
+        fields = dict(self._content['launch'])
+        fields['declared'] = [DeclaredArgument(*row) for row in fields.get('declared', ())]
+        return LaunchRecord(**fields)
+
+    @property
+    def includes(self) -> list[str]:
+        """The launch files that were included, in order."""
+        return self.launch.includes
+
+    @cached_property
+    def processes(self) -> list[ProcessRecord]:
+        """The programs that were started, in order."""
+        return [ProcessRecord(
+            row['name'], row['pid'], row['argv'], row['package'], row['executable'], row['file'], row['line'],
+            row['parameter_origins'], row['started'] / 1e9, _seconds(row['ended']), row['returncode'], row['exception'])
+            for row in self._content['processes']]
+
+    @cached_property
+    def nodes(self) -> list[NodeRecord]:
+        """The nodes that joined the graph, in order, with everything they ever published, heard, served or called."""
+        ends: dict[int, dict[str, list[tuple[str, str]]]] = {}
+        for kind, name, type_name, node, *_ in self._content['endpoints']:
+            of_kind = ends.setdefault(node, {}).setdefault(kind, [])
+            if (name, type_name) not in of_kind:
+                of_kind.append((name, type_name))
+        return [NodeRecord(name, process, start / 1e9, _seconds(end), *(
+            ends.get(index, {}).get(kind, []) for kind in ('publisher', 'subscription', 'service', 'client')))
+            for name, process, start, end, index in self._content['nodes']]
+
+    @cached_property
+    def topics(self) -> dict[str, TopicRecord]:
+        """All topics by name, in alphabetical order."""
+        names = {row[4]: row[0] for row in self._content['nodes']}
+        counts: dict[str, int] = {}
+        for topic in self._content['topics']:
+            counts[topic['topic']] = counts.get(topic['topic'], 0) + len(topic['times'])
+        found: dict[str, TopicRecord] = {}
+        for kind, name, type_name, node, *_ in self._content['endpoints']:
+            if kind in ('publisher', 'subscription'):
+                record = found.setdefault(name, TopicRecord(name, type_name, [], [], counts.get(name, 0)))
+                who = record.publishers if kind == 'publisher' else record.subscriptions
+                if names.get(node, '') not in who:
+                    who.append(names.get(node, ''))
+        return dict(sorted(found.items()))
+
+    def parameters(self, node: str) -> dict[str, Parameter]:
+        """The parameters of a node (fully qualified name) at the end, in the order of declaration.
+
+        :raises KeyError: when no such node was there; the message names the nodes that were.
+        """
+        found: dict[str, Parameter] = {}
+        for _, name, parameter, value, origin in self._content['parameters']:
+            if name == node:
+                if value is None:
+                    found.pop(parameter, None)
+                else:
+                    found[parameter] = Parameter(value, origin)
+        if not found and node not in {record.name for record in self.nodes}:
+            raise KeyError(f'no node {node!r} in this recording; there are: {", ".join(record.name for record in self.nodes)}')
+        return found
+
+    def messages(self, topic: str) -> list[tuple[float, Any]]:
+        """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there."""
+        from edulaunch.interfaces import message_class
+        rows = []
+        for column in self._columns(topic):
+            from_wire = message_class(column['type']).from_wire
+            rows += [(time, from_wire(wire)) for time, wire in zip(column['times'], column['messages'], strict=True)]
+        rows.sort(key=_time_of)
+        return [(time / 1e9, message) for time, message in rows]
+
+    def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
+        """Numbers over time: rows of (time in seconds, field, field ...); a field is a path such as 'pose.pose.position.x'."""
+        if not fields:
+            raise ValueError('series() needs at least one field, such as "linear.x"')
+        get = attrgetter(*fields)
+        if len(fields) == 1:
+            return [(time, get(message)) for time, message in self.messages(topic)]
+        return [(time, *get(message)) for time, message in self.messages(topic)]
+
+    def _columns(self, topic: str) -> list[dict[str, Any]]:
+        return [column for column in self._content['topics'] if column['topic'] == topic]
+
+    def trajectory(self, turtle: str) -> Trajectory:
+        """Where a turtle was, as numpy arrays t, x, y, theta; `turtle` is 'turtle1', or '/ns/turtle1' with a namespace.
+
+        A robot's odometry topic such as '/odom' works too. See :class:`~edulaunch.recording.trajectory.Trajectory`.
+
+        :raises KeyError: when nothing of that name was recorded; the message names what was.
+        """
+        from edulaunch.recording.trajectory import read_trajectory
+        return read_trajectory(self, turtle)
+
+    def frames_at(self, time_s: float) -> dict[str, Frame]:
+        """The newest transform of each tf child frame at a time, by child name in order of first appearance."""
+        from edulaunch.recording.frames import frames_at
+        return frames_at(self, time_s)
+
+    @cached_property
+    def logs(self) -> list[LogRecord]:
+        """Log messages of nodes, in order."""
+        return [LogRecord(row[0] / 1e9, *row[1:]) for row in self._content['logs']]
+
+    @cached_property
+    def output(self) -> list[Output]:
+        """What programs wrote, in order."""
+        return [Output(row[0] / 1e9, *row[1:]) for row in self._content['output']]
+
+    @cached_property
+    def notes(self) -> list[Note]:
+        """What the engine noticed, in order."""
+        return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
+
+    @cached_property
+    def service_calls(self) -> list[ServiceCall]:
+        """Requests and their replies, as messages, in order of the requests."""
+        from edulaunch.interfaces import service_class
+        calls = []
+        for time, service, kind, client, request, served, replied, response in self._content['calls']:
+            cls = service_class(kind)
+            answer = cls.Response.from_wire(response) if replied is not None else None
+            calls.append(ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served, _seconds(replied), answer))
+        return calls
+
+    def plot_turtles(self, **options: Any) -> Any:
+        """A matplotlib figure of the turtle windows at the end of the run; see `edulaunch.canvas.plot_turtles`."""
+        from edulaunch.canvas import plot_turtles
+        return plot_turtles(self, **options)
+
+    def plot_graph(self, **options: Any) -> Any:
+        """A matplotlib figure of nodes and topics; see `edulaunch.canvas.plot_graph`."""
+        from edulaunch.canvas import plot_graph
+        return plot_graph(self, **options)
+
+
+def _seconds(time_ns: int | None) -> float | None:
+    return None if time_ns is None else time_ns / 1e9
+
+
+def _time_of(row: tuple[int, Any]) -> int:
+    return row[0]

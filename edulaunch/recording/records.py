@@ -1,0 +1,135 @@
+"""What a recording holds: plain frozen data. Times are seconds since the start of the simulation."""
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+
+class DeclaredArgument(NamedTuple):
+    """A launch argument as the launch files declare it; `default` as `ros2 launch -s` shows it, None when it is required."""
+
+    name: str
+    default: str | None
+    description: str
+    choices: list[str] | None
+    file: str | None
+    line: int | None
+
+
+class LaunchRecord(NamedTuple):
+    """What was launched and how that went. `error` is launch's own text when a description failed, with its place."""
+
+    file: str = ''
+    arguments: dict[str, str] = {}
+    declared: list[DeclaredArgument] = []
+    includes: list[str] = []
+    returncode: int | None = None
+    error: str | None = None
+    error_file: str | None = None
+    error_line: int | None = None
+    help: str | None = None
+    warnings: list[str] = []
+
+
+class ProcessRecord(NamedTuple):
+    """A launched program. `returncode` is None while it runs; negative for a signal. `exception` is what ended it, if any:
+    a dict with type, message, file, line.
+    """
+
+    name: str
+    pid: int
+    argv: list[str]
+    package: str | None
+    executable: str | None
+    file: str | None
+    line: int | None
+    parameter_origins: dict[str, str]
+    started_s: float
+    ended_s: float | None = None
+    returncode: int | None = None
+    exception: dict[str, Any] | None = None
+
+    @property
+    def origin(self) -> tuple[str, int] | None:
+        """Launch file and line of the action that started it."""
+        return None if self.file is None or self.line is None else (self.file, self.line)
+
+
+class NodeRecord(NamedTuple):
+    """A node: fully qualified name, launch name of its process, and its endpoints as (name, type)."""
+
+    name: str
+    process: str
+    started_s: float
+    ended_s: float | None
+    publishers: list[tuple[str, str]]
+    subscriptions: list[tuple[str, str]]
+    services: list[tuple[str, str]]
+    clients: list[tuple[str, str]]
+
+
+class TopicRecord(NamedTuple):
+    """A topic: its type (the first one seen), who publishes and who listens (fully qualified names), how many messages."""
+
+    name: str
+    type: str
+    publishers: list[str]
+    subscriptions: list[str]
+    count: int
+
+
+class Parameter(NamedTuple):
+    """A parameter's value at the end of the run, and in words where that value came from."""
+
+    value: Any
+    origin: str
+
+
+class LogRecord(NamedTuple):
+    """A log message of a node; `level` is 10 to 50 as in `rcl_interfaces/msg/Log`."""
+
+    time_s: float
+    process: str
+    logger: str
+    level: int
+    message: str
+
+
+class Output(NamedTuple):
+    """Text that a program wrote to 'stdout' or 'stderr'."""
+
+    time_s: float
+    process: str
+    stream: str
+    text: str
+
+
+class Note(NamedTuple):
+    """Something the engine noticed, such as endpoints that cannot talk because of their QoS."""
+
+    time_s: float
+    process: str | None
+    kind: str
+    text: str
+
+
+class ServiceCall(NamedTuple):
+    """A request and when its reply came (None: never). `served` is False when no server existed."""
+
+    time_s: float
+    service: str
+    type: str
+    client: str
+    request: Any
+    served: bool
+    replied_s: float | None
+    response: Any
+
+
+class Frame(NamedTuple):
+    """A tf frame in its parent: translation in metres, rotation as (x, y, z, w), the stamp of the transform in seconds."""
+
+    parent: str
+    translation: tuple[float, float, float]
+    rotation: tuple[float, float, float, float]
+    is_static: bool
+    stamp_s: float

@@ -1,0 +1,12 @@
+"""Transforms and their time-ordered buffer: numbers only, no node, no topic, no message.
+
+Read `quaternions.py` and `transforms.py` (the maths), `history.py` (one frame over time), `path.py` (the usual lookup),
+`walk.py` (the lookup in all its detail) and `buffer.py` (what ties them together).
+"""
+from __future__ import annotations
+
+from edulaunch.tf.buffer import TransformBuffer
+from edulaunch.tf.failure import TransformFailure
+from edulaunch.tf.missing import explain_missing
+
+__all__ = ['TransformBuffer', 'TransformFailure', 'explain_missing']

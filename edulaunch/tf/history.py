@@ -1,0 +1,119 @@
+"""What is known of one child frame: its samples in order of time."""
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from edulaunch.tf.transforms import Transform, interpolate
+
+COMPACT_AT = 64
+
+
+class History:
+    """The samples of one child frame, oldest first: three parallel lists from index `first` on.
+
+    Old samples are dropped by moving `first`; the lists are cut when half of them is dead, so that an insert costs the
+    same however long the history is, and a look at any time costs a bisection.
+
+    :param name: the child frame.
+    :param static: True for a frame of /tf_static: one sample, valid at all times.
+    """
+
+    __slots__ = ('authority', 'first', 'mixed', 'name', 'parents', 'poses', 'stamps', 'static')
+
+    def __init__(self, name: str, static: bool) -> None:
+        self.name = name
+        self.static = static
+        self.stamps: list[int] = []
+        self.poses: list[Transform] = []      # parent_from_child
+        self.parents: list[str] = []
+        self.first = 0
+        self.mixed = False                    # True while samples may name different parents
+        self.authority = ''
+
+    @property
+    def count(self) -> int:
+        """How many samples are kept."""
+        return len(self.stamps) - self.first
+
+    @property
+    def newest(self) -> int:
+        """Stamp of the newest sample; 0 for a static or empty history."""
+        return self.stamps[-1] if self.stamps else 0
+
+    @property
+    def oldest(self) -> int:
+        """Stamp of the oldest sample; 0 for a static or empty history."""
+        return self.stamps[self.first] if self.stamps else 0
+
+    def replace(self, parent: str, pose: Transform) -> None:
+        """Keep this one sample only (a static transform); it has no stamp."""
+        self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
+
+    def forget(self) -> None:
+        """Drop all samples."""
+        self.stamps.clear()
+        self.poses.clear()
+        self.parents.clear()
+        self.first = 0
+        self.mixed = False
+
+    def prune(self, horizon_ns: int) -> None:
+        """Drop samples older than `horizon_ns`; the newest one always stays."""
+        stamps, first = self.stamps, self.first
+        while stamps[first] < horizon_ns:
+            first += 1
+        self.first = first
+        if first > COMPACT_AT and first * 2 > len(stamps):
+            del self.stamps[:first], self.poses[:first], self.parents[:first]
+            self.first = 0
+            if self.mixed:
+                self.mixed = any(parent != self.parents[-1] for parent in self.parents)
+
+    def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
+        """Put a sample in its place; among equal stamps it becomes the newest; one that is known already is ignored."""
+        stamps = self.stamps
+        if not stamps or stamp_ns > stamps[-1]:
+            place = len(stamps)
+        else:
+            place = bisect_right(stamps, stamp_ns, self.first)
+            index = place - 1
+            while index >= self.first and stamps[index] == stamp_ns:
+                if self.poses[index] == pose and self.parents[index] == parent:
+                    return
+                index -= 1
+        if self.parents and self.parents[-1] != parent:
+            self.mixed = True
+        stamps.insert(place, stamp_ns)
+        self.poses.insert(place, pose)
+        self.parents.insert(place, parent)
+
+    def pose_at(self, time_ns: int) -> Transform | None:
+        """The pose at a time, 0 being the newest; None when it would have to be extrapolated.
+
+        Between two samples it is interpolated. Exactly at a stamp that several samples have, the last inserted one
+        counts, except among the oldest, where it is the first (as in tf2).
+        """
+        stamps, first = self.stamps, self.first
+        if stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static):
+            return self.poses[-1]
+        newer = bisect_right(stamps, time_ns, first)
+        if first < newer < len(stamps):
+            older_ns = stamps[newer - 1]
+            if time_ns != older_ns:
+                ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
+                return interpolate(self.poses[newer - 1], self.poses[newer], ratio)
+            return self.poses[first if time_ns == stamps[first] else newer - 1]
+        return None
+
+    def sample(self, time_ns: int) -> tuple[Transform, str] | None:
+        """(:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
+        pose = self.pose_at(time_ns)
+        if pose is None:
+            return None
+        newer = bisect_right(self.stamps, time_ns, self.first)
+        if not self.mixed or time_ns == 0 or newer == len(self.stamps):
+            return pose, self.parents[-1]
+        older = self.first if time_ns == self.stamps[self.first] else newer - 1
+        if self.parents[older] != self.parents[newer]:
+            pose = self.poses[older]
+        return pose, self.parents[older]

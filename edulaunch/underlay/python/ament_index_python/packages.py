@@ -1,0 +1,70 @@
+"""Packages by name."""
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Optional
+
+from edulaunch.processes import current_process
+
+from .search_paths import get_search_paths
+
+_NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
+
+
+class PackageNotFoundError(KeyError):
+    """No prefix of the search path holds a package of that name.
+
+    `help` is one line with the nearest known name, or None. (edulaunch only.)
+    """
+
+    help: Optional[str] = None
+
+
+def get_package_prefix(package_name: str) -> str:
+    """The install prefix of a package.
+
+    :raises ValueError: when this cannot be a package name.
+    :raises PackageNotFoundError: when there is no such package.
+    """
+    if not _NAME.fullmatch(package_name):
+        raise ValueError(f"'{package_name}' is not a valid package name")
+    prefix = current_process().index.prefix(package_name)
+    if prefix is None:
+        raise _not_found(package_name)
+    return prefix
+
+
+def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
+    """`<prefix>/share/<package>`; when that folder is missing there is only a warning.
+
+    :raises ValueError: when this cannot be a package name.
+    :raises PackageNotFoundError: when there is no such package.
+    """
+    path = os.path.join(get_package_prefix(package_name), 'share', package_name)
+    if print_warning and not os.path.exists(path):
+        import warnings
+        warnings.warn(f'Share directory for {package_name} ({path}) does not exist.', stacklevel=2)
+    return path
+
+
+def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
+    """:func:`get_package_share_directory` as a `pathlib.Path`."""
+    return Path(get_package_share_directory(package_name, print_warning=print_warning))
+
+
+def get_packages_with_prefixes() -> dict[str, str]:
+    """All packages: name -> prefix."""
+    return current_process().index.packages()
+
+
+def _not_found(package_name: str) -> PackageNotFoundError:
+    from edulaunch.packages import nearest
+    error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
+    close = nearest(package_name, current_process().index.packages())
+    if close is not None:
+        error.help = f'did you mean the package {close!r}?'
+    else:
+        error.help = 'is the package in the workspace, and does its package.xml have this <name>?'
+    return error

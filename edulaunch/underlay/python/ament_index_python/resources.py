@@ -1,0 +1,90 @@
+"""Resources: the marker files below `share/ament_index/resource_index/<type>/<name>` of each prefix."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Literal, Union
+
+from edulaunch.processes import current_process
+
+from .constants import RESOURCE_INDEX_SUBFOLDER
+from .search_paths import get_search_paths
+
+
+class InvalidResourceTypeNameError(ValueError):
+    """A resource type with a path separator in its name."""
+
+
+class InvalidResourceNameError(ValueError):
+    """A resource with a path separator in its name."""
+
+
+def name_is_invalid(resource_name: str) -> bool:
+    """Whether a name could leave its folder."""
+    return '/' in resource_name or '\\' in resource_name
+
+
+def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
+    """The content of a resource file, and the prefix it was found in.
+
+    :raises LookupError: when there is none.
+    :raises InvalidResourceTypeNameError, InvalidResourceNameError: for names with / or a backslash.
+    """
+    _check(resource_type, resource_name)
+    for prefix in _prefixes():
+        path = os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
+        if os.path.isfile(path):
+            with open(path, encoding='utf-8') as stream:
+                return stream.read(), prefix
+    raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
+
+
+def has_resource(resource_type: str, resource_name: str) -> Union[str, Literal[False]]:
+    """The prefix that has the resource, or False."""
+    _check(resource_type, resource_name)
+    relative = os.path.join(RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
+    return next((prefix for prefix in _prefixes() if os.path.isfile(os.path.join(prefix, relative))), False)
+
+
+def get_resources(resource_type: str) -> dict[str, str]:
+    """Names of all resources of a type, with the first prefix that has each."""
+    _check(resource_type, None)
+    found: dict[str, str] = {}
+    if resource_type == 'packages':
+        found.update(current_process().index.packages())
+    for prefix in _prefixes():
+        for entry in _entries(os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type)):
+            if not entry.is_dir() and not entry.name.startswith('.'):
+                found.setdefault(entry.name, prefix)
+    return found
+
+
+def get_resource_types() -> set[str]:
+    """Names of all types of resources."""
+    folders = [os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in _prefixes()]
+    return {entry.name for folder in folders for entry in _entries(folder) if entry.is_dir() and not entry.name.startswith('.')}
+
+
+def _check(resource_type: str, resource_name: Union[str, None]) -> None:
+    assert resource_type, 'The resource type must not be empty'
+    assert resource_name is None or resource_name, 'The resource name must not be empty'
+    if name_is_invalid(resource_type):
+        raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' has an invalid name")
+    if resource_name is not None and name_is_invalid(resource_name):
+        raise InvalidResourceNameError(f"Resource '{resource_name}' has an invalid name")
+
+
+def _prefixes() -> list[str]:
+    """The search path, with the marker files of all source packages in place."""
+    index = current_process().index
+    for package in index.packages():
+        index.prefix(package)
+    return get_search_paths()
+
+
+def _entries(folder: str) -> Iterator['os.DirEntry[str]']:
+    try:
+        with os.scandir(folder) as entries:
+            yield from sorted(entries, key=lambda entry: entry.name)
+    except OSError:
+        return  # most prefixes have no resource of most types

@@ -1,0 +1,110 @@
+"""The base class of actions."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Optional
+
+from ._origin import Origin, caller_outside_launch, note_origin, origin_of
+from .condition import Condition
+from .conditions.if_condition import IfCondition
+from .conditions.unless_condition import UnlessCondition
+from .events.execution_complete import ExecutionComplete
+from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from .frontend import Entity, Parser
+    from .launch_context import LaunchContext
+
+
+class Action(LaunchDescriptionEntity):
+    """Something a launch file asks for: start a program, set a value, include a file.
+
+    Making one does nothing yet; :meth:`visit` executes it when its condition holds.
+
+    :param condition: without one the action is always executed.
+    """
+
+    def __init__(self, *, condition: Optional[Condition] = None) -> None:
+        self.__condition = condition
+        self.__origin = caller_outside_launch(self)
+
+    @property
+    def origin(self) -> Optional[Origin]:
+        """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
+        return origin_of(self.__dict__.get('_Action__origin'))
+
+    def _set_origin(self, file: str, line: int) -> None:
+        """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
+        self.__origin = (file, line)
+
+    @staticmethod
+    def parse(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
+        """The keyword arguments that every action element of an XML or YAML file has: `if` and `unless`.
+
+        :raises RuntimeError: when both are given.
+        """
+        if_text = entity.get_attr('if', optional=True)
+        unless_text = entity.get_attr('unless', optional=True)
+        if if_text is not None and unless_text is not None:
+            raise RuntimeError("if and unless conditions can't be used simultaneously")
+        kwargs: dict[str, Any] = {}
+        if if_text is not None:
+            kwargs['condition'] = IfCondition(predicate_expression=parser.parse_substitution(if_text))
+        if unless_text is not None:
+            kwargs['condition'] = UnlessCondition(predicate_expression=parser.parse_substitution(unless_text))
+        return Action, kwargs
+
+    @property
+    def condition(self) -> Optional[Condition]:
+        """The condition, or None."""
+        return self.__condition
+
+    def describe(self) -> str:
+        """What people read."""
+        return repr(self)
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities this action leads to, known without executing it. For subclasses to override."""
+        return []
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """:meth:`get_sub_entities` when there is no condition."""
+        return self.get_sub_entities() if self.__condition is None else []
+
+    def describe_conditional_sub_entities(self) -> ConditionalEntities:
+        """:meth:`get_sub_entities` when there is a condition."""
+        if self.__condition is None:
+            return []
+        return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
+
+    def visit(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+        """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would handle it.
+
+        An exception on its way out is told where this action was made, for the message that people see.
+        """
+        try:
+            if self.__condition is not None and not self.__condition.evaluate(context):
+                return None
+            try:
+                return self.execute(context)
+            finally:
+                self.__announce_completion(context)
+        except Exception as error:
+            note_origin(error, self)
+            raise
+
+    def __announce_completion(self, context: LaunchContext) -> None:
+        if not context._has_handlers_for(ExecutionComplete):
+            return
+        event = ExecutionComplete(action=self)
+        if not context.would_handle_event(event):
+            return
+        future = self.get_asyncio_future()
+        if future is None:
+            context.emit_event_sync(event)
+        else:
+            future.add_done_callback(lambda _: context.emit_event_sync(event))
+
+    def execute(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+        """Do it. For subclasses to override; called by :meth:`visit`."""
+        return None

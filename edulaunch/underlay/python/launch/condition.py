@@ -1,0 +1,24 @@
+"""The base class of conditions."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Optional
+
+from ._stable_repr import StableRepr
+
+if TYPE_CHECKING:
+    from .launch_context import LaunchContext
+
+
+class Condition(StableRepr):
+    """Decides at launch time whether an action is executed.
+
+    :param predicate: called with the launch context; without one the condition is false.
+    """
+
+    def __init__(self, *, predicate: Optional[Callable[[LaunchContext], bool]] = None) -> None:
+        self._predicate = predicate
+
+    def evaluate(self, context: LaunchContext) -> bool:
+        """True or False, now."""
+        return self._predicate(context) if self._predicate is not None else False

@@ -1,0 +1,34 @@
+"""A condition on the text of one launch configuration."""
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Optional
+
+from ..condition import Condition
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LaunchConfigurationEquals(Condition):
+    """True when the launch configuration has exactly the expected text; an expected None means "is not set".
+
+    Deprecated upstream in favour of `IfCondition(EqualsSubstitution(...))`; making one warns.
+    """
+
+    def __init__(self, launch_configuration_name: str, expected_value: Optional[SomeSubstitutionsType]) -> None:
+        warnings.warn(
+            "The 'LaunchConfigurationEquals' and 'LaunchConfigurationNotEquals' Conditions are deprecated. "
+            "Use the 'EqualsSubstitution' and 'NotEqualsSubstitution' substitutions instead! E.g.:\n"
+            f"  IfCondition(EqualsSubstitution(LaunchConfiguration('{launch_configuration_name}'), ...))",
+            UserWarning, stacklevel=2)
+        self.__name = launch_configuration_name
+        self.__expected = None if expected_value is None else normalize_to_list_of_substitutions(expected_value)
+        super().__init__(predicate=self._predicate_func)
+
+    def _predicate_func(self, context: LaunchContext) -> bool:
+        expected = None if self.__expected is None else perform_substitutions(context, self.__expected)
+        return bool(context.launch_configurations.get(self.__name) == expected)

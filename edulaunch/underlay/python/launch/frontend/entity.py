@@ -1,0 +1,74 @@
+"""What a parse function sees of one element of a launch file, whatever the format."""
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any, List, Optional
+
+from . import hints
+
+
+class Entity(ABC):
+    """One element: its name, its attributes and the elements inside it.
+
+    Attributes and children that nobody asked for are errors (:meth:`assert_entity_completely_parsed`): they are
+    misspelt, as a rule.
+    """
+
+    __slots__ = ('asked',)
+
+    asked: list[str]
+    """The names that a parse function asked for so far: what the element could have."""
+
+    @property
+    @abstractmethod
+    def type_name(self) -> str:
+        """Name of the element, such as `node`."""
+
+    @property
+    @abstractmethod
+    def parent(self) -> Optional[Entity]:
+        """The element around this one, or None."""
+
+    @property
+    @abstractmethod
+    def children(self) -> List[Entity]:
+        """The elements inside, which count as asked for from now on."""
+
+    @property
+    @abstractmethod
+    def line(self) -> int:
+        """Line in the file, from 1; 0 when it is unknown. (edulaunch only.)"""
+
+    @property
+    def shown(self) -> str:
+        """The element's name as people know it. (edulaunch only.)"""
+        return f"'{self.type_name}'"
+
+    @abstractmethod
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
+        """The attribute `name`.
+
+        :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for child elements.
+        :param optional: give None when it is missing.
+        :param can_be_str: a text is also fine (it may hold a substitution).
+        :raises AttributeError: when it is missing.
+        :raises TypeError: when it is of another type.
+        """
+
+    @abstractmethod
+    def assert_entity_completely_parsed(self) -> None:
+        """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
+
+    def _unexpected(self, what: str, names: List[str]) -> ValueError:
+        """The error for names nobody asked for; formatted as Python writes a set, but in order."""
+        listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
+        error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
+        return hints.at(error, self, hints.about_name(names[0], self))
+
+    def _missing(self, error: AttributeError, name: str) -> AttributeError:
+        """The error for a name that is needed, with what the element has instead."""
+        return hints.at(error, self, f'{self.shown} needs {name}')
+
+
+Entities = List[Entity]
+"""The data type with which a parse function asks for child elements."""

@@ -1,0 +1,73 @@
+"""Which element of a launch file, and which `$(...)`, is made by what."""
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from .action_parsers import BUILT_IN_ACTIONS
+from .late_parse import ParseMethod
+from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
+
+Exposed = TypeVar('Exposed')
+
+action_parse_methods: dict[str, ParseMethod] = dict(BUILT_IN_ACTIONS)
+"""Element name -> function (entity, parser) -> (class, keyword arguments)."""
+substitution_parse_methods: dict[str, ParseMethod] = dict(BUILT_IN_SUBSTITUTIONS)
+"""Name of `$(name ...)` -> function (list of arguments) -> (class, keyword arguments)."""
+
+
+def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod],
+                  exposed_type: str) -> Callable[[Exposed], Exposed]:
+    """The decorator behind :func:`expose_action` and :func:`expose_substitution`.
+
+    It takes a class with a `parse` method, or the parse function itself, and gives it back unchanged.
+
+    :raises RuntimeError: for anything else, and when the name is taken by other code.
+    """
+    def expose(exposed: Exposed) -> Exposed:
+        parse = _parse_method_of(exposed, name, exposed_type)
+        if name in parse_methods_map and not _same_code(parse_methods_map[name], parse):
+            raise RuntimeError(f'Two {exposed_type} parsing methods exposed with the same name: [{name}]')
+        parse_methods_map[name] = parse
+        return exposed
+    return expose
+
+
+def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
+    """Decorator: make a substitution available as `$(name ...)`; its `parse` gets the list of arguments."""
+    return __expose_impl(name, substitution_parse_methods, 'substitution')
+
+
+def expose_action(name: str) -> Callable[[Exposed], Exposed]:
+    """Decorator: make an action available as the element `name`; its `parse` gets the entity and the parser."""
+    return __expose_impl(name, action_parse_methods, 'action')
+
+
+def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
+    if inspect.isclass(exposed):
+        parse: Any = getattr(exposed, 'parse', None)
+        if not (inspect.ismethod(parse) or inspect.isfunction(parse)):
+            raise RuntimeError("Did not find a method called 'parse' in the class being decorated.")
+        return parse  # type: ignore[no-any-return]
+    if callable(exposed):
+        return exposed  # type: ignore[no-any-return]
+    raise RuntimeError(
+        f'Exposed {exposed_type} parser for {name} is not a callable or a class containing a parse method')
+
+
+def _same_code(known: ParseMethod, new: ParseMethod) -> bool:
+    """Whether both come from one definition.
+
+    A launch file that exposes its own element may be executed many times in one interpreter; upstream, each run is a
+    new one. Cells of a notebook count as one definition, whatever was edited in them.
+    """
+    return _place(known) == _place(new)
+
+
+def _place(parse: Any) -> tuple[object, ...]:
+    code = getattr(parse, '__code__', None)
+    names = (getattr(parse, '__module__', None), getattr(parse, '__qualname__', None))
+    if code is None or names[0] == '__main__':
+        return names
+    return (*names, code.co_filename, code.co_firstlineno)

@@ -1,0 +1,89 @@
+"""One line of help for an error in an XML or YAML launch file: where it is, and what was probably meant.
+
+The errors keep ROS's types and texts. What we add hangs on them as attributes, for whoever shows them:
+`edulaunch_file`, `edulaunch_line`, `edulaunch_tag`, and `edulaunch_help` with all of it in one line.
+"""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, TypeVar
+
+if TYPE_CHECKING:
+    from .entity import Entity
+
+Error = TypeVar('Error', bound=BaseException)
+
+ROS_1_ELEMENTS = {'rosparam': 'param', 'test': 'node', 'machine': None}
+ROS_1_ATTRIBUTES = {
+    ('node', 'type'): 'exec', ('node', 'ns'): 'namespace', ('node', 'required'): 'on_exit',
+    ('node', 'executable'): 'exec', ('node', 'package'): 'pkg', ('node', 'parameters'): 'param',
+    ('node', 'arguments'): 'args', ('node', 'remappings'): 'remap',
+    ('group', 'ns'): '<push_ros_namespace namespace="..."/>', ('include', 'ns'): '<push_ros_namespace> in a <group>',
+    ('arg', 'doc'): 'description', ('arg', 'value'): 'default', ('push_ros_namespace', 'ns'): 'namespace',
+}
+ROS_1_CALLS = {'arg': '$(var ...)', 'find': '$(find-pkg-share ...)', 'optenv': '$(env NAME DEFAULT)',
+               'any': '$(or ... ...)', 'all': '$(and ... ...)'}
+
+
+def hinted(error: Error, hint: Optional[str]) -> Error:
+    """The error, which now says `hint` in addition."""
+    if hint is not None:
+        error.edulaunch_hint = hint  # type: ignore[attr-defined]
+    return error
+
+
+def at(error: Error, entity: Entity, hint: Optional[str]) -> Error:
+    """The error, which now knows its element and says `hint`."""
+    error.edulaunch_line = entity.line  # type: ignore[attr-defined]
+    error.edulaunch_tag = entity.type_name  # type: ignore[attr-defined]
+    error.edulaunch_shown = entity.shown  # type: ignore[attr-defined]
+    return hinted(error, hint)
+
+
+def complete(error: BaseException, file: str, entity: Entity) -> None:
+    """Called while `error` is on its way out of `entity`: add what is still missing. The innermost element wins."""
+    known: Any = error
+    if hasattr(error, 'edulaunch_help'):
+        return
+    if not hasattr(error, 'edulaunch_line'):
+        at(error, entity, getattr(error, 'edulaunch_hint', None))
+    known.edulaunch_file = file
+    place = f'{file or "<string>"}:{known.edulaunch_line}'
+    known.edulaunch_help = f'{place}: {getattr(error, "edulaunch_hint", None) or "in " + known.edulaunch_shown}'
+
+
+def about_element(entity: Entity) -> str:
+    """For an element that no action has."""
+    name = str(entity.type_name)
+    if name in ROS_1_ELEMENTS:
+        instead = ROS_1_ELEMENTS[name]
+        tail = f"; '{instead}' does this in ROS 2" if instead else '; ROS 2 has nothing like it'
+        return f'{entity.shown} is an element of ROS 1{tail}'
+    from .expose import action_parse_methods
+    near = _nearest(name, action_parse_methods)
+    meant = entity.shown.replace(name, near) if near else None
+    return f'{entity.shown} is no launch element' + (f'; did you mean {meant}?' if meant else '')
+
+
+def about_name(name: str, entity: Entity) -> str:
+    """For an attribute or child that the element does not have."""
+    element = str(entity.type_name).replace('-', '_')
+    instead = ROS_1_ATTRIBUTES.get((element, name)) or ROS_1_ATTRIBUTES.get((element.replace('executable', 'node'), name))
+    near = instead or _nearest(str(name), entity.asked)
+    shown = near if near is None or near.startswith('<') else f"'{near}'"
+    return f"{entity.shown} knows no '{name}'" + (f'; did you mean {shown}?' if shown else '')
+
+
+def about_call(name: str) -> Optional[str]:
+    """For a `$(name ...)` that is unknown or has the wrong arguments."""
+    if name in ROS_1_CALLS:
+        return f'write {ROS_1_CALLS[name]} instead of $({name} ...)'
+    from .expose import substitution_parse_methods
+    if name in substitution_parse_methods:
+        return f'look at the arguments of $({name} ...): one space before each, quotes around what contains spaces'
+    near = _nearest(name, substitution_parse_methods)
+    return f'$({name} ...) is no substitution' + (f'; did you mean $({near} ...)?' if near else '')
+
+
+def _nearest(name: str, names: Any) -> Optional[str]:
+    from edulaunch.packages.nearest import nearest
+    return nearest(name, names)

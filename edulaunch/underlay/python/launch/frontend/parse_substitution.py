@@ -1,0 +1,77 @@
+"""From the text of an attribute to substitutions."""
+from __future__ import annotations
+
+import re
+from typing import Any, Union
+
+from ..substitution import Substitution
+from ..substitutions.text_substitution import TextSubstitution
+from . import hints
+from .expose import substitution_parse_methods
+from .substitution_errors import VisitError
+from .substitution_grammar import Call, Template, parse_template
+
+_ESCAPE = re.compile(r'\\(.)', re.DOTALL)
+
+
+def parse_substitution(string: str) -> list[Substitution]:
+    """The substitutions that a text like `a$(var b)c` stands for, literal pieces as TextSubstitution.
+
+    :raises SubstitutionSyntaxError: see its subclasses; `edulaunch_hint` on the error says what to try.
+    """
+    if '$(' not in string and '\\' not in string:
+        return [TextSubstitution(text=string)]
+    return _built(parse_template(string))
+
+
+def parse_if_substitutions(value: Any) -> Any:
+    """As :func:`parse_substitution` for a text that contains `$(...)`; a plain text stays a (unescaped) text.
+
+    Other scalars are returned as they are; a list is treated item by item.
+    """
+    if isinstance(value, str):
+        parsed = parse_substitution(value)
+        if len(parsed) == 1 and isinstance(parsed[0], TextSubstitution):
+            return parsed[0].text
+        return parsed
+    if isinstance(value, list):
+        return [parse_if_substitutions(item) for item in value]
+    return value
+
+
+def replace_escaped_characters(data: str) -> str:
+    """Take each backslash away and keep the character after it."""
+    return _ESCAPE.sub(r'\1', data) if '\\' in data else data
+
+
+def _built(template: Template) -> list[Substitution]:
+    # A text of nothing is still a value: the empty one.
+    return [_piece(piece) for piece in template] or [TextSubstitution(text='')]
+
+
+def _argument(template: Template) -> list[Substitution]:
+    return [_piece(piece) for piece in template]
+
+
+def _piece(piece: Union[str, Call]) -> Substitution:
+    if isinstance(piece, str):
+        return TextSubstitution(text=piece)
+    arguments = [_argument(argument) for argument in piece.arguments]
+    try:
+        return _substitution(piece.name, arguments)
+    except Exception as error:
+        # Like lark, of which upstream's users see the outer error only.
+        raise hints.hinted(VisitError('substitution', error), hints.about_call(piece.name)) from error
+
+
+def _substitution(name: str, arguments: list[list[Substitution]]) -> Substitution:
+    parse = substitution_parse_methods.get(name)
+    if parse is None:
+        from .extensions import load_launch_extensions
+        load_launch_extensions()
+        parse = substitution_parse_methods.get(name)
+        if parse is None:
+            raise RuntimeError(f'Unknown substitution: {name}')
+    made_by, kwargs = parse(arguments)
+    substitution: Substitution = made_by(**kwargs)
+    return substitution

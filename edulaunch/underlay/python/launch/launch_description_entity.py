@@ -1,0 +1,41 @@
+"""The base class of everything that can be visited."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, ClassVar, Optional
+
+from ._stable_repr import StableRepr
+
+if TYPE_CHECKING:
+    import asyncio
+
+    from .launch_context import LaunchContext
+
+ConditionalEntities = list[tuple[str, Iterable['LaunchDescriptionEntity']]]
+
+
+class LaunchDescriptionEntity(StableRepr):
+    """An action, a launch description, or anything else with a `visit`."""
+
+    _search_role: ClassVar[str] = ''
+    """What the static search for launch arguments does with it: '' look inside, 'argument', 'include' or 'reset'."""
+
+    def describe(self) -> str:
+        """What people read. To be given by subclasses."""
+        raise NotImplementedError('LaunchDescriptionEntity.describe must be overridden')
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities that a visit certainly leads to, as far as they are known without visiting."""
+        return []
+
+    def describe_conditional_sub_entities(self) -> ConditionalEntities:
+        """The entities that a visit may lead to, each group with the condition in words."""
+        return []
+
+    def visit(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+        """Do what the entity is for; returns the entities to visit next, or None."""
+        return None
+
+    def get_asyncio_future(self) -> Optional[asyncio.Future[Any]]:
+        """What launch waits for before it is idle, or None."""
+        return None

@@ -1,0 +1,34 @@
+"""A literal text."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..substitution import Substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class TextSubstitution(Substitution):
+    """A text that is known already; plain strings become one of these wherever substitutions are allowed.
+
+    :raises TypeError: when `text` is not a string.
+    """
+
+    def __init__(self, *, text: str) -> None:
+        if not isinstance(text, str):
+            raise TypeError(f"TextSubstitution expected Text object got '{type(text)}' instead.")
+        self.__text = text
+
+    @property
+    def text(self) -> str:
+        """The text."""
+        return self.__text
+
+    def describe(self) -> str:
+        """The text in quotes."""
+        return f"'{self.__text}'"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
+        return self.__text

@@ -1,0 +1,220 @@
+"""Typed values: int, float, bool, str and uniform lists of them, given literally or by substitutions.
+
+Used by parameter values, by typed arguments of actions and by the XML and YAML frontends.
+"""
+from __future__ import annotations
+
+import collections.abc
+from typing import TYPE_CHECKING, Any, List, Optional, Union
+
+from ..substitution import Substitution
+from ._yaml_values import YAML_BOOLEANS, load_yaml_value
+from .normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from .perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+ScalarTypesTuple = (int, float, bool, str)
+ListTypesTuple = (List[int], List[float], List[bool], List[str])
+AllowedTypesTuple = ScalarTypesTuple + ListTypesTuple
+
+AllowedTypesType = Any
+"""One of :data:`AllowedTypesTuple`."""
+AllowedValueType = Union[int, float, bool, str, List[int], List[float], List[bool], List[str]]
+SomeValueType = Any
+"""An allowed value, something that contains substitutions, or a list of such."""
+NormalizedValueType = Any
+"""What :func:`normalize_typed_substitution` returns."""
+StrSomeValueType = Any
+
+
+def is_typing_list(data_type: AllowedTypesType) -> bool:
+    """Whether it is `List[...]`, `List` or `list[...]`."""
+    return getattr(data_type, '__origin__', None) in (list, List) or data_type is List
+
+
+def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
+    """The scalar type, and whether it was a list of that.
+
+    :raises ValueError: when `data_type` is not one of :data:`AllowedTypesTuple`.
+    """
+    is_list = is_typing_list(data_type)
+    scalar_type = (getattr(data_type, '__args__', None) or (None,))[0] if is_list else data_type
+    if scalar_type not in ScalarTypesTuple:
+        raise ValueError(f'Unrecognized data type: {data_type}')
+    return scalar_type, is_list
+
+
+def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
+    """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same allowed type.
+
+    :param can_be_str: items of a list may also be texts.
+    """
+    if not isinstance(value, list):
+        return isinstance(value, ScalarTypesTuple)
+    types = {type(item) for item in value}
+    if can_be_str:
+        types.discard(str)
+    return len(types) <= 1 and all(one in ScalarTypesTuple for one in types)
+
+
+def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool = False) -> bool:
+    """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in Python.
+
+    :param can_be_str: a text (or, in a list, texts) will do as well.
+    :raises ValueError: for a type that is not allowed.
+    """
+    if data_type is None:
+        return is_instance_of_valid_type(value, can_be_str=can_be_str)
+    scalar_type, is_list = extract_type(data_type)
+    accepted = (scalar_type, str) if can_be_str else (scalar_type,)
+    if not is_list:
+        return isinstance(value, accepted)
+    return isinstance(value, list) and all(isinstance(item, accepted) for item in value)
+
+
+def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> AllowedValueType:
+    """Convert a text.
+
+    :param data_type: None means: by YAML's rules, whatever comes out.
+    :param can_be_str: give back the text itself when it cannot be converted.
+    :raises ValueError: when it cannot be converted.
+    """
+    try:
+        return _convert(value, data_type)
+    except ValueError:
+        if can_be_str:
+            return value
+        raise
+
+
+def _convert(value: str, data_type: AllowedTypesType) -> Any:
+    if not isinstance(value, str):
+        raise ValueError(f"value='{value}' is not a string, it is a {type(value)}")
+    if data_type is None:
+        return _convert_by_yaml(value)
+    scalar_type, is_list = extract_type(data_type)
+    if is_list:
+        return _convert_to_list(value, scalar_type)
+    return _convert_to_bool(value) if scalar_type is bool else scalar_type(value)
+
+
+def _convert_to_bool(value: str) -> bool:
+    text = value.strip()
+    if text in ('1', '0'):
+        return text == '1'
+    if text in YAML_BOOLEANS:
+        return YAML_BOOLEANS[text]
+    raise ValueError(f"Cannot convert value '{value}' to '{bool}'")
+
+
+def _convert_by_yaml(value: str) -> Any:
+    if value == '':
+        return ''
+    output = _load(value, f"Failed to convert '{value}' using yaml rules")
+    if not is_instance_of_valid_type(output):
+        raise ValueError(f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}")
+    return output
+
+
+def _convert_to_list(value: str, item_type: type) -> list[Any]:
+    output = _load(value, f"Cannot convert value '{value}' to a list of '{item_type}'")
+    # Exactly the type: in a list of numbers 1 is not a float, and true is not an int.
+    if not isinstance(output, list) or any(type(item) is not item_type for item in output):
+        raise ValueError(f"Cannot convert value '{value}' to a list of '{item_type}', got {output}")
+    return output
+
+
+def _load(value: str, message: str) -> Any:
+    import yaml
+    try:
+        return load_yaml_value(value)
+    except yaml.YAMLError as error:
+        raise ValueError(f'{message}: {error}') from None
+
+
+def coerce_list(value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> list[Any]:
+    """Convert each text of a list to the (item) type.
+
+    :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
+    """
+    item_type = extract_type(data_type)[0] if data_type is not None else None
+    output = [coerce_to_type(item, item_type, can_be_str=can_be_str) for item in value]
+    if not is_instance_of_valid_type(output, can_be_str=can_be_str):
+        raise ValueError(f"cannot convert value '{value}' to a list of one type, got {output}")
+    return output
+
+
+def get_typed_value(value: Union[str, list[str]], data_type: AllowedTypesType, *, can_be_str: bool = True) -> Any:
+    """Convert a text or a list of texts; see :func:`coerce_to_type` and :func:`coerce_list`."""
+    if isinstance(value, list):
+        return coerce_list(value, data_type, can_be_str=can_be_str)
+    return coerce_to_type(value, data_type, can_be_str=can_be_str)
+
+
+def is_substitution(x: Any) -> bool:
+    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution."""
+    if isinstance(x, Substitution):
+        return True
+    if isinstance(x, str) or not isinstance(x, collections.abc.Iterable):
+        return False
+    items = list(x)
+    return any(isinstance(item, Substitution) for item in items) and all(
+        isinstance(item, (str, Substitution)) for item in items)
+
+
+def is_normalized_substitution(x: Any) -> bool:
+    """Whether it is a non-empty list of substitutions only."""
+    return isinstance(x, list) and bool(x) and all(isinstance(item, Substitution) for item in x)
+
+
+def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType) -> NormalizedValueType:
+    """Check what can be checked before launch time, and bring the rest into one form.
+
+    A scalar stays as it is. A substitution, or a list of texts and substitutions, is one value: a list of substitutions.
+    Any other list is a list value, whose items are treated one by one.
+
+    :raises TypeError: when a literal has not the type.
+    """
+    if isinstance(value, ScalarTypesTuple):
+        return _checked(value, data_type)
+    if is_substitution(value):
+        return normalize_to_list_of_substitutions(value)
+    if not isinstance(value, collections.abc.Iterable):
+        raise TypeError(f"value='{value}' is not an instance of {data_type}")
+    items = [normalize_to_list_of_substitutions(item) if is_substitution(item) else item for item in value]
+    literals = [item for item in items if not is_normalized_substitution(item)]
+    if data_type is None or is_typing_list(data_type):
+        _checked(literals, data_type)
+        return items
+    raise TypeError(f"value='{value}' is not an instance of {data_type}")
+
+
+def perform_typed_substitution(context: LaunchContext, value: NormalizedValueType,
+                               data_type: AllowedTypesType) -> AllowedValueType:
+    """Evaluate what :func:`normalize_typed_substitution` returned.
+
+    :raises ValueError: when the text of a substitution cannot be converted.
+    """
+    if is_normalized_substitution(value):
+        return coerce_to_type(perform_substitutions(context, value), data_type)
+    if isinstance(value, list):
+        return _perform_list(context, value, data_type)
+    if data_type is not None:
+        _checked(value, data_type, ValueError)
+    return value  # type: ignore[no-any-return]
+
+
+def _perform_list(context: LaunchContext, value: list[Any], data_type: AllowedTypesType) -> AllowedValueType:
+    item_type = extract_type(data_type)[0] if data_type is not None else None
+    output: Any = [
+        coerce_to_type(perform_substitutions(context, item), item_type) if is_normalized_substitution(item) else item
+        for item in value]
+    return _checked(output, data_type, ValueError)  # type: ignore[no-any-return]
+
+
+def _checked(value: Any, data_type: AllowedTypesType, error: type[Exception] = TypeError) -> Any:
+    if not is_instance_of(value, data_type):
+        raise error(f"value='{value}' is not an instance of {data_type}")
+    return value

@@ -1,0 +1,78 @@
+"""A node as rclcpp makes it."""
+from __future__ import annotations
+
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
+from rclcpp_like.parameter_rules import range_refusal, type_refusal
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+_EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
+
+
+class CppNode(Node):
+    """A node that others take for a C++ node.
+
+    It listens to /parameter_events, has the read-only qos_overrides parameters of that topic, and refuses parameter
+    values in rclcpp's words. A bad value given at start-up is an error that ends the program.
+    """
+
+    def __init__(self, node_name: str, **options: Any) -> None:
+        self._tolerant = bool(options.get('allow_undeclared_parameters'))
+        super().__init__(node_name, **options)
+        for policy, value in _EVENT_QOS:
+            name = f'qos_overrides./parameter_events.publisher.{policy}'
+            if not self.has_parameter(name):
+                self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
+        qos = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
+        self._parameter_events = self.create_subscription(
+            ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
+
+    def on_parameter_event(self, event: ParameterEvent) -> None:
+        """Called for every parameter event of every node; the plain node has no use for it."""
+
+    def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None,
+                          ignore_override: bool = False) -> Parameter:
+        """As rclpy's, with rclcpp's errors.
+
+        :raises InvalidParameterType: the value given at start-up is of another type.
+        :raises InvalidParameterValue: it is out of range.
+        """
+        override = None if ignore_override else self._parameter_overrides.get(name)
+        if override is not None and value is not None and not (descriptor and descriptor.dynamic_typing):
+            declared = Parameter.Type.from_parameter_value(value)
+            if override.type_ != declared:
+                raise InvalidParameterType(
+                    f"parameter '{name}' has invalid type: {type_refusal(name, declared, override.type_)}")
+            refusal = descriptor and range_refusal(name, override.value, descriptor)
+            if refusal:
+                raise InvalidParameterValue(f"parameter '{name}' could not be set: {refusal}")
+        return super().declare_parameter(name, value, descriptor or ParameterDescriptor(), ignore_override)
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
+        """Set each parameter by itself; refusals are results, not exceptions."""
+        return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all of them or none."""
+        for parameter in parameter_list:
+            refusal = self._refusal(parameter)
+            if refusal is not None:
+                return SetParametersResult(successful=False, reason=refusal)
+        return super().set_parameters_atomically(parameter_list)
+
+    def _refusal(self, parameter: Parameter) -> str | None:
+        name = parameter.name
+        if not self.has_parameter(name):
+            return None if self._tolerant else f"parameter '{name}' cannot be set because it was not declared"
+        descriptor = self.describe_parameter(name)
+        if descriptor.read_only:
+            return f"parameter '{name}' cannot be set because it is read-only"
+        declared = self.get_parameter(name).type_
+        if not descriptor.dynamic_typing and Parameter.Type.NOT_SET not in (declared, parameter.type_):
+            if parameter.type_ != declared:
+                return type_refusal(name, declared, parameter.type_)
+        return range_refusal(name, parameter.value, descriptor)

@@ -1,0 +1,1 @@
+"""turtlesim: turtles that draw on a canvas, the first robot of every ROS course."""

@@ -1,0 +1,79 @@
+"""The action server <turtle>/rotate_absolute."""
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.action import ActionServer, CancelResponse
+from rclpy.node import Node
+from rclpy.task import Future
+from turtlesim.action import RotateAbsolute
+
+from edulaunch.worlds.turtle import Turtle
+
+
+class RotateAbsoluteServer:
+    """Takes every goal and every cancel request at once; the newest goal wins.
+
+    The turning itself is the turtle's update; `goal` is the handle of the goal being followed, None when there is none.
+    """
+
+    def __init__(self, node: Node, turtle: Turtle) -> None:
+        self.goal: Any = None
+        self._turtle = turtle
+        self._log = node.get_logger()
+        self._result: Any = None
+        self._done: Any = None
+        self._server = ActionServer(
+            node, RotateAbsolute, f'{turtle.name}/rotate_absolute', self._execute,
+            handle_accepted_callback=self._on_accepted, cancel_callback=_accept_cancel)
+
+    def destroy(self) -> None:
+        """Take the action off the graph."""
+        self._server.destroy()
+
+    def cancel_if_asked(self) -> None:
+        """Before an update: end the goal as canceled, and the motion, when its client asked for that."""
+        if self.goal.is_cancel_requested:
+            self._log.info('Rotation goal canceled')
+            self.goal.canceled()
+            self._end()
+            self._turtle.stop()
+
+    def report(self) -> None:
+        """After an update: publish the feedback, and the success when the turtle is there."""
+        if self.goal is None:
+            return
+        numbers = self._numbers
+        self._result.delta = numbers.delta
+        self.goal.publish_feedback(RotateAbsolute.Feedback(remaining=numbers.remaining))
+        if self._turtle.turned:
+            self._log.info('Rotation goal completed successfully')
+            self.goal.succeed()
+            self._end()
+
+    def abort(self) -> None:
+        """End the goal as aborted, with the result so far."""
+        self.goal.abort()
+        self._end()
+
+    def _on_accepted(self, goal: Any) -> None:
+        if self.goal is not None:
+            self._log.warning('Rotation goal received before a previous goal finished. Aborting previous goal')
+            self.abort()
+        self.goal = goal
+        self._result = RotateAbsolute.Result()
+        self._done = Future()
+        self._numbers = self._turtle.rotate_to(goal.request.theta)
+        goal.execute()
+
+    async def _execute(self, goal: Any) -> Any:
+        return await self._done
+
+    def _end(self) -> None:
+        self.goal = None
+        self._turtle.rotation = None
+        self._done.set_result(self._result)
+
+
+def _accept_cancel(goal: Any) -> CancelResponse:
+    return CancelResponse.ACCEPT

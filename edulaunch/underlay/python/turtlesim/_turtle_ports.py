@@ -1,0 +1,100 @@
+"""One turtle's topics, services and action."""
+from __future__ import annotations
+
+from typing import Any
+
+from geometry_msgs.msg import Twist
+from rclpy.logging import LoggingSeverity
+from rclpy.node import Node
+from turtlesim._rotate_absolute import RotateAbsoluteServer
+from turtlesim.msg import Color, Pose
+from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
+
+from edulaunch.worlds.drawing import SIDE
+from edulaunch.worlds.turtle import Turtle
+
+DEPTH = 7
+
+
+class TurtlePorts:
+    """Connects a turtle of the world with ROS. Its names start with the turtle's, relative to the node's namespace."""
+
+    def __init__(self, node: Node, turtle: Turtle) -> None:
+        self.turtle = turtle
+        self._node = node
+        self._log = node.get_logger()
+        self._clock = node.get_clock()
+        self._debug = self._log.is_enabled_for(LoggingSeverity.DEBUG)
+        name = turtle.name
+        self._commands = node.create_subscription(Twist, f'{name}/cmd_vel', self._on_command, DEPTH)
+        self._poses = node.create_publisher(Pose, f'{name}/pose', DEPTH)
+        self._colors = node.create_publisher(Color, f'{name}/color_sensor', DEPTH)
+        self._services = [
+            node.create_service(SetPen, f'{name}/set_pen', self._on_set_pen),
+            node.create_service(TeleportRelative, f'{name}/teleport_relative', self._on_teleport_relative),
+            node.create_service(TeleportAbsolute, f'{name}/teleport_absolute', self._on_teleport_absolute),
+        ]
+        self._rotation = RotateAbsoluteServer(node, turtle)
+        self._pose = Pose()
+        self._color = Color(r=255, g=255, b=255)
+        self._last_color = (255, 255, 255)
+
+    def destroy(self) -> None:
+        """Take the turtle off the graph."""
+        self._rotation.destroy()
+        for service in self._services:
+            self._node.destroy_service(service)
+        self._node.destroy_publisher(self._colors)
+        self._node.destroy_publisher(self._poses)
+        self._node.destroy_subscription(self._commands)
+
+    def update(self, now_ns: int) -> None:
+        """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
+
+        The messages are made once and written into without the fields' checks: publishing takes a snapshot, and the
+        world's numbers are what the fields want.
+        """
+        turtle = self.turtle
+        rotation = self._rotation
+        if rotation.goal is None:
+            turtle.update(now_ns)
+        else:
+            rotation.cancel_if_asked()
+            turtle.update(now_ns)
+            rotation.report()
+        if turtle.wall_hit is not None:
+            x, down = turtle.wall_hit
+            self._log.warning(f'Oh no! I hit the wall! (Clamping from [x={x:f}, y={down:f}])')
+        pose = self._pose
+        pose._x = turtle.x
+        pose._y = SIDE - turtle.down
+        pose._theta = turtle.theta
+        pose._linear_velocity = turtle.linear_velocity
+        pose._angular_velocity = turtle.turning
+        self._poses.publish(pose)
+        if turtle.color != self._last_color:
+            color = self._color
+            color._r, color._g, color._b = self._last_color = turtle.color
+        self._colors.publish(self._color)
+        if self._debug:
+            self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
+
+    def _on_command(self, twist: Any) -> None:
+        holonomic = self._node.get_parameter('holonomic').value
+        self.turtle.command(twist.linear.x, twist.angular.z, self._clock.now().nanoseconds,
+                            twist.linear.y if holonomic else None)
+        if self._rotation.goal is not None:
+            self._log.warning('Velocity command received during rotation goal. Aborting goal')
+            self._rotation.abort()
+
+    def _on_set_pen(self, request: Any, response: Any) -> Any:
+        self.turtle.set_pen((request.r, request.g, request.b), request.width, bool(request.off))
+        return response
+
+    def _on_teleport_relative(self, request: Any, response: Any) -> Any:
+        self.turtle.teleport_relative(request.linear, request.angular)
+        return response
+
+    def _on_teleport_absolute(self, request: Any, response: Any) -> Any:
+        self.turtle.teleport_absolute(request.x, request.y, request.theta)
+        return response

@@ -1,0 +1,85 @@
+"""The program draw_square: drives turtle1 round a square, for ever."""
+from __future__ import annotations
+
+import sys
+from math import cos, floor, pi, sin
+from typing import Any
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclcpp_like import CppNode, run_program
+from std_srvs.srv import Empty
+from turtlesim.msg import Pose
+
+SIDE = 2.0
+FORWARD, STOP_FORWARD, TURN, STOP_TURN = range(4)
+COMMANDS = {FORWARD: (1.0, 0.0), TURN: (0.0, 0.4)}
+
+
+class DrawSquare(CppNode):
+    """Drive, stop, turn, stop: one state after the other, looked at every 16 ms."""
+
+    def __init__(self) -> None:
+        super().__init__('draw_square')
+        self._pose: Pose | None = None
+        self._goal: tuple[float, float, float] | None = None
+        self._state = FORWARD
+        self._commands = self.create_publisher(Twist, 'turtle1/cmd_vel', 7)
+        self._poses = self.create_subscription(Pose, 'turtle1/pose', self._on_pose, 7)
+        self._reset = self.create_client(Empty, 'reset')
+        self._reset_reply = self._reset.call_async(Empty.Request())
+        self._timer = self.create_timer(0.016, self._on_timer)
+
+    def _on_pose(self, pose: Pose) -> None:
+        self._pose = pose
+
+    def _on_timer(self) -> None:
+        pose = self._pose
+        if pose is None or not self._reset_reply.done():
+            return
+        if self._goal is None:
+            self._set_goal(_ahead(pose))
+        if self._state in COMMANDS and not self._reached(pose):
+            self._command(*COMMANDS[self._state])
+            return
+        self._command(0.0, 0.0)
+        if self._state in COMMANDS:
+            self._state += 1
+        elif pose.angular_velocity < 0.0001 and pose.linear_velocity < 0.0001:
+            self.get_logger().info('Reached goal')
+            self._set_goal(self._turned() if self._state == STOP_FORWARD else _ahead(pose))
+            self._state = (self._state + 1) % 4
+
+    def _reached(self, pose: Any) -> bool:
+        assert self._goal is not None
+        x, y, theta = self._goal
+        return abs(pose.x - x) < 0.1 and abs(pose.y - y) < 0.1 and abs(pose.theta - theta) < 0.01
+
+    def _turned(self) -> tuple[float, float, float]:
+        assert self._goal is not None
+        x, y, theta = self._goal
+        theta += pi / 2.0
+        return x, y, theta - 2.0 * pi * floor((theta + pi) / (2.0 * pi))
+
+    def _set_goal(self, goal: tuple[float, float, float]) -> None:
+        self._goal = goal
+        self.get_logger().info('New goal [{:f} {:f}, {:f}]'.format(*goal))
+
+    def _command(self, linear: float, angular: float) -> None:
+        twist = Twist()
+        twist.linear.x = linear
+        twist.angular.z = angular
+        self._commands.publish(twist)
+
+
+def _ahead(pose: Any) -> tuple[float, float, float]:
+    return pose.x + cos(pose.theta) * SIDE, pose.y + sin(pose.theta) * SIDE, pose.theta
+
+
+def main() -> None:
+    """Entry point."""
+    sys.exit(run_program(lambda: rclpy.spin(DrawSquare())))
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,14 @@
+"""Where the underlay is: the built-in packages, laid out like a ROS install prefix."""
+from __future__ import annotations
+
+import os
+
+
+def underlay_prefix() -> str:
+    """The prefix folder; below it `python/` (import packages) and `share/` (package data)."""
+    return os.path.join(os.path.dirname(os.path.abspath(__file__)), 'underlay')
+
+
+def underlay_python() -> str:
+    """The folder that `edulaunch.source()` puts on the path."""
+    return os.path.join(underlay_prefix(), 'python')

@@ -1,0 +1,137 @@
+"""The drawing layer of a turtle window: what the pens left behind, as segments and as pixels."""
+from __future__ import annotations
+
+from edulaunch.worlds.float32 import as_float32
+
+SIDE_PX = 500
+METRE_PX = 45.0
+SIDE = as_float32((SIDE_PX - 1) / METRE_PX)
+_ROW = 3 * SIDE_PX
+_MARGIN = 256  # keeps int() rounding down where a broad pen reaches over the left or upper edge
+
+Color = tuple[int, int, int]  # red, green, blue, 0 to 255
+Segment = tuple[Color, int, float, float, float, float, int]
+
+UNTOUCHED: Color = (255, 255, 255)
+
+
+class Pen:
+    """What a turtle draws with: colour (r, g, b; 0 to 255), width in pixels, and whether it touches the canvas."""
+
+    __slots__ = ('color', 'width', 'on', 'stroke', 'rows', 'shift', 'last_x', 'last_y')
+
+    def __init__(self, color: Color = (179, 184, 255), width: int = 3, on: bool = True) -> None:
+        self.color = color
+        self.width = width or 1  # a pen of width 0 is drawn one pixel wide
+        self.on = on
+        self.stroke = bytes(color) * self.width
+        self.rows = range(self.width)
+        self.shift = _MARGIN + 1.0 - self.width / 2.0  # from a position in pixels to its square's first pixel
+        self.lift()
+
+    def lift(self) -> None:
+        """Forget where the last line ended (in pixels): that place is no longer inked."""
+        self.last_x = self.last_y = -1.0
+
+
+class DrawingLayer:
+    """500 x 500 pixels over the background. A pixel no pen touched reads as white, whatever the background colour is.
+
+    A line is made of squares of the pen's width, set closely along it. The pixels are made when the first line is drawn.
+    """
+
+    __slots__ = ('segments', 'version', '_pixels')
+
+    def __init__(self) -> None:
+        self.segments: list[Segment] = []  # colour, width (px), x0, y0, x1, y1 (metres, y downward), time (ns)
+        self.version = 0  # grows with every change, so that a turtle standing still need not look again
+        self._pixels: bytearray | None = None
+
+    def clear(self) -> None:
+        """Wipe every line. Whoever goes on drawing must lift the pens."""
+        self.segments.clear()
+        self.version += 1
+        self._pixels = None
+
+    def color_at(self, x: float, y: float) -> Color:
+        """The colour of the pixel nearest to (x, y) metres (y downward); white outside the canvas."""
+        pixels = self._pixels
+        x = x * METRE_PX + 0.5
+        y = y * METRE_PX + 0.5
+        if pixels is None or not (0.0 <= x < SIDE_PX and 0.0 <= y < SIDE_PX):
+            return UNTOUCHED
+        at = int(y) * _ROW + 3 * int(x)
+        return pixels[at], pixels[at + 1], pixels[at + 2]
+
+    def draw(self, pen: Pen, x0: float, y0: float, x1: float, y1: float, time_ns: int) -> None:
+        """Draw a line from (x0, y0) to (x1, y1), metres, y downward."""
+        width = pen.width
+        self.segments.append((pen.color, width, x0, y0, x1, y1, time_ns))
+        self.version += 1
+        x0 *= METRE_PX
+        y0 *= METRE_PX
+        x1 *= METRE_PX
+        y1 *= METRE_PX
+        if not (0.0 <= x0 < SIDE_PX and 0.0 <= y0 < SIDE_PX and 0.0 <= x1 < SIDE_PX and 0.0 <= y1 < SIDE_PX):
+            visible = _visible_part(x0, y0, x1, y1)
+            if visible is None:
+                return
+            x0, y0, x1, y1 = visible
+        dx = x1 - x0
+        dy = y1 - y0
+        steps = int(2.0 * (abs(dx) if abs(dx) > abs(dy) else abs(dy)) / width) + 1  # half a width apart: no notches
+        if x0 != pen.last_x or y0 != pen.last_y:
+            self._stamp(pen, x0, y0)
+        if steps > 1:
+            for step in range(1, steps):
+                self._stamp(pen, x0 + dx * step / steps, y0 + dy * step / steps)
+        self._stamp(pen, x1, y1)
+        pen.last_x = x1
+        pen.last_y = y1
+
+    def _stamp(self, pen: Pen, x: float, y: float) -> None:
+        """Ink the square of the pen's width around the pixel position (x, y)."""
+        pixels = self._pixels
+        if pixels is None:
+            pixels = self._pixels = bytearray(b'\xff') * (_ROW * SIDE_PX)
+        width = pen.width
+        column = int(x + pen.shift) - _MARGIN
+        row = int(y + pen.shift) - _MARGIN
+        edge = SIDE_PX - width
+        if 0 <= column <= edge and 0 <= row <= edge:
+            at = row * _ROW + 3 * column
+            end = at + 3 * width
+            stroke = pen.stroke
+            for _ in pen.rows:
+                pixels[at:end] = stroke
+                at += _ROW
+                end += _ROW
+        else:
+            _stamp_clipped(pixels, pen, column, row)
+
+
+def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
+    """Ink that part of a square, given by its upper left pixel, that lies on the canvas."""
+    left, right = max(column, 0), min(column + pen.width, SIDE_PX)
+    if left < right:
+        stroke = pen.stroke[:3 * (right - left)]
+        for line in range(max(row, 0), min(row + pen.width, SIDE_PX)):
+            pixels[line * _ROW + 3 * left:line * _ROW + 3 * right] = stroke
+
+
+def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:
+    """The part of a line (pixels) near the canvas: on it or so little outside that a broad pen reaches over. None if none.
+
+    A line from or to nowhere (infinity, nan) has none.
+    """
+    enter, leave = 0.0, 1.0
+    for start, way in ((x0, x1 - x0), (y0, y1 - y0)):
+        to_low, to_high = -128.0 - start, SIDE_PX + 128.0 - start
+        if way:
+            near, far = sorted((to_low / way, to_high / way))
+            enter, leave = max(enter, near), min(leave, far)
+        elif not to_low <= 0.0 <= to_high:
+            return None
+    if not enter <= leave or not abs(x1 - x0) + abs(y1 - y0) < 1e300:
+        return None
+    return x0 + enter * (x1 - x0), y0 + enter * (y1 - y0), x0 + leave * (x1 - x0), y0 + leave * (y1 - y0)

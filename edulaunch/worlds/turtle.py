@@ -1,0 +1,150 @@
+"""One turtle: how it moves, draws and sees in one tick."""
+from __future__ import annotations
+
+from math import cos, hypot, sin
+
+from edulaunch.worlds.drawing import SIDE, UNTOUCHED, Color, DrawingLayer, Pen
+from edulaunch.worlds.float32 import as_float32
+from edulaunch.worlds.rotation import PI, RotationGoal, normalize
+
+STEP_S = 0.001 * 16
+COMMAND_LASTS_NS = 1_000_000_000
+
+
+class Turtle:
+    """A turtle on the canvas.
+
+    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta` is in radians,
+    counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
+
+    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down) outside the canvas
+    the turtle was stopped at (None when it hit no wall), and `turned` whether a rotation goal was reached.
+    """
+
+    __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns', 'rotation',
+                 'color', 'wall_hit', 'turned', '_layer', '_seen', '_requests', '_moved')
+
+    def __init__(self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
+        self.name = name
+        self.picture = picture
+        self.pen = Pen()
+        self.x = as_float32(x)
+        self.down = as_float32(SIDE - as_float32(y))
+        self.theta = as_float32(theta)
+        self.speed = self.sideways = self.turning = 0.0
+        self.command_ns = 0
+        self.rotation: RotationGoal | None = None
+        self.color = UNTOUCHED
+        self.wall_hit: tuple[float, float] | None = None
+        self.turned = False
+        self._layer = layer
+        self._seen = -1  # the layer's version the colour was read from
+        self._requests: list[tuple[bool, float, float, float]] = []
+        self._moved = True  # a turtle that stands still where it was last tick needs no arithmetic
+
+    @property
+    def y(self) -> float:
+        """Metres from the bottom edge."""
+        return SIDE - self.down
+
+    @property
+    def linear_velocity(self) -> float:
+        """The magnitude of the velocity, m/s: never negative, also when the turtle goes backward."""
+        return hypot(self.speed, self.sideways) if self.sideways else abs(self.speed)
+
+    def command(self, linear: float, angular: float, now_ns: int, sideways: float | None = None) -> None:
+        """Move with these velocities for a second, or until the next command. `sideways` None leaves that velocity alone."""
+        self.command_ns = now_ns
+        self.speed = linear
+        self.turning = angular
+        if sideways is not None:
+            self.sideways = sideways
+
+    def set_pen(self, color: Color, width: int, off: bool) -> None:
+        """Take another pen; with `off`, only lift the present one."""
+        if off:
+            self.pen.on = False
+        else:
+            self.pen = Pen(color, width)
+
+    def teleport_absolute(self, x: float, y: float, theta: float) -> None:
+        """Be at (x, y, theta) in the next update. A y above the top edge means the top edge."""
+        self._requests.append((True, x, y, theta))
+
+    def teleport_relative(self, linear: float, angular: float) -> None:
+        """In the next update turn by `angular`, then jump `linear` metres ahead."""
+        self._requests.append((False, linear, 0.0, angular))
+
+    def rotate_to(self, theta: float) -> RotationGoal:
+        """Turn on the spot until the heading is `theta`; takes the place of an earlier goal."""
+        self.rotation = RotationGoal(theta, self.theta)
+        return self.rotation
+
+    def stop(self) -> None:
+        """Set all velocities to zero."""
+        self.speed = self.sideways = self.turning = 0.0
+
+    def update(self, now_ns: int) -> None:
+        """One tick of 16 ms: teleports, rotation goal, command timeout, motion, walls, colour sensor, pen; in this order."""
+        if self._requests:
+            self._teleport(now_ns)
+        if self.rotation is not None:
+            self._rotate(self.rotation, now_ns)
+        if now_ns - self.command_ns > COMMAND_LASTS_NS:
+            self.speed = self.sideways = self.turning = 0.0
+        if self.speed or self.turning or self.sideways or self._moved:
+            self._move(now_ns)
+        elif self._seen != self._layer.version:
+            self._look()
+
+    def _move(self, now_ns: int) -> None:
+        speed = self.speed
+        theta = self.theta + self.turning * STEP_S
+        if not -PI <= theta < PI:
+            theta = normalize(theta)
+        old_x, old_down = self.x, self.down
+        c, s = cos(theta), sin(theta)
+        side = self.sideways
+        x = old_x + (c * speed * STEP_S - s * side * STEP_S)
+        down = old_down - (c * side * STEP_S + s * speed * STEP_S)
+        self.wall_hit = None
+        if x < 0.0 or x > SIDE or down < 0.0 or down > SIDE:
+            self.wall_hit = (x, down)
+            x = min(max(x, 0.0), SIDE)
+            down = min(max(down, 0.0), SIDE)
+        moved = x != old_x or down != old_down
+        self._moved = moved or theta != self.theta or self.wall_hit is not None
+        self.theta = theta
+        self.x = x
+        self.down = down
+        if moved or self._seen != self._layer.version:
+            self._look()
+        if moved and self.pen.on:
+            self._layer.draw(self.pen, old_x, old_down, x, down, now_ns)
+
+    def _look(self) -> None:
+        self.color = self._layer.color_at(self.x, self.down)
+        self._seen = self._layer.version
+
+    def _rotate(self, goal: RotationGoal, now_ns: int) -> None:
+        self.speed = self.sideways = 0.0
+        self.turning = goal.step(self.theta)
+        self.turned = self.turning == 0.0
+        if self.turned:
+            self.rotation = None
+        else:
+            self.command_ns = now_ns
+
+    def _teleport(self, now_ns: int) -> None:
+        for absolute, x, y, theta in self._requests:
+            old_x, old_down = self.x, self.down
+            if absolute:
+                self.x, self.down, self.theta = x, max(0.0, SIDE - y), theta
+            else:
+                self.theta += theta
+                self.x += cos(self.theta) * x
+                self.down -= sin(self.theta) * x
+            if self.pen.on:
+                self._layer.draw(self.pen, old_x, old_down, self.x, self.down, now_ns)
+        self._requests.clear()
+        self._moved = True
