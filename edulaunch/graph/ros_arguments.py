@@ -188,3 +188,17 @@ def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
     if number is None or (separator and not name):
         raise _refuse('log level rule', flag, text, f"'{level}' is not one of DEBUG, INFO, WARN, ERROR, FATAL")
     result.log_levels[name] = number
+
+
+def without_ros_arguments(arguments: Sequence[str]) -> list[str]:
+    """A command line without its `--ros-args` sections."""
+    kept: list[str] = []
+    inside = False
+    for token in arguments:
+        if token == '--ros-args':
+            inside = True
+        elif inside and token == '--':
+            inside = False
+        elif not inside:
+            kept.append(token)
+    return kept

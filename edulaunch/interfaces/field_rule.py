@@ -7,7 +7,6 @@ from collections import UserList, UserString
 from collections.abc import Iterable, Sequence, Set
 from typing import Any, NoReturn
 
-from edulaunch.interfaces.kinds import FLOAT32_MAX
 from edulaunch.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.spec import Field
@@ -185,8 +184,3 @@ class FieldRule:
         if isinstance(wire, bytes):
             return numpy.frombuffer(wire, self.kind.name).copy()
         return numpy.array(wire, self.kind.name)
-
-
-def float32_limits() -> tuple[float, float]:
-    """The range that ROS lets a float32 field take."""
-    return -FLOAT32_MAX, FLOAT32_MAX

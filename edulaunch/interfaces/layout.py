@@ -7,7 +7,7 @@ each element of a repeated message field is such a flat tuple again.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 from edulaunch.interfaces.kinds import BYTE_LIKE
 from edulaunch.interfaces.spec import Field, FieldType, MessageSpec
@@ -15,33 +15,48 @@ from edulaunch.interfaces.spec import Field, FieldType, MessageSpec
 SpecOf = Callable[[str], MessageSpec]
 
 
-class Branch(NamedTuple):
-    """A nested message: the variable that holds it in generated code, and the slot of its holder."""
+class Branch:
+    """A nested message: the variable that holds it in generated code, its holder's variable and slot, and its type."""
 
-    variable: str
-    holder: str
-    slot: str
-    type: str
+    __slots__ = ('variable', 'holder', 'slot', 'type')
+
+    def __init__(self, variable: str, holder: str, slot: str, type_name: str) -> None:
+        self.variable = variable
+        self.holder = holder
+        self.slot = slot
+        self.type = type_name
 
 
-class Leaf(NamedTuple):
-    """One entry of the wire tuple: its dotted path, and where the object tree keeps it."""
+class Leaf:
+    """One entry of the wire tuple: its dotted path, the variable of its holder, the holder's message type, and the field itself."""
 
-    path: str
-    target: str
-    field: Field
+    __slots__ = ('path', 'holder', 'owner', 'field', 'type')
+
+    def __init__(self, path: str, holder: str, owner: str, field: Field) -> None:
+        self.path = path
+        self.holder = holder
+        self.owner = owner
+        self.field = field
+        self.type = field.type
 
     @property
-    def type(self) -> FieldType:
-        """The field's type."""
-        return self.field.type
+    def target(self) -> str:
+        """The slot in generated code."""
+        return f'{self.holder}._{self.field.name}'
+
+    def held_by(self, variable: str) -> Leaf:
+        """The same leaf in another variable."""
+        return Leaf(self.path, variable, self.owner, self.field)
 
 
-class Layout(NamedTuple):
+class Layout:
     """The branches (outer before inner) and the leaves (in wire order) of one message."""
 
-    branches: tuple[Branch, ...]
-    leaves: tuple[Leaf, ...]
+    __slots__ = ('branches', 'leaves')
+
+    def __init__(self, branches: tuple[Branch, ...], leaves: tuple[Leaf, ...]) -> None:
+        self.branches = branches
+        self.leaves = leaves
 
 
 def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
@@ -51,13 +66,13 @@ def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
 
     def visit(message: MessageSpec, variable: str, prefix: str) -> None:
         for field in message.fields:
-            slot, path = f'_{field.name}', f'{prefix}{field.name}'
+            path = f'{prefix}{field.name}'
             if field.type.kind is None and not field.type.array:
-                branch = Branch(f'b{len(branches)}', variable, slot, field.type.base)
+                branch = Branch(f'b{len(branches)}', variable, f'_{field.name}', field.type.base)
                 branches.append(branch)
                 visit(spec_of(field.type.base), branch.variable, f'{path}.')
             else:
-                leaves.append(Leaf(path, f'{variable}.{slot}', field))
+                leaves.append(Leaf(path, variable, message.type, field))
 
     visit(spec, 'm', '')
     return Layout(tuple(branches), tuple(leaves))

@@ -40,6 +40,7 @@ class Message:
     SLOT_TYPES: ClassVar[tuple[Any, ...]]
     _SPEC: ClassVar[MessageSpec]
     _FIELDS: ClassVar[dict[str, str]]
+    _RULES: ClassVar[dict[str, Any]]
     to_wire: ClassVar[Callable[[Any], tuple[Any, ...]]]
     if TYPE_CHECKING:
         def __init__(self, **kwargs: Any) -> None: ...
@@ -76,22 +77,22 @@ class Message:
 
 
 def set_fields(message: Message, values: dict[str, Any]) -> None:
-    """Set the keyword arguments of a constructor, in the order of the fields.
+    """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see `Message._check_fields`.
 
     :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
     """
-    values.pop('check_fields', None)
     fields = message._FIELDS
-    if not values.keys() <= fields.keys():
-        _refuse_arguments(message, values)
-    for name in fields:
-        if name in values:
-            setattr(message, name, values[name])
+    for name in values:
+        if name not in fields and name != 'check_fields':
+            _refuse_arguments(message, values)
+    for name, value in values.items():
+        if name in fields:
+            setattr(message, name, value)
 
 
 def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
     fields = message._FIELDS
-    unknown = sorted(values.keys() - fields.keys())
-    words = did_you_mean(unknown[0], fields) or ''
+    unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
+    words = did_you_mean(unknown[0], fields)
     listed = f'the fields of {type(message).__name__} are: {", ".join(fields) or "(none)"}'
     raise AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}')

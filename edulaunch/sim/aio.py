@@ -53,6 +53,11 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             self.task.loop = outer_loop
             events._set_running_loop(outer)
 
+    def _check_running(self) -> None:
+        """Another loop may run around this one: `run_forever` sets it aside."""
+        if self.is_running():
+            raise RuntimeError('This event loop is already running')
+
     def step_aside(self, switch: Callable[[], object]) -> None:
         """Give the turn back with this loop set aside, so that others may run theirs."""
         events._set_running_loop(None)

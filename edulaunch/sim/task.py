@@ -58,6 +58,7 @@ class Task:
         self.wake()
 
     def _run(self) -> None:
+        self._parked = self._woken = False
         try:
             if self._killed:
                 raise TaskKilled
@@ -90,7 +91,7 @@ class Task:
         :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
         """
         self._polls = 0
-        if not self._woken:
+        if not (self._woken or self._killed):
             self._set_timer(deadline_ns)
             self._parked = True
             if self.loop is None:

@@ -1,8 +1,12 @@
 """Errors as a C++ program reports them: the exception's C++ name and its text."""
 from __future__ import annotations
 
-from rclpy.exceptions import (InvalidNamespaceException, InvalidNodeNameException, InvalidServiceNameException,
-                              InvalidTopicNameException)
+from rclpy.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+)
 
 _NAMES: tuple[tuple[type[Exception], str], ...] = (
     (InvalidTopicNameException, 'rclcpp::exceptions::InvalidTopicNameError'),

@@ -4,11 +4,12 @@ from __future__ import annotations
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
-from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
-from rclcpp_like.parameter_rules import range_refusal, type_refusal
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
+from rclcpp_like.parameter_rules import range_refusal, type_refusal
 
 _EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
 

@@ -2,15 +2,14 @@
 from __future__ import annotations
 
 import signal
-import sys
 from collections.abc import Callable
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.logging import get_logger
-from rclcpp_like.errors import cpp_name_of
 
 from edulaunch.processes.current import current_process
+from rclcpp_like.errors import cpp_name_of
 
 
 def run_program(main: Callable[[], int | None]) -> int:
@@ -30,8 +29,9 @@ def run_program(main: Callable[[], int | None]) -> int:
         name = cpp_name_of(error)
         if name is None:
             raise
-        sys.stderr.write(f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n")
-        current_process().exit_now(-signal.SIGABRT)
+        process = current_process()
+        process.write('stderr', f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n")
+        process.exit_now(-signal.SIGABRT)
     finally:
         rclpy.try_shutdown()
     return 0

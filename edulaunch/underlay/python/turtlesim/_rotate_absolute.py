@@ -6,9 +6,9 @@ from typing import Any
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.node import Node
 from rclpy.task import Future
-from turtlesim.action import RotateAbsolute
 
 from edulaunch.worlds.turtle import Turtle
+from turtlesim.action import RotateAbsolute
 
 
 class RotateAbsoluteServer:

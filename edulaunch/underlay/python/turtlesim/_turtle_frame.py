@@ -6,12 +6,12 @@ from typing import Any
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclcpp_like import CppNode
 from std_srvs.srv import Empty
-from turtlesim._turtle_ports import TurtlePorts
-from turtlesim.srv import Kill, Spawn
 
 from edulaunch.processes.current import current_process
 from edulaunch.worlds.turtle import Turtle
 from edulaunch.worlds.turtle_world import TurtleWorld
+from turtlesim._turtle_ports import TurtlePorts
+from turtlesim.srv import Kill, Spawn
 
 BACKGROUND = (('background_r', 'Red', 69), ('background_g', 'Green', 86), ('background_b', 'Blue', 255))
 

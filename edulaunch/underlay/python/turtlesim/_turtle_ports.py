@@ -6,12 +6,12 @@ from typing import Any
 from geometry_msgs.msg import Twist
 from rclpy.logging import LoggingSeverity
 from rclpy.node import Node
-from turtlesim._rotate_absolute import RotateAbsoluteServer
-from turtlesim.msg import Color, Pose
-from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 from edulaunch.worlds.drawing import SIDE
 from edulaunch.worlds.turtle import Turtle
+from turtlesim._rotate_absolute import RotateAbsoluteServer
+from turtlesim.msg import Color, Pose
+from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 DEPTH = 7
 

@@ -9,6 +9,7 @@ import rclpy
 from geometry_msgs.msg import Twist
 from rclcpp_like import CppNode, run_program
 from std_srvs.srv import Empty
+
 from turtlesim.msg import Pose
 
 SIDE = 2.0
@@ -39,16 +40,21 @@ class DrawSquare(CppNode):
             return
         if self._goal is None:
             self._set_goal(_ahead(pose))
-        if self._state in COMMANDS and not self._reached(pose):
-            self._command(*COMMANDS[self._state])
-            return
-        self._command(0.0, 0.0)
         if self._state in COMMANDS:
-            self._state += 1
+            self._drive(pose)
         elif pose.angular_velocity < 0.0001 and pose.linear_velocity < 0.0001:
             self.get_logger().info('Reached goal')
             self._set_goal(self._turned() if self._state == STOP_FORWARD else _ahead(pose))
             self._state = (self._state + 1) % 4
+        else:
+            self._command(0.0, 0.0)
+
+    def _drive(self, pose: Any) -> None:
+        if self._reached(pose):
+            self._command(0.0, 0.0)
+            self._state += 1
+        else:
+            self._command(*COMMANDS[self._state])
 
     def _reached(self, pose: Any) -> bool:
         assert self._goal is not None

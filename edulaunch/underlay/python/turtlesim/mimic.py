@@ -6,6 +6,7 @@ import sys
 import rclpy
 from geometry_msgs.msg import Twist
 from rclcpp_like import CppNode, run_program
+
 from turtlesim.msg import Pose
 
 

@@ -6,9 +6,9 @@ import sys
 import rclpy
 from rclcpp_like import run_program
 from rclpy.executors import SingleThreadedExecutor
-from turtlesim._turtle_frame import TurtleFrame
 
 from edulaunch.sim.task import current_task
+from turtlesim._turtle_frame import TurtleFrame
 
 TICK_NS = 16_000_000
 

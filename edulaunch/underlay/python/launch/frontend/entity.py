@@ -1,8 +1,9 @@
 """What a parse function sees of one element of a launch file, whatever the format."""
 from __future__ import annotations
 
+import typing
 from abc import ABC, abstractmethod
-from typing import Any, List, Optional
+from typing import Any
 
 from . import hints
 
@@ -10,8 +11,8 @@ from . import hints
 class Entity(ABC):
     """One element: its name, its attributes and the elements inside it.
 
-    Attributes and children that nobody asked for are errors (:meth:`assert_entity_completely_parsed`): they are
-    misspelt, as a rule.
+    Attributes and children that nobody asked for are errors (:meth:`assert_entity_completely_parsed`): as a rule
+    they are misspelt.
     """
 
     __slots__ = ('asked',)
@@ -26,12 +27,12 @@ class Entity(ABC):
 
     @property
     @abstractmethod
-    def parent(self) -> Optional[Entity]:
+    def parent(self) -> Entity | None:
         """The element around this one, or None."""
 
     @property
     @abstractmethod
-    def children(self) -> List[Entity]:
+    def children(self) -> list[Entity]:
         """The elements inside, which count as asked for from now on."""
 
     @property
@@ -45,10 +46,11 @@ class Entity(ABC):
         return f"'{self.type_name}'"
 
     @abstractmethod
-    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
+                 can_be_str: bool = True) -> Any:
         """The attribute `name`.
 
-        :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for child elements.
+        :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
         :param optional: give None when it is missing.
         :param can_be_str: a text is also fine (it may hold a substitution).
         :raises AttributeError: when it is missing.
@@ -59,7 +61,7 @@ class Entity(ABC):
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
 
-    def _unexpected(self, what: str, names: List[str]) -> ValueError:
+    def _unexpected(self, what: str, names: list[str]) -> ValueError:
         """The error for names nobody asked for; formatted as Python writes a set, but in order."""
         listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
         error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
@@ -70,5 +72,5 @@ class Entity(ABC):
         return hints.at(error, self, f'{self.shown} needs {name}')
 
 
-Entities = List[Entity]
+Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)
 """The data type with which a parse function asks for child elements."""

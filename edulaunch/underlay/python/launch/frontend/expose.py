@@ -1,8 +1,8 @@
 """Which element of a launch file, and which `$(...)`, is made by what."""
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable
+from types import FunctionType, MethodType
 from typing import Any, TypeVar
 
 from .action_parsers import BUILT_IN_ACTIONS
@@ -45,11 +45,11 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
 
 
 def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
-    if inspect.isclass(exposed):
-        parse: Any = getattr(exposed, 'parse', None)
-        if not (inspect.ismethod(parse) or inspect.isfunction(parse)):
+    if isinstance(exposed, type):
+        parse = getattr(exposed, 'parse', None)
+        if not isinstance(parse, (FunctionType, MethodType)):
             raise RuntimeError("Did not find a method called 'parse' in the class being decorated.")
-        return parse  # type: ignore[no-any-return]
+        return parse
     if callable(exposed):
         return exposed  # type: ignore[no-any-return]
     raise RuntimeError(

@@ -1,6 +1,6 @@
 """Elements, substitutions and formats that installed packages add, found through entry points.
 
-Looking entry points up costs more than parsing a launch file, so this happens when something unknown is met first.
+Looking entry points up costs more than parsing a launch file, so this waits until something unknown is met.
 """
 from __future__ import annotations
 
@@ -14,17 +14,13 @@ PARSER_GROUP = 'launch.frontend.parser'
 
 def entry_points_of(group: str) -> Iterator[Any]:
     """The entry points of a group, of all installed packages."""
-    from . import parser
-    found = parser.importlib_metadata.entry_points()
+    import importlib.metadata
+    found: Any = importlib.metadata.entry_points()
     return iter(found.select(group=group) if hasattr(found, 'select') else found.get(group, ()))
 
 
 def load_launch_extensions() -> None:
-    """Import every module that announces launch extensions, once; one that cannot be imported gives a warning."""
-    from .parser import Parser
-    if Parser.extensions_loaded:
-        return
-    Parser.extensions_loaded = True
+    """Import every module that announces launch extensions; one that cannot be imported gives a warning."""
     for entry_point in entry_points_of(LAUNCH_EXTENSION_GROUP):
         try:
             entry_point.load()
@@ -32,8 +28,8 @@ def load_launch_extensions() -> None:
             warnings.warn(f'Failed to load the launch extension: {entry_point.name}', stacklevel=2)
 
 
-def load_parser_extensions(known: dict[str, type]) -> dict[str, type]:
-    """Parsers of installed packages by name, `known` ones first; one that cannot be imported gives a warning."""
+def load_parsers(known: dict[str, Any]) -> dict[str, Any]:
+    """Parsers of installed packages by name, after the `known` ones; a failing import gives a warning."""
     parsers = dict(known)
     for entry_point in entry_points_of(PARSER_GROUP):
         if entry_point.name in parsers:

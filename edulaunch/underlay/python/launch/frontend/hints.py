@@ -5,7 +5,9 @@ The errors keep ROS's types and texts. What we add hangs on them as attributes, 
 """
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from .expose import action_parse_methods, substitution_parse_methods
 
 if TYPE_CHECKING:
     from .entity import Entity
@@ -24,14 +26,14 @@ ROS_1_CALLS = {'arg': '$(var ...)', 'find': '$(find-pkg-share ...)', 'optenv': '
                'any': '$(or ... ...)', 'all': '$(and ... ...)'}
 
 
-def hinted(error: Error, hint: Optional[str]) -> Error:
+def hinted(error: Error, hint: str | None) -> Error:
     """The error, which now says `hint` in addition."""
     if hint is not None:
         error.edulaunch_hint = hint  # type: ignore[attr-defined]
     return error
 
 
-def at(error: Error, entity: Entity, hint: Optional[str]) -> Error:
+def at(error: Error, entity: Entity, hint: str | None) -> Error:
     """The error, which now knows its element and says `hint`."""
     error.edulaunch_line = entity.line  # type: ignore[attr-defined]
     error.edulaunch_tag = entity.type_name  # type: ignore[attr-defined]
@@ -58,7 +60,6 @@ def about_element(entity: Entity) -> str:
         instead = ROS_1_ELEMENTS[name]
         tail = f"; '{instead}' does this in ROS 2" if instead else '; ROS 2 has nothing like it'
         return f'{entity.shown} is an element of ROS 1{tail}'
-    from .expose import action_parse_methods
     near = _nearest(name, action_parse_methods)
     meant = entity.shown.replace(name, near) if near else None
     return f'{entity.shown} is no launch element' + (f'; did you mean {meant}?' if meant else '')
@@ -73,17 +74,26 @@ def about_name(name: str, entity: Entity) -> str:
     return f"{entity.shown} knows no '{name}'" + (f'; did you mean {shown}?' if shown else '')
 
 
-def about_call(name: str) -> Optional[str]:
+def about_call(name: str) -> str | None:
     """For a `$(name ...)` that is unknown or has the wrong arguments."""
     if name in ROS_1_CALLS:
         return f'write {ROS_1_CALLS[name]} instead of $({name} ...)'
-    from .expose import substitution_parse_methods
     if name in substitution_parse_methods:
         return f'look at the arguments of $({name} ...): one space before each, quotes around what contains spaces'
     near = _nearest(name, substitution_parse_methods)
     return f'$({name} ...) is no substitution' + (f'; did you mean $({near} ...)?' if near else '')
 
 
-def _nearest(name: str, names: Any) -> Optional[str]:
+def _nearest(name: str, names: Any) -> str | None:
     from edulaunch.packages.nearest import nearest
     return nearest(name, names)
+
+
+def complete_unreadable(error: Any, file: str) -> None:
+    """For an error of a text that is not in its format: add the place and, when nothing better is known, the problem."""
+    mark = getattr(error, 'problem_mark', None)
+    line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else 0)
+    problem = getattr(error, 'edulaunch_hint', None) or getattr(error, 'problem', None) or str(error)
+    first_line = problem.split('\n', 1)[0]
+    error.edulaunch_file, error.edulaunch_line = file, line
+    error.edulaunch_help = f'{file or "<string>"}:{f"{line}:" if line else ""} {first_line}'

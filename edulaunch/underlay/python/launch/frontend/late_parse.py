@@ -1,9 +1,9 @@
-"""Parse functions that are imported when they are first called, so that a launch file pays only for what it uses."""
+"""Parse functions that are imported when first called, so that a launch file pays only for what it uses."""
 from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any, Optional
+from typing import Any
 
 Parsed = tuple[type, dict[str, Any]]
 """What to make: a class (or function) and its keyword arguments."""
@@ -18,7 +18,7 @@ class LateParse:
     def __init__(self, module: str, name: str) -> None:
         self.module = module
         self.name = name
-        self._parse: Optional[ParseMethod] = None
+        self._parse: ParseMethod | None = None
 
     def __call__(self, *args: Any, **kwargs: Any) -> Parsed:
         parse = self._parse
@@ -39,7 +39,7 @@ class LateSubstitution:
         self.module = module
         self.class_name = class_name
         self.keywords = keywords
-        self._class: Optional[type] = None
+        self._class: type | None = None
 
     def __call__(self, arguments: list[Any]) -> Parsed:
         kwargs = self.keywords(arguments)

@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Union
+from functools import lru_cache
+from typing import Any
 
 from ..substitution import Substitution
 from ..substitutions.text_substitution import TextSubstitution
 from . import hints
 from .expose import substitution_parse_methods
+from .extensions import load_launch_extensions
 from .substitution_errors import VisitError
 from .substitution_grammar import Call, Template, parse_template
 
@@ -53,7 +55,7 @@ def _argument(template: Template) -> list[Substitution]:
     return [_piece(piece) for piece in template]
 
 
-def _piece(piece: Union[str, Call]) -> Substitution:
+def _piece(piece: str | Call) -> Substitution:
     if isinstance(piece, str):
         return TextSubstitution(text=piece)
     arguments = [_argument(argument) for argument in piece.arguments]
@@ -67,11 +69,15 @@ def _piece(piece: Union[str, Call]) -> Substitution:
 def _substitution(name: str, arguments: list[list[Substitution]]) -> Substitution:
     parse = substitution_parse_methods.get(name)
     if parse is None:
-        from .extensions import load_launch_extensions
-        load_launch_extensions()
+        _load_extensions_once()
         parse = substitution_parse_methods.get(name)
         if parse is None:
             raise RuntimeError(f'Unknown substitution: {name}')
     made_by, kwargs = parse(arguments)
     substitution: Substitution = made_by(**kwargs)
     return substitution
+
+
+@lru_cache(maxsize=1)
+def _load_extensions_once() -> None:
+    load_launch_extensions()

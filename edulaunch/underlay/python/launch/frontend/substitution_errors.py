@@ -1,6 +1,6 @@
 """What is raised for a text with a broken `$(...)`.
 
-Upstream parses with lark, so these errors carry the names and the first lines of lark's; what follows is ours.
+Upstream parses with lark, so these errors carry the names and first lines of lark's; what follows is ours.
 """
 from __future__ import annotations
 

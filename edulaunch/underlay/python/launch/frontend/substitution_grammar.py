@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import NamedTuple, Union
+from typing import NamedTuple
 
 from .substitution_errors import SubstitutionSyntaxError, UnexpectedCharacters, UnexpectedEOF
 
@@ -28,7 +28,7 @@ class Call(NamedTuple):
     arguments: tuple[Template, ...]
 
 
-Template = tuple[Union[str, Call], ...]
+Template = tuple[str | Call, ...]
 
 _NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
 _OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
@@ -63,7 +63,7 @@ class _Reader:
     def pieces(self, literal: re.Pattern[str]) -> Template:
         """Calls, escapes and runs of `literal`, up to the first character that is neither."""
         text = self.text
-        pieces: list[Union[str, Call]] = []
+        pieces: list[str | Call] = []
         run: list[str] = []
         while True:
             match = literal.match(text, self.position)

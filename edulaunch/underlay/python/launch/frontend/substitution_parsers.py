@@ -18,7 +18,7 @@ def _takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeEr
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):
             raise error(text)
-        return dict(zip(names, arguments))
+        return dict(zip(names, arguments, strict=False))
     return keywords
 
 
@@ -78,7 +78,8 @@ BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
     'if': _makes('IfElseSubstitution', 'if_else_substitution',
                  _takes('if substitution expects 2 or 3 arguments', 2, 'condition', 'if_value', 'else_value')),
     'file-content': _makes('FileContent', 'file_content',
-                           _takes('file-content substitution expects 1 argument', 1, 'path', error=AttributeError)),
+                           _takes('file-content substitution expects 1 argument', 1, 'path',
+                                  error=AttributeError)),
     'find-pkg-share': _makes_ros('FindPackageShare', 'find_package',
                                  _takes('find-pkg-share substitution expects 1 argument', 1, 'package',
                                         error=AttributeError)),

@@ -1,0 +1,46 @@
+"""edulaunch: learn ROS 2 launch, tf2 and turtlesim without ROS.
+
+Runs unmodified launch files and rclpy packages in a deterministic simulation::
+
+    import edulaunch
+    recording = edulaunch.run('solutions/circle.launch.py', arguments={'circle_radius': '1.0'}, duration_s=20)
+    recording.plot_turtles()
+
+Importing this package loads nothing else and changes nothing; each name is loaded when it is first used.
+"""
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
+    from edulaunch.plan import make_plan as plan
+    from edulaunch.recording import Recording
+    from edulaunch.session import Session, run
+    from edulaunch.sourcing import source
+
+__version__ = '0.1.0'
+__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'plan', 'run', 'source']
+
+_PLACES = {
+    'EdulaunchError': ('errors', 'EdulaunchError'),
+    'LaunchFileError': ('errors', 'LaunchFileError'),
+    'Recording': ('recording', 'Recording'),
+    'Session': ('session', 'Session'),
+    'UnusableInput': ('errors', 'UnusableInput'),
+    'plan': ('plan', 'make_plan'),
+    'run': ('session', 'run'),
+    'source': ('sourcing', 'source'),
+}
+
+
+def __getattr__(name: str) -> Any:
+    place = _PLACES.get(name)
+    if place is None:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    return getattr(import_module(f'{__name__}.{place[0]}'), place[1])
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,6 @@
+"""`python -m edulaunch` is the command `edulaunch`."""
+from __future__ import annotations
+
+from edulaunch.cli.main import main
+
+raise SystemExit(main())

@@ -1,0 +1,124 @@
+"""`edulaunch launch`: a launch file in the simulation, with the console of `ros2 launch`."""
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from types import FrameType
+
+from edulaunch.errors import UnusableInput
+from edulaunch.session import Session
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
+    parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
+    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name (with a package) and launch arguments')
+    parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
+    parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
+    parser.add_argument('-n', '--noninteractive', action='store_true', help='run as if no terminal were there')
+    parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C is pressed for you')
+    parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
+    parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
+    parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
+    parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'{text!r} is not a number of seconds') from None
+    if not 0 <= value <= 1e6:
+        raise argparse.ArgumentTypeError(f'{text} is not between 0 and 1000000 seconds')
+    return value
+
+
+def main(arguments: argparse.Namespace) -> int:
+    """Run it. 0 when launch ended well (also when a node died, as in ROS 2), 1 when it did not, 2 for unusable input."""
+    package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
+    for folder in arguments.workspace:
+        if not os.path.isdir(folder):
+            raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
+    interactive = sys.stdin.isatty() and not arguments.noninteractive
+    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print) as session:
+        if arguments.show_args:
+            from edulaunch.launch_process import show_arguments
+            return show_arguments(session, package_or_path, file)
+        launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
+        terminal = Terminal(session, arguments.seconds)
+        terminal.run(0.0 if arguments.fast else 1.0)
+        recording = session.recording()
+        for line in recording.launch.warnings:
+            print(f'warning: {line}', file=sys.stderr)
+        if launch.error is not None:
+            from edulaunch.launch_process import explain
+            print(explain(launch.error, launch.path).addition, file=sys.stderr)
+        if arguments.record:
+            recording.save(arguments.record)
+            print(f'recording: {arguments.record} ({recording.duration_s:.2f} s, digest {recording.digest()[:16]})', file=sys.stderr)
+    return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str, str]]:
+    """What `ros2 launch` makes of its words: a file by path takes only arguments, a package takes a file name first.
+
+    :raises UnusableInput: for an argument that is not `name:=value`, with ROS 2's text.
+    """
+    file = None
+    words = list(rest)
+    if words and ':=' not in words[0] and not os.path.isfile(first):
+        file = words.pop(0)
+    return first, file, dict(map(_argument, words))
+
+
+def _argument(word: str) -> tuple[str, str]:
+    name, sign, value = word.partition(':=')
+    if not (name and sign and value):
+        hint = f'write {word.replace("=", ":=", 1)}' if '=' in word and not sign else f'write {name or "name"}:=VALUE'
+        raise UnusableInput(f"malformed launch argument '{word}', expected format '<name>:=<value>'", help=hint)
+    return name, value
+
+
+def _print(stream: str, text: str) -> None:
+    sys.stdout.write(text)
+    sys.stdout.flush()
+
+
+class Terminal:
+    """Ctrl-C for a running session: the first press shuts the system down as ROS 2 does; further ones insist.
+
+    A press only sets a mark, which is looked at between two steps of the simulation. When the mark of the press before is
+    still there, some program keeps its turn: the interrupt is then raised right where it is.
+    """
+
+    def __init__(self, session: Session, seconds: float | None) -> None:
+        self._session = session
+        self._seconds = seconds
+        self._pressed = 0
+        self._deadline_ns: int | None = None
+
+    def run(self, speed: float) -> None:
+        """Run until launch has ended; after `seconds`, press Ctrl-C."""
+        from edulaunch.sim.pacing import Pacer
+        sim = self._session.sim
+        before = signal.signal(signal.SIGINT, self._press)
+        try:
+            if self._seconds is not None:
+                sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
+            Pacer(sim, speed).run(None, self._is_over)
+        finally:
+            signal.signal(signal.SIGINT, before)
+
+    def _press(self, signum: int, frame: FrameType | None) -> None:
+        if self._pressed:
+            self._pressed = 0
+            raise KeyboardInterrupt
+        self._pressed = 1
+
+    def _is_over(self) -> bool:
+        if self._pressed:
+            self._pressed = 0
+            self._session.interrupt()
+        return self._session.is_over

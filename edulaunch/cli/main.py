@@ -1,0 +1,60 @@
+"""`edulaunch`: reads the verb, loads that verb's file only, and turns errors into one message and an exit code."""
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+
+from edulaunch import __version__
+from edulaunch.errors import EdulaunchError, UnusableInput
+
+VERBS = {
+    'launch': 'Run a launch file, as `ros2 launch` does',
+    'plan': 'Show what a launch file would start, without starting anything',
+    'recording': 'Look into a recording',
+}
+EXAMPLES = """examples:
+  edulaunch launch turtlesim multisim.launch.py --for 5
+  edulaunch launch solutions/circle.launch.py circle_radius:=0.8 --fast --for 60 --record circle.rec
+  edulaunch launch solutions/circle.launch.py -s
+  edulaunch recording info circle.rec
+
+exit codes: 0 all went well, 1 the launch failed, 2 the input cannot be used, 130 interrupted"""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """The entry point of the command. Returns the exit code."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    parser = _parser(words[0] if words else None)
+    arguments = parser.parse_args(words)
+    if arguments.verb is None:
+        parser.print_help()
+        return 2
+    try:
+        code: int = import_module(f'edulaunch.cli.{arguments.verb}').main(arguments)
+        return code
+    except EdulaunchError as error:
+        print(f'error: {error}', file=sys.stderr)
+        return 2 if isinstance(error, UnusableInput) else 1
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 141
+
+
+def _parser(wanted: str | None) -> argparse.ArgumentParser:
+    """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded."""
+    parser = argparse.ArgumentParser(
+        prog='edulaunch', description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
+        epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--version', action='version', version=f'edulaunch {__version__}')
+    verbs = parser.add_subparsers(dest='verb', metavar='VERB')
+    for verb, text in VERBS.items():
+        sub = verbs.add_parser(verb, help=text, description=text + '.', formatter_class=argparse.RawDescriptionHelpFormatter)
+        if verb == wanted:
+            import_module(f'edulaunch.cli.{verb}').add_arguments(sub)
+    return parser
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())

@@ -1,0 +1,204 @@
+"""Finds interface files in share folders and makes each class once."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from edulaunch.errors import InterfaceError
+    from edulaunch.interfaces.message import Message
+    from edulaunch.interfaces.spec import InterfaceSpec, MessageSpec
+
+KINDS_OF_INTERFACE = ('msg', 'srv', 'action')
+
+
+class Registry:
+    """The interfaces under some share folders, over those of another registry.
+
+    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first that has a package wins.
+    :param base: asked for packages that no root has (a workspace over the underlay); its classes are shared.
+    """
+
+    def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None) -> None:
+        self.roots = tuple(os.fspath(root) for root in roots)
+        self.base = base
+        self._packages: dict[str, dict[str, dict[str, str]]] = {}   # package -> kind -> name -> path
+        self._folders: dict[str, str] | None = None
+        self._specs: dict[str, InterfaceSpec] = {}
+        self._classes: dict[str, type[Any]] = {}
+        self._making: list[str] = []
+
+    # What there is
+
+    def packages(self) -> list[str]:
+        """The names of all packages that have interfaces, sorted."""
+        own = [name for name in self._package_folders() if self._files(name)]
+        return sorted({*own, *(self.base.packages() if self.base else ())})
+
+    def has(self, package: str, kind: str | None = None) -> bool:
+        """Whether a package has interfaces (of a kind)."""
+        files = self._files(package)
+        if not files and self.base is not None:
+            return self.base.has(package, kind)
+        return bool(files) if kind is None else kind in files
+
+    def names(self, package: str, kind: str) -> list[str]:
+        """The interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill', 'SetPen', ...]."""
+        files = self._files(package)
+        if not files and self.base is not None:
+            return self.base.names(package, kind)
+        return sorted(files.get(kind, ()))
+
+    def types(self, kind: str | None = None) -> list[str]:
+        """All full type names (of one kind), sorted."""
+        return sorted(f'{package}/{each}/{name}' for package in self.packages() for each in KINDS_OF_INTERFACE
+                      if kind in (None, each) for name in self.names(package, each))
+
+    def path(self, type_name: str) -> str:
+        """The file that defines 'pkg/kind/Name'.
+
+        :raises InterfaceError: with the nearest type name when there is no such file.
+        """
+        package, kind, name = self._split(type_name)
+        files = self._files(package)
+        if not files and self.base is not None and self.base.has(package):
+            return self.base.path(type_name)
+        try:
+            return files[kind][name]
+        except KeyError:
+            raise self._unknown(type_name) from None
+
+    def text(self, type_name: str) -> str:
+        """The text of the file that defines a type, as `ros2 interface show` starts from.
+
+        :raises InterfaceError: when there is no such type or its file cannot be read as UTF-8.
+        """
+        path = self.path(type_name)
+        with open(path, encoding='utf-8-sig', errors='replace', newline=None) as file:
+            return file.read()
+
+    # Specs and classes
+
+    def spec(self, type_name: str) -> InterfaceSpec:
+        """The spec of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
+
+        :raises InterfaceError: when there is no such type or its text is wrong.
+        """
+        if type_name not in self._specs:
+            owner = self._owner(type_name)
+            if owner is not self:
+                return owner.spec(type_name)
+            self._load(type_name)
+        return self._specs[type_name]
+
+    def get(self, type_name: str) -> type[Any]:
+        """The class of 'pkg/kind/Name' (message, service, action, or a part of one), made at the first call.
+
+        :raises InterfaceError: when there is no such type, its text is wrong, or it contains itself.
+        """
+        cls = self._classes.get(type_name)
+        if cls is not None:
+            return cls
+        owner = self._owner(type_name)
+        if owner is not self:
+            return owner.get(type_name)
+        if type_name in self._making:
+            from edulaunch.errors import InterfaceError
+            ring = ' -> '.join([*self._making[self._making.index(type_name):], type_name])
+            raise InterfaceError(f'{type_name} contains itself: {ring}', help='a message must have a finite size')
+        self._making.append(type_name)
+        try:
+            cls = self._classes[type_name] = self._make(self.spec(type_name))
+        finally:
+            self._making.pop()
+        return cls
+
+    def classes(self) -> list[type[Any]]:
+        """All classes made so far, base first, in the order they were made."""
+        return [*(self.base.classes() if self.base else ()), *self._classes.values()]
+
+    def refresh(self) -> None:
+        """Look at the folders again (files may have been added); classes already made stay."""
+        self._folders = None
+        self._packages.clear()
+
+    # Inside
+
+    def _package_folders(self) -> dict[str, str]:
+        """Package -> its folder, read once: asked for every import, so it must be cheap."""
+        if self._folders is None:
+            self._folders = {}
+            for root in reversed(self.roots):
+                if os.path.isdir(root):
+                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root))
+        return self._folders
+
+    def _files(self, package: str) -> dict[str, dict[str, str]]:
+        folder = self._package_folders().get(package)
+        if folder is None:
+            return {}
+        if package not in self._packages:
+            self._packages[package] = {kind: files for kind in KINDS_OF_INTERFACE if (files := _interface_files(folder, kind))}
+        return self._packages[package]
+
+    def _split(self, type_name: str) -> tuple[str, str, str]:
+        parts = type_name.split('/')
+        if len(parts) != 3 or parts[1] not in KINDS_OF_INTERFACE:
+            raise self._unknown(type_name)
+        return parts[0], parts[1], parts[2]
+
+    def _owner(self, type_name: str) -> Registry:
+        package = type_name.partition('/')[0]
+        if self.base is not None and not self._files(package) and self.base.has(package):
+            return self.base
+        return self
+
+    def _load(self, type_name: str) -> None:
+        """Read a file and keep the specs of everything it defines. A part's name is its interface's, an underscore and a word."""
+        from edulaunch.interfaces.derived import parts_of
+        from edulaunch.interfaces.parser import parse
+
+        whole = type_name if '_' not in type_name.rpartition('/')[2] else type_name[:type_name.index('_', type_name.rindex('/'))]
+        parts = parts_of(parse(self.text(whole), whole, self.path(whole)))
+        if type_name not in parts:
+            raise self._unknown(type_name)
+        self._specs.update(parts)
+
+    def _make(self, spec: InterfaceSpec) -> type[Any]:
+        from edulaunch.interfaces.containers import make_action, make_service
+        from edulaunch.interfaces.generator import make_message
+        from edulaunch.interfaces.spec import MessageSpec, ServiceSpec
+
+        if isinstance(spec, MessageSpec):
+            return make_message(spec, lambda nested: self._nested(spec, nested))
+        return make_service(spec, self.get) if isinstance(spec, ServiceSpec) else make_action(spec, self.get)
+
+    def _nested(self, spec: MessageSpec, type_name: str) -> type[Message]:
+        """The class of a field's type; an unknown one is reported at the line that asks for it."""
+        from edulaunch.errors import InterfaceError
+
+        try:
+            return self.get(type_name)
+        except InterfaceError as error:
+            field = next((each for each in spec.fields if each.type.base == type_name), None)
+            if field is None or not str(error.message).startswith('unknown'):
+                raise
+            raise InterfaceError(f"{spec.file}:{field.line}: {error.message}, the type of field '{field.name}'",
+                                 help=error.help) from None
+
+    def _unknown(self, type_name: str) -> InterfaceError:
+        from edulaunch.interfaces.unknown import unknown_type
+
+        return unknown_type(self, type_name)
+
+
+def _interface_files(folder: str, kind: str) -> dict[str, str]:
+    inside = os.path.join(folder, kind)
+    try:
+        names = os.listdir(inside)
+    except OSError:
+        return {}
+    suffix = f'.{kind}'
+    return {name.removesuffix(suffix): os.path.join(inside, name) for name in names if name.endswith(suffix)}

@@ -1,0 +1,122 @@
+"""`ros2 launch` as a process of the simulation."""
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.packages import Index, nearest
+from edulaunch.processes.host import Host
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.recording import Recorder
+
+LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
+
+
+def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
+    """The absolute path of a launch file, given as `ros2 launch` takes it.
+
+    :raises UnusableInput: with the text of `ros2 launch`, and the nearest name there is.
+    """
+    first = os.fspath(path_or_package)
+    if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
+        return _existing_file(first)
+    from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
+    from edulaunch.processes.current import current_process
+    process = current_process()
+    outer, process.index = process.index, index
+    try:
+        return str(get_share_file_path_from_package(package_name=first, file_name=file))
+    except MultipleLaunchFilesError as error:
+        raise UnusableInput(str(error), help='give the path of the one you mean') from None
+    except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
+        text = str(error.args[0]) if error.args else str(error)
+        raise UnusableInput(text, help=_nearest_help(index, first, file)) from None
+    finally:
+        process.index = outer
+
+
+def _existing_file(path: str) -> str:
+    absolute = os.path.abspath(path)
+    if os.path.isdir(absolute):
+        inside = sorted(name for name in os.listdir(absolute) if name.endswith(LAUNCH_SUFFIXES))
+        raise UnusableInput(f'{path!r} is a directory, not a launch file.',
+                            help=f'name a file in it: {", ".join(inside[:5])}' if inside else 'give the path of a launch file')
+    if not os.path.isfile(absolute):
+        folder = os.path.dirname(absolute)
+        names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+        near = nearest(os.path.basename(absolute), names)
+        raise UnusableInput(f'launch file {path!r} does not exist.',
+                            help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?' if near else
+                            f'there is no folder {folder!r}' if not os.path.isdir(folder) else 'check the spelling and the folder you are in')
+    return absolute
+
+
+def _nearest_help(index: Index, package: str, file: str | None) -> str:
+    packages = sorted(index.packages())
+    if package not in packages:
+        near = nearest(package, packages)
+        return f'did you mean the package {near!r}?' if near else 'name the folder of your packages with --workspace DIR'
+    names = [name for _, _, files in os.walk(index.share(package)) for name in sorted(files) if name.endswith(LAUNCH_SUFFIXES)]
+    if file is None:
+        return f'name a launch file of {package}: {", ".join(sorted(names))}' if names else f'{package} has no launch files'
+    near = nearest(file, names)
+    return f'did you mean {near!r}?' if near else f'launch files of {package}: {", ".join(sorted(names)) or "none"}'
+
+
+class LaunchRun:
+    """One `ros2 launch` in the simulation: the process, its arguments, and how it ended."""
+
+    def __init__(self, host: Host, recorder: Recorder, path: str, arguments: dict[str, str], *,
+                 console: Callable[[str, str], object] | None, interactive: bool, debug: bool) -> None:
+        self.path = path
+        self.arguments = arguments
+        self.interactive = interactive
+        self.debug = debug
+        self.error: BaseException | None = None
+        self.declared: list[Any] = []
+        words = ['ros2', 'launch', path, *(f'{name}:={value}' for name, value in arguments.items())]
+        spec = ProcessSpec(argv=tuple(words), name='launch')
+        self.process = Process(host, spec, host.next_pid(), words, self._main)
+        self.process.on_output = console
+        self._host = host
+        self._recorder = recorder
+
+    def start(self) -> None:
+        """Let the process begin."""
+        self._host.adopt(self.process)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether launch has ended."""
+        return self.process.returncode is not None
+
+    def interrupt(self) -> None:
+        """SIGINT for launch and, in a terminal, for everything it started."""
+        self.process.send_signal(signal.SIGINT)
+        if self.interactive:
+            for process in self._host.processes:
+                if process is not self.process:
+                    process.send_signal(signal.SIGINT)
+
+    def _main(self, process: Process) -> int:
+        from edulaunch.launch_process import run_launch_service
+        return run_launch_service(self)
+
+    def raise_error(self) -> None:
+        """Raise what went wrong in the launch file, if something did.
+
+        :raises LaunchFileError: with ROS 2's text, the place and one line of help.
+        """
+        if self.error is not None:
+            from edulaunch.launch_process import explain
+            told = explain(self.error, self.path)
+            raise LaunchFileError(told.text, help=told.help) from self.error
+
+    def describe(self, recorder: Recorder) -> None:
+        """Tell the recorder what was launched."""
+        from edulaunch.launch_process import describe
+        recorder.launch = describe(self)

@@ -1,0 +1,142 @@
+"""The composition root: the only place that wires simulation, graph, packages, processes and recorder together."""
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from types import TracebackType
+
+from edulaunch.graph.graph import Graph
+from edulaunch.launching import LaunchRun, find_launch_file
+from edulaunch.packages import Index
+from edulaunch.processes.host import Host
+from edulaunch.recording import Recorder, Recording
+from edulaunch.sim.pacing import Pacer
+from edulaunch.sim.simulation import Simulation
+from edulaunch.sourcing import source
+from edulaunch.underlay_place import underlay_prefix
+
+PathLike = str | os.PathLike[str]
+LONGEST_SHUTDOWN_S = 30.0
+
+
+class Session:
+    """A simulated machine with ROS 2 on it, on which launch files are run.
+
+    :param seed: of all randomness.
+    :param workspaces: folders with packages (a colcon workspace, its `install` folder, or source packages), searched in this
+        order before the underlay.
+    :param env: environment of everything that runs; default: a copy of this program's, with USER set.
+    :param stdin: text for programs that read their keyboard, by launch name or executable.
+    :param console: called as console(stream, text) with everything that launch prints.
+    """
+
+    def __init__(self, *, seed: int = 0, workspaces: Sequence[PathLike] = (), env: Mapping[str, str] | None = None,
+                 stdin: Mapping[str, str] | None = None, console: Callable[[str, str], object] | None = None) -> None:
+        source()
+        self.sim = Simulation(seed)
+        self.recorder = Recorder(self.sim)
+        self.graph = Graph(self.sim, self.recorder)
+        self.index = index_for(workspaces)
+        self.console = console
+        self.host = Host(self.sim, self.graph, self.index, env=_environment(env), ros2=_ros2_command, stdin=stdin)
+        self.launches: list[LaunchRun] = []
+        self._name_roots([os.path.abspath(os.fspath(path)) for path in workspaces])
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def _name_roots(self, workspaces: list[str]) -> None:
+        import tempfile
+        roots = [[underlay_prefix(), '@underlay'], [tempfile.gettempdir(), '@tmp']]
+        roots += [[path, f'@workspace{number}'] for number, path in enumerate(workspaces)]
+        self.recorder.roots = roots
+
+    def launch(self, path_or_package: PathLike, file: str | None = None, arguments: Mapping[str, str] | None = None, *,
+               interactive: bool = False, debug: bool = False) -> LaunchRun:
+        """Begin `ros2 launch`: a launch file by path, or by package and file name. It runs when the simulation does.
+
+        :param arguments: launch arguments by name; values are used as text.
+        :raises UnusableInput: when there is no such file or package; texts are those of `ros2 launch`.
+        """
+        path = find_launch_file(self.index, path_or_package, file)
+        self.recorder.roots.append([os.path.dirname(path), '@launch'])
+        launch = LaunchRun(self.host, self.recorder, path, dict(arguments or {}), console=self.console,
+                           interactive=interactive, debug=debug)
+        self.launches.append(launch)
+        launch.start()
+        return launch
+
+    @property
+    def is_over(self) -> bool:
+        """Whether every launch has ended."""
+        return all(launch.is_over for launch in self.launches)
+
+    def run(self, duration_s: float | None = None, speed: float = 0.0) -> None:
+        """Let simulated time pass: `duration_s` seconds more, or until every launch has ended.
+
+        :param speed: simulated seconds per real second; 0 is as fast as possible.
+        """
+        until = None if duration_s is None else self.sim.now_ns + round(duration_s * 1e9)
+        if speed == 0 and until is not None:
+            self.sim.run(until)
+        else:
+            Pacer(self.sim, speed).run(until, lambda: self.is_over)
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C: every program of the terminal gets SIGINT, launch first."""
+        for launch in self.launches:
+            launch.interrupt()
+
+    def recording(self) -> Recording:
+        """End the recording here and give it out."""
+        for launch in self.launches:
+            launch.describe(self.recorder)
+        return self.recorder.recording()
+
+    def close(self) -> None:
+        """End everything that still runs. Nothing of that is recorded."""
+        self.recorder.stop()
+        self.host.close()
+
+
+def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mapping[str, object] | None = None,
+        duration_s: float = 20.0, seed: int = 0, workspaces: Sequence[PathLike] = (),
+        console: Callable[[str, str], object] | None = None) -> Recording:
+    """Run a launch file in the simulation and return the recording of it.
+
+    :param path_or_package: path of a launch file; or a package, with `file` the name of a launch file in it.
+    :param arguments: launch arguments by name, as on the command line.
+    :param duration_s: simulated seconds to run; what runs then is stopped without being recorded.
+    :param seed: equal launch file, arguments and seed give the same recording, byte for byte.
+    :param workspaces: folders with the student's packages.
+    :raises UnusableInput: when the file or package does not exist.
+    :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's own text, the
+        file and line, and what to try.
+    """
+    texts = {name: str(value) for name, value in (arguments or {}).items()}
+    with Session(seed=seed, workspaces=workspaces, console=console) as session:
+        launch = session.launch(path_or_package, file, texts)
+        session.run(duration_s)
+        launch.raise_error()
+        return session.recording()
+
+
+def index_for(workspaces: Sequence[PathLike]) -> Index:
+    """An index of the workspaces over the underlay."""
+    return Index([underlay_prefix()], [os.path.abspath(os.fspath(path)) for path in workspaces])
+
+
+def _environment(env: Mapping[str, str] | None) -> dict[str, str]:
+    """The environment of the simulated machine: ROS 2 Jazzy is sourced in it, and there is a user."""
+    found = dict(os.environ if env is None else env)
+    found.setdefault('USER', 'student')
+    found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3', AMENT_PREFIX_PATH=underlay_prefix())
+    return found
+
+
+def _ros2_command(process: object) -> object:
+    from edulaunch.cli.inside import main
+    return main(process)  # type: ignore[arg-type]

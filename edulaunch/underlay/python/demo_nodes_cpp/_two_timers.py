@@ -1,0 +1,40 @@
+"""A periodic timer that, every third time, sets going a timer which fires only once."""
+from __future__ import annotations
+
+from typing import Any
+
+from rclcpp_like import CppNode
+
+
+class TwoTimers(CppNode):
+    """Both demos of one-shot timers.
+
+    :param reuse: reset the cancelled timer (True), or make a new one in its place (False).
+    """
+
+    def __init__(self, node_name: str, *, reuse: bool) -> None:
+        super().__init__(node_name)
+        self._reuse = reuse
+        self._count = 0
+        self._periodic = self.create_timer(2.0, self._on_periodic)
+        self._one_off: Any = self.create_timer(1.0, self._on_one_off)
+        if reuse:
+            self._one_off.cancel()
+
+    def _on_one_off(self) -> None:
+        self.get_logger().info('in one_off_timer callback')
+        self._one_off.cancel()
+
+    def _on_periodic(self) -> None:
+        log = self.get_logger()
+        log.info('in periodic_timer callback')
+        self._count += 1
+        if self._count % 3 != 1:
+            log.info('  not resetting one off timer')
+            return
+        log.info('  resetting one off timer')
+        if self._reuse:
+            self._one_off.reset()
+        else:
+            self.destroy_timer(self._one_off)
+            self._one_off = self.create_timer(1.0, self._on_one_off)

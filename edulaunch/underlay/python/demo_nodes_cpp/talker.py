@@ -1,0 +1,33 @@
+"""The program talker: a numbered greeting on `chatter` every second."""
+from __future__ import annotations
+
+import sys
+
+import rclpy
+from rclcpp_like import CppNode, run_program
+from std_msgs.msg import String
+
+
+class Talker(CppNode):
+    """Counts from 1."""
+
+    def __init__(self) -> None:
+        super().__init__('talker')
+        self._count = 0
+        self._chatter = self.create_publisher(String, 'chatter', 7)
+        self._timer = self.create_timer(1.0, self._on_timer)
+
+    def _on_timer(self) -> None:
+        self._count += 1
+        message = String(data=f'Hello World: {self._count}')
+        self.get_logger().info(f"Publishing: '{message.data}'")
+        self._chatter.publish(message)
+
+
+def main() -> None:
+    """Entry point."""
+    sys.exit(run_program(lambda: rclpy.spin(Talker())))
+
+
+if __name__ == '__main__':
+    main()

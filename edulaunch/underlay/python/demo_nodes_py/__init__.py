@@ -1,0 +1,1 @@
+"""demo_nodes_py: small rclpy programs for first steps."""

@@ -1,0 +1,97 @@
+"""The seam between launch and the engine: the only module of launch that knows edulaunch's processes.
+
+Everything is looked up through the running process, so that two simulations in one interpreter never meet.
+"""
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, MutableMapping, Sequence
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop
+
+    from edulaunch.processes import Process
+
+T = TypeVar('T')
+
+
+def running_process() -> Process:
+    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
+    from edulaunch.processes import current_process
+    return current_process()
+
+
+def environment() -> MutableMapping[str, str]:
+    """The environment variables of the running process, live; what upstream means by `os.environ`."""
+    return running_process().env
+
+
+def process_state(key: str, make: Callable[[], T]) -> T:
+    """What would be a global of launch's process: made at first use, one for each process."""
+    state = running_process().state
+    if key not in state:
+        state[key] = make()
+    value: T = state[key]
+    return value
+
+
+def new_event_loop() -> AbstractEventLoop:
+    """An asyncio loop on simulated time for the running task."""
+    from edulaunch.sim.aio import new_event_loop
+    return new_event_loop()
+
+
+def load_module(path: str, module_name: str) -> ModuleType:
+    """Execute a Python file with the private modules of the running process."""
+    return running_process().loader.run_file(path, module_name)
+
+
+def import_for_expression(name: str) -> ModuleType:
+    """A module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it has one."""
+    return running_process().loader.import_(name, fromlist=('*',))
+
+
+def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
+    """Run a command to its end; returns its exit code, standard output and standard error.
+
+    A command that the simulation knows (`ros2 ...`) runs in it, while launch waits in simulated time. Any other is a real
+    program and takes no simulated time, so that the run repeats.
+
+    :raises FileNotFoundError: when there is no such command.
+    """
+    from edulaunch.processes import ProcessSpec
+    process = running_process()
+    spec = ProcessSpec(argv=tuple(argv), name=os.path.basename(argv[0]), env=dict(process.env))
+    if process.host._known_command(spec) is None:
+        return _run_real_command(argv, process.env, stderr_to_stdout)
+    return _run_known_command(process, spec, stderr_to_stdout)
+
+
+def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> tuple[int, str, str]:
+    from edulaunch.sim.task import current_task
+    task = current_task()
+    texts = {'stdout': '', 'stderr': ''}
+    codes: list[int] = []
+
+    def on_output(stream: str, text: str) -> None:
+        texts['stdout' if stderr_to_stdout else stream] += text
+
+    def on_exit(code: int) -> None:
+        codes.append(code)
+        task.wake()
+
+    process.host.start(spec, on_output=on_output, on_exit=on_exit)
+    while not codes:
+        task.park()
+    return codes[0], texts['stdout'], texts['stderr']
+
+
+def _run_real_command(argv: Sequence[str], env: MutableMapping[str, str],
+                      stderr_to_stdout: bool) -> tuple[int, str, str]:
+    import subprocess
+    done = subprocess.run(
+        list(argv), env=dict(env), text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT if stderr_to_stdout else subprocess.PIPE)
+    return done.returncode, done.stdout, done.stderr or ''

@@ -1,0 +1,20 @@
+"""The queue of events that wait to be handled."""
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from typing import Any, Optional
+
+
+class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
+    """An asyncio queue that tells somebody when something was put in.
+
+    :ivar on_put: called without arguments after each put, unless None.
+    """
+
+    on_put: Optional[Callable[[], object]] = None
+
+    def _put(self, item: Any) -> None:
+        super()._put(item)  # type: ignore[misc]
+        if self.on_put is not None:
+            self.on_put()

@@ -1,0 +1,149 @@
+"""A command line with everything that belongs to it."""
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Optional
+
+from .._engine import process_state
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..substitutions.launch_configuration import LaunchConfiguration
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..action import Action
+    from ..launch_context import LaunchContext
+
+Substitutions = list[Substitution]
+Variables = Mapping[SomeSubstitutionsType, SomeSubstitutionsType]
+
+
+class Executable:
+    """A program to run. :meth:`prepare` makes the `final_...` values from the substitutions.
+
+    :param cmd: the words of the command line, each a text or substitutions.
+    :param prefix: put in front of the command, split as a shell would; without one, the launch configuration `launch-prefix`
+        for programs whose name matches the regular expression in `launch-prefix-filter`.
+    :param name: of the process, without its number; without one, the program's file name.
+    :param cwd: working directory, without one that of launch.
+    :param env: the whole environment, without one that of launch.
+    :param additional_env: added to the environment.
+    :param arguments: further words of the command line.
+    """
+
+    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: Optional[SomeSubstitutionsType] = None,
+                 name: Optional[SomeSubstitutionsType] = None, cwd: Optional[SomeSubstitutionsType] = None,
+                 env: Optional[Variables] = None, additional_env: Optional[Variables] = None,
+                 arguments: Optional[Iterable[SomeSubstitutionsType]] = None) -> None:
+        self.__cmd = [normalize_to_list_of_substitutions(word) for word in cmd]
+        self.__arguments = None if arguments is None else list(arguments)
+        if arguments is not None:
+            self.__cmd += [normalize_to_list_of_substitutions(word) for word in self.__arguments or ()]
+        self.__prefix = normalize_to_list_of_substitutions(
+            LaunchConfiguration('launch-prefix', default='') if prefix is None else prefix)
+        self.__prefix_filter = normalize_to_list_of_substitutions(
+            LaunchConfiguration('launch-prefix-filter', default='') if prefix is None else '')
+        self.__name = None if name is None else normalize_to_list_of_substitutions(name)
+        self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
+        self.__env = _normalize_variables(env)
+        self.__additional_env = _normalize_variables(additional_env)
+        self.__final_name: Optional[str] = None
+        self.__final_cmd: Optional[list[str]] = None
+        self.__final_cwd: Optional[str] = None
+        self.__final_env: Optional[dict[str, str]] = None
+
+    @property
+    def name(self) -> Optional[Substitutions]:
+        """The name, as substitutions."""
+        return self.__name
+
+    @property
+    def prefix(self) -> Substitutions:
+        """The prefix, as substitutions."""
+        return self.__prefix
+
+    @property
+    def cmd(self) -> list[Substitutions]:
+        """The words of the command line (live), as substitutions."""
+        return self.__cmd
+
+    @property
+    def cwd(self) -> Optional[Substitutions]:
+        """The working directory, as substitutions."""
+        return self.__cwd
+
+    @property
+    def env(self) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+        """The environment, as substitutions."""
+        return self.__env
+
+    @property
+    def additional_env(self) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+        """What is added to the environment, as substitutions."""
+        return self.__additional_env
+
+    @property
+    def arguments(self) -> Optional[list[SomeSubstitutionsType]]:
+        """The further words, as given."""
+        return self.__arguments
+
+    @property
+    def final_name(self) -> Optional[str]:
+        """The unique name, such as 'talker-1'; None before :meth:`prepare`."""
+        return self.__final_name
+
+    @property
+    def final_cmd(self) -> Optional[list[str]]:
+        """The words of the command line; None before :meth:`prepare`."""
+        return self.__final_cmd
+
+    @property
+    def final_cwd(self) -> Optional[str]:
+        """The working directory, None for launch's own."""
+        return self.__final_cwd
+
+    @property
+    def final_env(self) -> Optional[dict[str, str]]:
+        """The environment; None before :meth:`prepare`."""
+        return self.__final_env
+
+    def prepare(self, context: LaunchContext, action: Optional[Action]) -> None:
+        """Evaluate everything in `context`, and give the process the next number."""
+        cmd = [perform_substitutions(context, word) for word in self.__cmd]
+        program = os.path.basename(cmd[0])
+        name = program if self.__name is None else perform_substitutions(context, self.__name)
+        self.__final_name = f'{name}-{_next_process_number()}'
+        self.__final_cmd = [*self.__prefix_words(context, program), *cmd]
+        self.__final_cwd = None if self.__cwd is None else perform_substitutions(context, self.__cwd)
+        self.__final_env = (
+            dict(context.environment) if self.__env is None else _perform_variables(context, self.__env))
+        if self.__additional_env is not None:
+            self.__final_env.update(_perform_variables(context, self.__additional_env))
+
+    def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
+        prefix = perform_substitutions(context, self.__prefix)
+        if not prefix or re.match(perform_substitutions(context, self.__prefix_filter), program) is None:
+            return []
+        return shlex.split(prefix)
+
+
+def _next_process_number() -> int:
+    counter = process_state('launch.process_counter', lambda: [0])
+    counter[0] += 1
+    return counter[0]
+
+
+def _normalize_variables(variables: Optional[Variables]) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+    if variables is None:
+        return None
+    return [(normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value))
+            for key, value in variables.items()]
+
+
+def _perform_variables(context: LaunchContext,
+                       variables: Iterable[tuple[Substitutions, Substitutions]]) -> dict[str, str]:
+    return {perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables}

@@ -1,0 +1,101 @@
+"""Reacting to events."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Optional
+
+from ._stable_repr import StableRepr
+from .event import Event
+from .some_entities_type import SomeEntitiesType
+
+if TYPE_CHECKING:
+    from .launch_context import LaunchContext
+    from .launch_description_entity import LaunchDescriptionEntity
+
+Matcher = Callable[[Event], bool]
+
+
+class BaseEventHandler(StableRepr):
+    """Decides by its matcher whether it handles an event.
+
+    :param matcher: called with each event.
+    :param handle_once: forget this handler after the first event.
+    """
+
+    _event_types: Optional[tuple[type, ...]] = None
+    """The only types of events that the matcher can accept; None when that is unknown. Lets launch skip it quickly."""
+    _event_action: Any = None
+    """The only action whose events the matcher can accept; None when there may be others."""
+
+    def __init__(self, *, matcher: Matcher, handle_once: bool = False) -> None:
+        self.__matcher = matcher
+        self.__handle_once = handle_once
+
+    @property
+    def handle_once(self) -> bool:
+        """Whether this handles only one event."""
+        return self.__handle_once
+
+    @property
+    def handler_description(self) -> str:
+        """What the handler does, in words."""
+        return '<callable>'
+
+    @property
+    def matcher_description(self) -> str:
+        """Which events are handled, in words."""
+        return f'{self.__matcher}'
+
+    def matches(self, event: Event) -> bool:
+        """Whether this handles the event."""
+        return self.__matcher(event)
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """The handler in words, and the entities it is known to lead to."""
+        text = (f"{type(self).__name__}(matcher='{self.matcher_description}', handler='{self.handler_description}', "
+                f'handle_once={self.__handle_once})')
+        return text, []
+
+    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+        """React; returns entities to visit, or None. To be extended by subclasses."""
+        context.extend_locals({'event': event})
+        if self.__handle_once:
+            context.unregister_event_handler(self)
+        return None
+
+
+class EventHandler(BaseEventHandler):
+    """Visits entities when an event matches.
+
+    :param entities: an entity or several.
+    """
+
+    def __init__(self, *, matcher: Matcher, entities: Optional[SomeEntitiesType] = None,
+                 handle_once: bool = False) -> None:
+        super().__init__(matcher=matcher, handle_once=handle_once)
+        self.__entities = entities
+
+    @property
+    def entities(self) -> Optional[SomeEntitiesType]:
+        """What is visited."""
+        return self.__entities
+
+    @property
+    def handler_description(self) -> str:
+        """What the handler does, in words."""
+        return '<entities>'
+
+    def describe(self) -> tuple[str, list[SomeEntitiesType]]:
+        """The handler in words, and its entities."""
+        text = super().describe()[0]
+        if self.__entities is None:
+            return text, []
+        entities: Any = self.__entities
+        return text, list(entities) if hasattr(entities, '__iter__') else [entities]
+
+    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+        """The entities."""
+        super().handle(event, context)
+        return self.__entities
+
+

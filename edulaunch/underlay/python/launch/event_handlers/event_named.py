@@ -1,0 +1,11 @@
+"""A matcher by name."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ..event import Event
+
+
+def event_named(name: str) -> Callable[[Event], bool]:
+    """Accepts events whose `name` is this, such as 'launch.events.Shutdown'."""
+    return lambda event: event.name == name

@@ -1,0 +1,24 @@
+"""A process has ended."""
+from __future__ import annotations
+
+from typing import Any
+
+from .running_process_event import RunningProcessEvent
+
+
+class ProcessExited(RunningProcessEvent):
+    """Emitted when a process has ended.
+
+    :param returncode: the exit code; negative when a signal ended the process.
+    """
+
+    name = 'launch.events.process.ProcessExited'
+
+    def __init__(self, *, returncode: int, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__returncode = returncode
+
+    @property
+    def returncode(self) -> int:
+        """The exit code."""
+        return self.__returncode

@@ -1,0 +1,19 @@
+"""Which processes a targeted event is meant for."""
+from __future__ import annotations
+
+from .process_targeted_event import ProcessMatcher
+
+
+def matches_pid(pid: int) -> ProcessMatcher:
+    """The process with this number."""
+    return lambda action: action.process_details is not None and action.process_details['pid'] == pid
+
+
+def matches_name(name: str) -> ProcessMatcher:
+    """The process with this unique name, such as 'talker-1'."""
+    return lambda action: action.process_details is not None and action.process_details['name'] == name
+
+
+def matches_executable(executable: str) -> ProcessMatcher:
+    """Processes whose program's path ends with this."""
+    return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)

@@ -1,0 +1,60 @@
+"""Events about a process that was started."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Optional
+
+from ...event import Event
+
+if TYPE_CHECKING:
+    from ...actions.execute_local import ExecuteLocal
+
+
+class RunningProcessEvent(Event):
+    """Base of all events that come from a process."""
+
+    name = 'launch.events.process.RunningProcessEvent'
+
+    def __init__(self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: Optional[str],
+                 env: Optional[Mapping[str, str]], pid: int) -> None:
+        self.__action = action
+        self.__name = name
+        self.__cmd = cmd
+        self.__cwd = cwd
+        self.__env = env
+        self.__pid = pid
+
+    @property
+    def action(self) -> ExecuteLocal:
+        """The action that started the process."""
+        return self.__action
+
+    @property
+    def execute_process_action(self) -> ExecuteLocal:
+        """The same, by an older name."""
+        return self.__action
+
+    @property
+    def process_name(self) -> str:
+        """The unique name, such as 'talker-1'."""
+        return self.__name
+
+    @property
+    def cmd(self) -> list[str]:
+        """The command line."""
+        return self.__cmd
+
+    @property
+    def cwd(self) -> Optional[str]:
+        """The working directory, None for launch's own."""
+        return self.__cwd
+
+    @property
+    def env(self) -> Optional[Mapping[str, str]]:
+        """The environment."""
+        return self.__env
+
+    @property
+    def pid(self) -> int:
+        """The process number."""
+        return self.__pid

@@ -1,0 +1,30 @@
+"""A process is to get a signal."""
+from __future__ import annotations
+
+import signal
+from typing import Union
+
+from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent
+
+
+class SignalProcess(ProcessTargetedEvent):
+    """Sends a signal to processes.
+
+    :param signal_number: a `signal.Signals`, or its name such as 'SIGUSR1'.
+    """
+
+    name = 'launch.events.process.SignalProcess'
+
+    def __init__(self, *, signal_number: Union[str, signal.Signals], process_matcher: ProcessMatcher) -> None:
+        super().__init__(process_matcher=process_matcher)
+        self.__signal = signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
+
+    @property
+    def signal(self) -> signal.Signals:
+        """The signal."""
+        return self.__signal
+
+    @property
+    def signal_name(self) -> str:
+        """Its name."""
+        return self.__signal.name

@@ -1,0 +1,28 @@
+"""The launch is to end."""
+from __future__ import annotations
+
+from ..event import Event
+
+
+class Shutdown(Event):
+    """Ends the whole launch: processes get signals, timers are cancelled, nothing new is started.
+
+    :param reason: for people, and for `LocalSubstitution('event.reason')`.
+    :param due_to_sigint: the user pressed ctrl-c, so a terminal has told the processes already.
+    """
+
+    name = 'launch.events.Shutdown'
+
+    def __init__(self, *, reason: str = 'reason not given', due_to_sigint: bool = False) -> None:
+        self.__reason = reason
+        self.__due_to_sigint = due_to_sigint
+
+    @property
+    def reason(self) -> str:
+        """Why."""
+        return self.__reason
+
+    @property
+    def due_to_sigint(self) -> bool:
+        """Whether ctrl-c was pressed."""
+        return self.__due_to_sigint

@@ -1,0 +1,47 @@
+"""From the text of a command line, as in `cmd=` and `args=`, to its words."""
+from __future__ import annotations
+
+from launch.substitution import Substitution
+from launch.substitutions.text_substitution import TextSubstitution
+
+from ..parser import Parser
+
+Word = list[Substitution]
+
+
+def words_of(text: str, parser: Parser) -> list[Word]:
+    """The words of a command line; each is a list of substitutions.
+
+    Substitutions are found first, then the literal pieces between them are split as a shell would. A substitution
+    that touches a piece of text stays in one word with it; what comes out of a substitution is never split.
+
+    :raises ValueError: when a quote is not closed within one literal piece.
+    """
+    words: list[Word] = []
+    word: Word = []
+    for piece in parser.parse_substitution(text):
+        if not isinstance(piece, TextSubstitution):
+            word.append(piece)
+            continue
+        tokens = _split(piece.text)
+        if word and (not tokens or piece.text[0].isspace()):
+            words.append(word)
+            word = []
+        for number, token in enumerate(tokens):
+            if number:
+                words.append(word)
+                word = []
+            word.append(TextSubstitution(text=token))
+        if word and piece.text[-1:].isspace():
+            words.append(word)
+            word = []
+    if word:
+        words.append(word)
+    return words
+
+
+def _split(text: str) -> list[str]:
+    if '"' not in text and "'" not in text and '\\' not in text:
+        return text.split()
+    from shlex import split
+    return split(text)

@@ -1,0 +1,105 @@
+"""launch's log lines: on the screen, and in files when somebody wants files.
+
+As upstream: `launch_config` decides formats, level and places; `get_logger(name)` and `get_output_loggers(process, output)`
+give loggers that are set up accordingly. Different from upstream:
+
+* Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the interpreter, so two simulations
+  do not share them. `launch_config` stands for that of the process that is running.
+* The screen is the process's own standard output.
+* **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's environment, or
+  `launch_config.log_dir` or `launch_config.log_handler_factory` was set. Else nothing appears below `~/.ros`, and the line
+  "All log files can be found below ..." is not printed. Reading `launch_config.log_dir` makes the folder.
+* Times in log lines are simulated.
+"""
+from __future__ import annotations
+
+import logging
+from typing import Any, Optional
+
+from . import handlers
+from ._config import LaunchConfig
+from ._log_dir import _get_logging_directory, _make_unique_log_dir, _renew_latest_log_dir
+from ._output import OutputConfig, normalize_output_configuration
+from ._state import LaunchLogger, logging_state
+
+__all__ = [
+    'LaunchConfig', 'LaunchLogger', 'get_logger', 'get_output_loggers', 'handlers', 'launch_config', 'log_launch_config',
+    'reset', '_get_logging_directory', '_make_unique_log_dir', '_renew_latest_log_dir']
+
+
+class _CurrentLaunchConfig:
+    """Stands for the `LaunchConfig` of whichever process is running."""
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(logging_state().config, name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        setattr(logging_state().config, name, value)
+
+    def __dir__(self) -> list[str]:
+        return dir(logging_state().config)
+
+
+launch_config: Any = _CurrentLaunchConfig()
+"""The configuration (a :class:`LaunchConfig`) of the running process."""
+
+
+def __getattr__(name: str) -> Any:
+    if name == 'root':
+        return logging_state().root
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+
+
+def get_logger(name: Optional[str] = None) -> logging.Logger:
+    """The logger of that name (the root logger without one), writing to the screen and to launch.log."""
+    state = logging_state()
+    logger = state.get_logger(name)
+    for handler in (state.config.get_screen_handler(), state.config.get_log_file_handler()):
+        if handler not in logger.handlers:
+            logger.addHandler(handler)
+    return logger
+
+
+def get_output_loggers(process_name: str, output_config: OutputConfig, main_log_file_name: str = 'launch.log',
+                       ) -> tuple[logging.Logger, logging.Logger]:
+    """The loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
+
+    :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr' and 'both' to one
+        or more of 'screen', 'log' and 'own_log'.
+    :raises ValueError: for any other configuration.
+    """
+    places = normalize_output_configuration(output_config)
+    state = logging_state()
+    for source in ('stdout', 'stderr'):
+        logger = state.get_logger(f'{process_name}-{source}')
+        wanted = places['both'] | places[source]
+        if 'screen' in wanted:
+            _add(logger, state.config.get_screen_handler(), logging.Formatter('{msg}', style='{'))
+        if 'log' in wanted:
+            _add(logger, state.config.get_log_file_handler(main_log_file_name),
+                 logging.Formatter('{created:.7f} {msg}', style='{'))
+        if 'own_log' in places[source]:
+            _add(logger, state.config.get_log_file_handler(f'{process_name}-{source}.log'), logging.Formatter())
+        if 'own_log' in places['both']:
+            _add(logger, state.config.get_log_file_handler(f'{process_name}.log'), logging.Formatter())
+    return state.get_logger(f'{process_name}-stdout'), state.get_logger(f'{process_name}-stderr')
+
+
+def _add(logger: logging.Logger, handler: Any, formatter: logging.Formatter) -> None:
+    if handler not in logger.handlers:
+        handler.setFormatterFor(logger, formatter)
+        logger.addHandler(handler)
+
+
+def log_launch_config(*, logger: Optional[logging.Logger] = None) -> None:
+    """Say where the log files are (if there are any) and which level is logged."""
+    logger = logging_state().root if logger is None else logger
+    config = logging_state().config
+    if config.file_handlers:
+        logger.info(f'All log files can be found below {config.log_dir}')
+    logger.info(f'Default logging verbosity is set to {logging.getLevelName(config.level)}')
+
+
+def reset() -> None:
+    """Forget all loggers, handlers and settings of the running process."""
+    logging_state().reset()

@@ -1,0 +1,60 @@
+"""The loggers of one process."""
+from __future__ import annotations
+
+import logging
+from typing import Any, Optional
+
+from .._engine import process_state, running_process
+from ._config import LaunchConfig
+
+
+class LaunchLogger(logging.Logger):
+    """A logger that keeps its records to itself and stamps them with simulated time."""
+
+    def __init__(self, name: str, level: int = logging.NOTSET) -> None:
+        super().__init__(name, level)
+        self.propagate = False
+        self._is_output = name.endswith(('-stdout', '-stderr'))
+
+    def findCaller(self, stack_info: bool = False, stacklevel: int = 1) -> tuple[str, int, str, Optional[str]]:
+        """No format of launch shows the caller; looking for it would cost more than the rest."""
+        return '(unknown file)', 0, '(unknown function)', None
+
+    def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
+        """A record with the simulated time."""
+        record = super().makeRecord(*args, **kwargs)
+        now_ns = running_process().sim.now_ns
+        record.created = now_ns / 1e9
+        record.msecs = now_ns // 1_000_000 % 1000
+        return record
+
+    def handle(self, record: logging.LogRecord) -> None:
+        """Write the record, and (unless it is a line that a program printed) let the simulation record it too."""
+        if not self._is_output:
+            running_process().log(record.levelno, record.name, record.getMessage())
+        super().handle(record)
+
+
+class LoggingState:
+    """What upstream keeps in globals: `root`, the loggers below it, and the `config`."""
+
+    def __init__(self) -> None:
+        self.config: LaunchConfig
+        self.reset()
+
+    def reset(self) -> None:
+        """Start again from nothing."""
+        self.root = LaunchLogger('root', logging.INFO)
+        self._manager = logging.Manager(self.root)  # type: ignore[arg-type]
+        self._manager.setLoggerClass(LaunchLogger)
+        self.root.manager = self._manager
+        self.config = LaunchConfig(self.root)
+
+    def get_logger(self, name: Optional[str] = None) -> logging.Logger:
+        """The logger of that name, without adding handlers."""
+        return self._manager.getLogger(name) if name else self.root
+
+
+def logging_state() -> LoggingState:
+    """The loggers of the running process."""
+    return process_state('launch.logging', LoggingState)

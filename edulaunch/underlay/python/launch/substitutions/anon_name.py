@@ -1,0 +1,48 @@
+"""A name that nobody else has."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._engine import running_process
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class AnonName(Substitution):
+    """The name with host, process number and a random number added; the same one for the same name within one launch.
+
+    The host is called `edulaunch` and the number comes from the simulation's seed, so that runs repeat.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType) -> None:
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    parse = parsed_as_substitution('anon')
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name to make unique, as substitutions."""
+        return self.__name
+
+    def describe(self) -> str:
+        """`AnonName('name')`."""
+        return f'AnonName({describe_all(self.__name)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The unique name."""
+        name = perform_substitutions(context, self.__name)
+        key = 'anon' + name
+        if key not in context.launch_configurations:
+            process = running_process()
+            number = process.sim.random(key).randrange(2 ** 63)
+            unique = f'{name}_edulaunch_{process.pid}_{number}'
+            context.launch_configurations[key] = unique.replace('.', '_').replace('-', '_').replace(':', '_')
+        unique_name: str = context.launch_configurations[key]
+        return unique_name

@@ -1,0 +1,149 @@
+"""Texts combined as booleans. All operands are always evaluated; the results are 'true' and 'false'."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ._description import describe_all
+from ._truth import truth
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+Parsed = tuple[type, dict[str, Any]]
+
+
+class NotSubstitution(Substitution):
+    """The opposite."""
+
+    def __init__(self, value: SomeSubstitutionsType) -> None:
+        self.__value = normalize_to_list_of_substitutions(value)
+
+    parse = parsed_as_substitution('not')
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The operand."""
+        return self.__value
+
+    def describe(self) -> str:
+        """`NotSubstitution(value)`."""
+        return f'NotSubstitution({describe_all(self.__value)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return _text(not truth(context, self.__value))
+
+
+class AndSubstitution(Substitution):
+    """Whether both are true."""
+
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
+        self.__left = normalize_to_list_of_substitutions(left)
+        self.__right = normalize_to_list_of_substitutions(right)
+
+    parse = parsed_as_substitution('and')
+
+    @property
+    def left(self) -> list[Substitution]:
+        """The left operand."""
+        return self.__left
+
+    @property
+    def right(self) -> list[Substitution]:
+        """The right operand."""
+        return self.__right
+
+    def describe(self) -> str:
+        """`AndSubstitution(left right)`."""
+        return f'AndSubstitution({describe_all(self.__left)} {describe_all(self.__right)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return _text(all([truth(context, self.__left), truth(context, self.__right)]))
+
+
+class OrSubstitution(Substitution):
+    """Whether at least one of two is true."""
+
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
+        self.__left = normalize_to_list_of_substitutions(left)
+        self.__right = normalize_to_list_of_substitutions(right)
+
+    parse = parsed_as_substitution('or')
+
+    @property
+    def left(self) -> list[Substitution]:
+        """The left operand."""
+        return self.__left
+
+    @property
+    def right(self) -> list[Substitution]:
+        """The right operand."""
+        return self.__right
+
+    def describe(self) -> str:
+        """`OrSubstitution(left right)`."""
+        return f'OrSubstitution({describe_all(self.__left)} {describe_all(self.__right)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return _text(any([truth(context, self.__left), truth(context, self.__right)]))
+
+
+class AnySubstitution(Substitution):
+    """Whether at least one is true; false for none."""
+
+    def __init__(self, *args: SomeSubstitutionsType) -> None:
+        self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
+
+    parse = parsed_as_substitution('any')
+
+    @property
+    def args(self) -> list[list[Substitution]]:
+        """The operands."""
+        return self.__args
+
+    def describe(self) -> str:
+        """`AnySubstitution(a b)`."""
+        return f"AnySubstitution({' '.join(describe_all(arg) for arg in self.__args)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return _text(any([truth(context, arg) for arg in self.__args]))
+
+
+class AllSubstitution(Substitution):
+    """Whether all are true; true for none."""
+
+    def __init__(self, *args: SomeSubstitutionsType) -> None:
+        self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
+
+    parse = parsed_as_substitution('all')
+
+    @property
+    def args(self) -> list[list[Substitution]]:
+        """The operands."""
+        return self.__args
+
+    def describe(self) -> str:
+        """`AllSubstitution(a b)`."""
+        return f"AllSubstitution({' '.join(describe_all(arg) for arg in self.__args)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return _text(all([truth(context, arg) for arg in self.__args]))
+
+
+def _operands(name: str, data: Sequence[SomeSubstitutionsType]) -> dict[str, Any]:
+    if len(data) != 2:
+        raise TypeError(f'{name} substitution expects 2 arguments')
+    return {'left': data[0], 'right': data[1]}
+
+
+def _text(value: bool) -> str:
+    return str(value).lower()

@@ -1,0 +1,71 @@
+"""The output of a command."""
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from .._engine import run_command
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class Command(Substitution):
+    """What a command prints, its last newline included. The text is split as a shell would, but no shell runs.
+
+    :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the text).
+    :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints errors and may not.
+    """
+
+    def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail') -> None:
+        self.__command = normalize_to_list_of_substitutions(command)
+        self.__on_stderr = normalize_to_list_of_substitutions(on_stderr)
+
+    parse = parsed_as_substitution('command')
+
+    @property
+    def command(self) -> list[Substitution]:
+        """The command, as substitutions."""
+        return self.__command
+
+    @property
+    def on_stderr(self) -> list[Substitution]:
+        """What output on standard error means, as substitutions."""
+        return self.__on_stderr
+
+    def describe(self) -> str:
+        """`Command('ls')`."""
+        return f'Command({describe_all(self.__command)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """Run the command to its end."""
+        command = perform_substitutions(context, self.__command)
+        on_stderr = perform_substitutions(context, self.__on_stderr)
+        if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):
+            raise SubstitutionFailure("expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'")
+        try:
+            code, output, errors = run_command(shlex.split(command), stderr_to_stdout=on_stderr == 'capture')
+        except FileNotFoundError as error:
+            raise SubstitutionFailure(f'file not found: {error}') from error
+        if code != 0:
+            captured = f'\nCaptured stderr output: {errors}' if errors else ''
+            raise SubstitutionFailure(f'executed command failed. Command: {command}{captured}')
+        if errors:
+            _report(f'executed command showed stderr output. Command: {command}\nCaptured stderr output:\n{errors}', on_stderr)
+        return output
+
+
+def _report(message: str, on_stderr: str) -> None:
+    if on_stderr == 'fail':
+        raise SubstitutionFailure(message)
+    if on_stderr == 'warn':
+        from ..logging import get_logger
+        get_logger().warning(message)

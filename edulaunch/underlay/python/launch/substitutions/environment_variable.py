@@ -1,0 +1,52 @@
+"""The value of an environment variable."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class EnvironmentVariable(Substitution):
+    """The value of an environment variable of launch's process at the moment of use.
+
+    :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, *, default_value: Optional[SomeSubstitutionsType] = None) -> None:
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
+
+    parse = parsed_as_substitution('env')
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+    @property
+    def default_value(self) -> Optional[list[Substitution]]:
+        """The default, as substitutions, or None."""
+        return self.__default_value
+
+    def describe(self) -> str:
+        """`EnvVar('NAME')`."""
+        return f'EnvVar({describe_all(self.__name)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The value of the variable, else the default."""
+        name = perform_substitutions(context, self.__name)
+        value = context.environment.get(name)
+        if value is not None:
+            return value
+        if self.__default_value is None:
+            raise SubstitutionFailure(f"environment variable '{name}' does not exist")
+        return perform_substitutions(context, self.__default_value)

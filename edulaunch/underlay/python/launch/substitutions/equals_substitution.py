@@ -1,0 +1,67 @@
+"""Whether two texts are equal."""
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Optional
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ..utilities.type_utils import is_substitution
+from ._description import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+_BOOLEANS = {'true': True, '1': True, 'false': False, '0': False}
+
+
+class EqualsSubstitution(Substitution):
+    """'true' or 'false'. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal is equal), else texts.
+
+    :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and 'false'.
+    """
+
+    def __init__(self, left: Optional[Any], right: Optional[Any]) -> None:
+        self.__left = _normalize_operand(left)
+        self.__right = _normalize_operand(right)
+
+    parse = parsed_as_substitution('equals')
+
+    @property
+    def left(self) -> list[Substitution]:
+        """The left operand."""
+        return self.__left
+
+    @property
+    def right(self) -> list[Substitution]:
+        """The right operand."""
+        return self.__right
+
+    def describe(self) -> str:
+        """`EqualsSubstitution('a' 'b')`."""
+        return f'{type(self).__name__}({describe_all(self.__left)} {describe_all(self.__right)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """'true' or 'false'."""
+        return str(self._evaluate(context)).lower()
+
+    def _evaluate(self, context: LaunchContext) -> bool:
+        left = perform_substitutions(context, self.__left)
+        right = perform_substitutions(context, self.__right)
+        if left.lower() in _BOOLEANS and right.lower() in _BOOLEANS:
+            return _BOOLEANS[left.lower()] == _BOOLEANS[right.lower()]
+        try:
+            return math.isclose(float(left), float(right))
+        except ValueError:
+            return left == right
+
+
+def _normalize_operand(operand: Any) -> list[Substitution]:
+    if is_substitution(operand):
+        return normalize_to_list_of_substitutions(operand)
+    if operand is None:
+        return normalize_to_list_of_substitutions('')
+    return normalize_to_list_of_substitutions(str(operand).lower() if isinstance(operand, bool) else str(operand))

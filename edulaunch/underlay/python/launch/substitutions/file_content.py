@@ -1,0 +1,46 @@
+"""The text of a file."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class FileContent(Substitution):
+    """The whole text of a file.
+
+    :raises SubstitutionFailure: on evaluation, when there is no such file.
+    """
+
+    def __init__(self, path: SomeSubstitutionsType) -> None:
+        self.__path = normalize_to_list_of_substitutions(path)
+
+    parse = parsed_as_substitution('file-content')
+
+    @property
+    def path(self) -> list[Substitution]:
+        """The path, as substitutions."""
+        return self.__path
+
+    def describe(self) -> str:
+        """`FileContent('path')`."""
+        return f'FileContent({describe_all(self.__path)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
+        path = perform_substitutions(context, self.__path)
+        try:
+            with open(path, encoding='utf-8') as file:
+                return file.read()
+        except FileNotFoundError as error:
+            raise SubstitutionFailure(f'File not found: {path}') from error

@@ -1,0 +1,46 @@
+"""Where a program is."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from osrf_pycommon.process_utils import which
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class FindExecutable(Substitution):
+    """The path of a program on the PATH of launch's process.
+
+    :raises SubstitutionFailure: on evaluation, when it is not there.
+    """
+
+    def __init__(self, *, name: SomeSubstitutionsType) -> None:
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    parse = parsed_as_substitution('find-exec')
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The program's name, as substitutions."""
+        return self.__name
+
+    def describe(self) -> str:
+        """`FindExec('ls')`."""
+        return f'FindExec({describe_all(self.__name)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The path."""
+        path = which(perform_substitutions(context, self.__name), path=context.environment.get('PATH'))
+        if path is None:
+            raise SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
+        return path

@@ -1,0 +1,56 @@
+"""One of two texts."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from ._truth import truth
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class IfElseSubstitution(Substitution):
+    """`if_value` when the condition is true, else `else_value`. Booleans are YAML's, and 1 and 0.
+
+    :raises RuntimeError: when both values are empty.
+    """
+
+    def __init__(self, condition: SomeSubstitutionsType, if_value: SomeSubstitutionsType = '',
+                 else_value: SomeSubstitutionsType = '') -> None:
+        if if_value == else_value == '':
+            raise RuntimeError('One of if_value and else_value must be specified')
+        self.__condition = normalize_to_list_of_substitutions(condition)
+        self.__if_value = normalize_to_list_of_substitutions(if_value)
+        self.__else_value = normalize_to_list_of_substitutions(else_value)
+
+    parse = parsed_as_substitution('if')
+
+    @property
+    def condition(self) -> list[Substitution]:
+        """The condition, as substitutions."""
+        return self.__condition
+
+    @property
+    def if_value(self) -> list[Substitution]:
+        """The text when true, as substitutions."""
+        return self.__if_value
+
+    @property
+    def else_value(self) -> list[Substitution]:
+        """The text when false, as substitutions."""
+        return self.__else_value
+
+    def describe(self) -> str:
+        """`IfElseSubstitution(condition, if_value, else_value)`."""
+        parts = (self.__condition, self.__if_value, self.__else_value)
+        return f"IfElseSubstitution({', '.join(describe_all(part) for part in parts)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The chosen text."""
+        return perform_substitutions(context, self.__if_value if truth(context, self.__condition) else self.__else_value)

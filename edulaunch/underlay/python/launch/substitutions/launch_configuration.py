@@ -1,0 +1,58 @@
+"""The value of a launch configuration."""
+from __future__ import annotations
+
+import collections.abc
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Optional
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .substitution_failure import SubstitutionFailure
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LaunchConfiguration(Substitution):
+    """The text of a launch configuration (a launch argument is one) at the moment of use.
+
+    :param default: used when it is not set: a text, substitutions, or any scalar, which is converted with `str`.
+    :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
+    """
+
+    def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any = None) -> None:
+        self.__variable_name = normalize_to_list_of_substitutions(variable_name)
+        self.__default: Optional[list[Substitution]] = None if default is None else _normalize_default(default)
+
+    parse = parsed_as_substitution('var')
+
+    @property
+    def variable_name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__variable_name
+
+    def describe(self) -> str:
+        """`LaunchConfig('name')`."""
+        return f'LaunchConfig({describe_all(self.__variable_name)})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The value of the launch configuration, else the default."""
+        name = perform_substitutions(context, self.__variable_name)
+        configurations = context.launch_configurations
+        if name in configurations:
+            value: str = configurations[name]
+            return value
+        if self.__default is None:
+            raise SubstitutionFailure(f"launch configuration '{name}' does not exist")
+        return perform_substitutions(context, self.__default)
+
+
+def _normalize_default(default: Any) -> list[Substitution]:
+    single = isinstance(default, (str, Substitution)) or not isinstance(default, collections.abc.Iterable)
+    items: Iterable[Any] = (default,) if single else default
+    return normalize_to_list_of_substitutions(
+        [item if isinstance(item, (str, Substitution)) else str(item) for item in items])

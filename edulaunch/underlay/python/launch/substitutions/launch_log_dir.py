@@ -1,0 +1,26 @@
+"""Where this launch writes its log files."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LaunchLogDir(Substitution):
+    """The folder of this launch's log files. Asking for it makes it."""
+
+    parse = parsed_as_substitution('log_dir')
+
+    def describe(self) -> str:
+        """`LaunchLogDir()`."""
+        return 'LaunchLogDir()'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The folder."""
+        from ..logging import launch_config
+        return launch_config.log_dir

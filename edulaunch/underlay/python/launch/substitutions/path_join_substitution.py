@@ -1,0 +1,36 @@
+"""Parts of a path, joined."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Union
+
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ._description import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PathJoinSubstitution(Substitution):
+    """The parts joined with the path separator, by the rules of `os.path.join`.
+
+    :param substitutions: each a text or one substitution (a list inside the list is a TypeError in Jazzy).
+    """
+
+    def __init__(self, substitutions: Iterable[Union[str, Substitution]]) -> None:
+        self.__substitutions = normalize_to_list_of_substitutions(substitutions)
+
+    @property
+    def substitutions(self) -> list[Substitution]:
+        """The parts."""
+        return self.__substitutions
+
+    def describe(self) -> str:
+        """`PathJoin(''a' + LaunchConfig('b')')`."""
+        return f"PathJoin('{describe_all(self.__substitutions)}')"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The joined path."""
+        return os.path.join(*[context.perform_substitution(part) for part in self.__substitutions])

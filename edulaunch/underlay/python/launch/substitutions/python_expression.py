@@ -1,0 +1,58 @@
+"""The value of a Python expression."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._engine import import_for_expression
+from .._parsed_by import parsed_as_substitution
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+from .text_substitution import TextSubstitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class PythonExpression(Substitution):
+    """`str(eval(text))` of the joined text.
+
+    Names of the `math` module may be used bare; other modules by their names. Texts that come from launch configurations
+    must be put in quotes inside the expression, or they are taken for Python names.
+
+    :param python_modules: the modules that the expression may use.
+    :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.
+    """
+
+    def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
+        self.__expression = normalize_to_list_of_substitutions(expression)
+        self.__python_modules = normalize_to_list_of_substitutions(python_modules)
+
+    parse = parsed_as_substitution('eval')
+
+    @property
+    def expression(self) -> list[Substitution]:
+        """The expression, as substitutions."""
+        return self.__expression
+
+    @property
+    def python_modules(self) -> list[Substitution]:
+        """The modules the expression may use."""
+        return self.__python_modules
+
+    def describe(self) -> str:
+        """`PythonExpr('1+1', ['math'])`."""
+        modules = ', '.join(module.describe() for module in self.__python_modules)
+        return f'PythonExpr({describe_all(self.__expression)}, [{modules}])'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The value as text."""
+        names: dict[str, Any] = {}
+        for substitution in self.__python_modules:
+            module = import_for_expression(perform_substitutions(context, [substitution]))
+            if module.__name__ == 'math':
+                names.update(vars(module))
+            names[module.__name__] = module
+        return str(eval(perform_substitutions(context, self.__expression), {}, names))

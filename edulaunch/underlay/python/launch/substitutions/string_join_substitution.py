@@ -1,0 +1,41 @@
+"""Texts, joined with a delimiter."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ._description import describe_all
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class StringJoinSubstitution(Substitution):
+    """The parts joined with `delimiter` between them. Newer than Jazzy's first release."""
+
+    def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = '') -> None:
+        self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
+        self.__delimiter = normalize_to_list_of_substitutions(delimiter)
+
+    @property
+    def substitutions(self) -> list[list[Substitution]]:
+        """The parts, each a list of substitutions."""
+        return self.__substitutions
+
+    @property
+    def delimiter(self) -> list[Substitution]:
+        """What stands between the parts."""
+        return self.__delimiter
+
+    def describe(self) -> str:
+        """`StringJoin('a' + 'b')`."""
+        return f"StringJoin({' + '.join(describe_all(part) for part in self.__substitutions)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """The joined text."""
+        delimiter = perform_substitutions(context, self.__delimiter)
+        return delimiter.join(perform_substitutions(context, part) for part in self.__substitutions)

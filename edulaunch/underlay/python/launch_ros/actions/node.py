@@ -1,0 +1,203 @@
+"""A ROS node, started as a program of a package."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+
+import launch.logging
+from launch.actions.execute_process import ExecuteProcess
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitutions.local_substitution import LocalSubstitution
+from launch.utilities.ensure_argument_type_impl import ensure_argument_type
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+from .._names import validated_name, validated_namespace
+from .._parameter_arguments import ParameterArguments
+from ..parameters_type import SomeParameters
+from ..remap_rule_type import SomeRemapRules
+from ..substitutions.executable_in_package import ExecutableInPackage
+from ..utilities import (
+    add_node_name,
+    get_node_name_count,
+    make_namespace_absolute,
+    normalize_parameters,
+    normalize_remap_rules,
+    prefix_namespace,
+)
+
+if TYPE_CHECKING:
+    from launch.action import Action
+    from launch.launch_context import LaunchContext
+
+
+class Node(ExecuteProcess):
+    """Start a node.
+
+    :param executable: name of the executable in `package`, or without a package a command.
+    :param package: the package that has it.
+    :param name: the node's name; without one the program's own is kept.
+    :param namespace: put the node there; relative to the namespaces pushed around it.
+    :param exec_name: the name of the process in the log.
+    :param parameters: a list of parameter files, dicts, and :class:`~launch_ros.parameter_descriptions.Parameter`.
+    :param remappings: (from, to) pairs for topics and services.
+    :param ros_arguments: further arguments after `--ros-args`.
+    :param arguments: the program's own arguments.
+    :param kwargs: those of :class:`launch.actions.ExecuteProcess`, but for `cmd`.
+    :raises TypeError: when `parameters` or `remappings` are not of the right kind.
+
+    Errors when it is executed: PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's
+    InvalidNodeNameException and InvalidNamespaceException.
+    """
+
+    UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
+    UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
+
+    def __init__(
+        self, *,
+        executable: SomeSubstitutionsType,
+        package: Optional[SomeSubstitutionsType] = None,
+        name: Optional[SomeSubstitutionsType] = None,
+        namespace: Optional[SomeSubstitutionsType] = None,
+        exec_name: Optional[SomeSubstitutionsType] = None,
+        parameters: Optional[SomeParameters] = None,
+        remappings: Optional[SomeRemapRules] = None,
+        ros_arguments: Optional[Iterable[SomeSubstitutionsType]] = None,
+        arguments: Optional[Iterable[SomeSubstitutionsType]] = None,
+        **kwargs: Any,
+    ) -> None:
+        command: Any = executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        cmd = [command, *(arguments or ())]
+        if ros_arguments is not None:
+            cmd += ['--ros-args', *ros_arguments]
+        cmd.append('--ros-args')
+        if name is not None:
+            cmd += ['-r', LocalSubstitution("ros_specific_arguments['name']", description='node name')]
+        if parameters is not None:
+            ensure_argument_type(parameters, (list,), 'parameters', 'Node')
+        self.__parameters = None if parameters is None else normalize_parameters(parameters)
+        self.__remappings = [] if remappings is None else list(normalize_remap_rules(remappings))
+        super().__init__(cmd=cmd, name=exec_name, **kwargs)
+        self.__package = package
+        self.__node_executable = executable
+        self.__node_name = name
+        self.__node_namespace = namespace
+        self.__arguments = arguments
+        self.__ros_arguments = ros_arguments
+        self.__expanded_node_name = self.UNSPECIFIED_NODE_NAME
+        self.__expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
+        self.__final_node_name: Optional[str] = None
+        self.__expanded_parameter_arguments: Optional[List[Tuple[str, bool]]] = None
+        self.__expanded_remappings: List[Tuple[str, str]] = []
+        self.__parameter_origins: Dict[str, str] = {}
+        self.__substitutions_performed = False
+        self.__parameter_arguments: Optional[ParameterArguments] = None
+
+    @property
+    def node_package(self) -> Optional[SomeSubstitutionsType]:
+        """The package, as given."""
+        return self.__package
+
+    @property
+    def node_executable(self) -> SomeSubstitutionsType:
+        """The executable, as given."""
+        return self.__node_executable
+
+    @property
+    def node_name(self) -> str:
+        """The full name; parts that the launch file leaves open stand as the UNSPECIFIED texts.
+
+        :raises RuntimeError: before the action was executed.
+        """
+        if self.__final_node_name is None:
+            raise RuntimeError("cannot access 'node_name' before executing action")
+        return self.__final_node_name
+
+    @property
+    def expanded_node_namespace(self) -> str:
+        """The namespace, after execution."""
+        return self.__expanded_node_namespace
+
+    @property
+    def expanded_remapping_rules(self) -> List[Tuple[str, str]]:
+        """All (from, to) pairs, global ones first, after execution."""
+        return self.__expanded_remappings
+
+    @property
+    def parameter_origins(self) -> Dict[str, str]:
+        """For each parameter that this launch gives by value: where the value was written. (edulaunch only.)"""
+        return self.__parameter_origins
+
+    def is_node_name_fully_specified(self) -> bool:
+        """Whether both name and namespace are known to the launch file."""
+        return not any(part in self.node_name for part in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE))
+
+    def execute(self, context: LaunchContext) -> Optional[List[Action]]:
+        """Resolve names, parameters and remappings, and schedule the process."""
+        self._perform_substitutions(context)
+        context.extend_locals({'ros_specific_arguments': {
+            'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}})
+        result = super().execute(context)
+        if self.is_node_name_fully_specified():
+            add_node_name(context, self.node_name)
+            count = get_node_name_count(context, self.node_name)
+            if count > 1:
+                launch.logging.get_logger(self.name).warning(
+                    f'there are now at least {count} nodes with the name {self.node_name} created within this launch context')
+        return result
+
+    def _perform_substitutions(self, context: LaunchContext) -> None:
+        """Complete the command line; the parts that belong to the process itself stay for :meth:`execute`. Works once."""
+        if self.__substitutions_performed:
+            return
+        self.__substitutions_performed = True
+        try:
+            self.__expand_name(context)
+        except Exception:
+            launch.logging.get_logger('launch_ros.actions.node').error(
+                "Error while expanding or validating node name or namespace for "
+                f"'package={self.__package}, executable={self.__node_executable}, name={self.__node_name}, "
+                f"namespace={self.__node_namespace}':")
+            raise
+        namespace = '' if self.__expanded_node_namespace == '/' else self.__expanded_node_namespace
+        self.__final_node_name = f'{namespace}/{self.__expanded_node_name}'
+        self.__expand_parameters(context)
+        self.__expand_remappings(context)
+
+    def __expand_name(self, context: LaunchContext) -> None:
+        if self.__node_name is not None:
+            name = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_name))
+            self.__expanded_node_name = validated_name(name)
+        given: Optional[str] = None
+        if self.__node_namespace is not None:
+            given = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_namespace))
+        namespace = make_namespace_absolute(prefix_namespace(context.launch_configurations.get('ros_namespace'), given))
+        if namespace is not None:
+            self.__expanded_node_namespace = namespace
+            self.__extend_command('-r', LocalSubstitution("ros_specific_arguments['ns']", description='node namespace'))
+            validated_namespace(namespace)
+
+    def __expand_parameters(self, context: LaunchContext) -> None:
+        """Global parameters first, so that the node's own can overwrite them."""
+        node_key = self.node_name if self.is_node_name_fully_specified() else '/**'
+        arguments = self.__parameter_arguments = ParameterArguments(node_key, self.origin)
+        arguments.add_global(context.launch_configurations.get('global_params', ()))
+        if self.__parameters is not None:
+            arguments.add_own(context, self.__parameters)
+        if arguments.items or self.__parameters is not None:
+            self.__expanded_parameter_arguments = arguments.items
+        self.__parameter_origins = arguments.origins
+        for text, is_file in arguments.items:
+            self.__extend_command('--params-file' if is_file else '-p', text)
+
+    def __expand_remappings(self, context: LaunchContext) -> None:
+        self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
+        self.__expanded_remappings += [
+            (perform_substitutions(context, source), perform_substitutions(context, target)) for source, target in self.__remappings]
+        for source_name, target_name in self.__expanded_remappings:
+            self.__extend_command('-r', f'{source_name}:={target_name}')
+
+    def __extend_command(self, *words: SomeSubstitutionsType) -> None:
+        self.cmd.extend(normalize_to_list_of_substitutions(word) for word in words)

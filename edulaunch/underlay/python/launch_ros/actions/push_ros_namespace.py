@@ -1,0 +1,47 @@
+"""A namespace for all nodes that follow in the same scope."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List
+
+from launch.action import Action
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+from edulaunch.graph.names import namespace_problem
+
+from ..utilities import make_namespace_absolute, prefix_namespace
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class PushROSNamespace(Action):
+    """Put the nodes that follow into a namespace, inside the one pushed before; a GroupAction ends it.
+
+    :raises SubstitutionFailure: on execution, when the result is not a namespace.
+    """
+
+    def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__namespace = normalize_to_list_of_substitutions(namespace)
+
+    @property
+    def namespace(self) -> List[Substitution]:
+        """The namespace, to be evaluated."""
+        return self.__namespace
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the launch configuration `ros_namespace`."""
+        pushed = perform_substitutions(context, self.namespace)
+        previous = context.launch_configurations.get('ros_namespace')
+        namespace = make_namespace_absolute(prefix_namespace(previous, pushed))
+        if namespace is None or namespace_problem(namespace) is not None:
+            from launch.substitutions import SubstitutionFailure
+            raise SubstitutionFailure(
+                f"The resulting namespace is invalid: [previous_namespace='{previous}', pushed_namespace='{pushed}']")
+        context.launch_configurations['ros_namespace'] = namespace
+
+
+PushRosNamespace = PushROSNamespace

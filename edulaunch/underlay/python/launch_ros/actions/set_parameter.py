@@ -1,0 +1,42 @@
+"""A parameter for all nodes that follow in the same scope."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List
+
+from launch.action import Action
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+from ..utilities import normalize_parameter_dict
+from ..utilities.evaluate_parameters import evaluate_parameter_dict
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class SetParameter(Action):
+    """Give a parameter to every node that is started later in this scope; a node's own parameters come after it.
+
+    As in ROS, a list of values is passed on in a form that the node reads as a text.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__param_dict = normalize_parameter_dict({name if isinstance(name, (str, Substitution)) else tuple(name): value})
+
+    @property
+    def name(self) -> List[Substitution]:
+        """The parameter's name, to be evaluated."""
+        return list(next(iter(self.__param_dict)))
+
+    @property
+    def value(self) -> Any:
+        """The value, to be evaluated."""
+        return next(iter(self.__param_dict.values()))
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it to the launch configuration `global_params`."""
+        evaluated = evaluate_parameter_dict(context, self.__param_dict)
+        added = [(perform_substitutions(context, self.name), value) for value in evaluated.values()]
+        context.launch_configurations.setdefault('global_params', []).extend(added)

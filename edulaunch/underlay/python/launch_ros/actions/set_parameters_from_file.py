@@ -1,0 +1,34 @@
+"""A parameter file for all nodes that follow in the same scope."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List
+
+from launch.action import Action
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class SetParametersFromFile(Action):
+    """Give a parameter file to every node that is started later in this scope.
+
+    :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
+    """
+
+    def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__filename = normalize_to_list_of_substitutions(filename)
+
+    @property
+    def filename(self) -> List[Substitution]:
+        """The path, to be evaluated."""
+        return self.__filename
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it to the launch configuration `global_params`."""
+        path = perform_substitutions(context, self.__filename)
+        context.launch_configurations.setdefault('global_params', []).append(path)

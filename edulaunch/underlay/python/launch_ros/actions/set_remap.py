@@ -1,0 +1,37 @@
+"""A remapping for all nodes that follow in the same scope."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List
+
+from launch.action import Action
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class SetRemap(Action):
+    """Remap `src` to `dst` in every node that is started later in this scope; such rules come before a node's own."""
+
+    def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__src = normalize_to_list_of_substitutions(src)
+        self.__dst = normalize_to_list_of_substitutions(dst)
+
+    @property
+    def src(self) -> List[Substitution]:
+        """The name to replace, to be evaluated."""
+        return self.__src
+
+    @property
+    def dst(self) -> List[Substitution]:
+        """The new name, to be evaluated."""
+        return self.__dst
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it to the launch configuration `ros_remaps`."""
+        rule = (perform_substitutions(context, self.src), perform_substitutions(context, self.dst))
+        context.launch_configurations.setdefault('ros_remaps', []).append(rule)

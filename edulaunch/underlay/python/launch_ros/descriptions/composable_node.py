@@ -1,0 +1,82 @@
+"""A node that is loaded into a container."""
+from __future__ import annotations
+
+from typing import Any, List, Optional
+
+from launch.condition import Condition
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+
+from ..parameters_type import Parameters, SomeParameters
+from ..remap_rule_type import RemapRules, SomeRemapRules
+from ..utilities import normalize_parameters, normalize_remap_rules
+
+
+class ComposableNode:
+    """What to load: plugin, name, parameters and remappings.
+
+    :param package: the package with the plugin.
+    :param plugin: its class name, such as 'composition::Talker'.
+    :param extra_arguments: like parameters, for the container (`use_intra_process_comms`).
+    :param condition: without one the node is always loaded.
+    """
+
+    def __init__(
+        self, *,
+        package: SomeSubstitutionsType,
+        plugin: SomeSubstitutionsType,
+        name: Optional[SomeSubstitutionsType] = None,
+        namespace: Optional[SomeSubstitutionsType] = None,
+        parameters: Optional[SomeParameters] = None,
+        remappings: Optional[SomeRemapRules] = None,
+        extra_arguments: Optional[SomeParameters] = None,
+        condition: Optional[Condition] = None,
+    ) -> None:
+        self.__package = normalize_to_list_of_substitutions(package)
+        self.__node_plugin = normalize_to_list_of_substitutions(plugin)
+        self.__node_name = None if name is None else normalize_to_list_of_substitutions(name)
+        self.__node_namespace = None if namespace is None else normalize_to_list_of_substitutions(namespace)
+        self.__parameters = None if not parameters else normalize_parameters(parameters)
+        self.__remappings = None if not remappings else list(normalize_remap_rules(remappings))
+        self.__extra_arguments = None if not extra_arguments else normalize_parameters(extra_arguments)
+        self.__condition = condition
+
+    @property
+    def package(self) -> List[Substitution]:
+        """The package."""
+        return self.__package
+
+    @property
+    def node_plugin(self) -> List[Substitution]:
+        """The class name."""
+        return self.__node_plugin
+
+    @property
+    def node_name(self) -> Optional[List[Substitution]]:
+        """The node's name, or None for the plugin's own."""
+        return self.__node_name
+
+    @property
+    def node_namespace(self) -> Optional[List[Substitution]]:
+        """The node's namespace, or None."""
+        return self.__node_namespace
+
+    @property
+    def parameters(self) -> Optional[Parameters]:
+        """Normalized parameters, or None."""
+        return self.__parameters
+
+    @property
+    def remappings(self) -> Optional[RemapRules]:
+        """Normalized remap rules, or None."""
+        return self.__remappings
+
+    @property
+    def extra_arguments(self) -> Optional[Any]:
+        """Normalized arguments for the container, or None."""
+        return self.__extra_arguments
+
+    def condition(self) -> Optional[Condition]:
+        """The condition, or None. A method, as upstream."""
+        return self.__condition

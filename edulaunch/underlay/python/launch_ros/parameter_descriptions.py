@@ -1,0 +1,147 @@
+"""Parameters with more to say than a plain value: a type, a name of their own, or a file."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple, Union
+
+from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from launch.substitution import Substitution
+from launch.utilities.ensure_argument_type_impl import ensure_argument_type
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+
+from ._temporary_files import TemporaryFiles
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class ParameterValue:
+    """A value of a stated type, such as a robot description, which is a text whatever it looks like.
+
+    :param value: a literal, a substitution, or a list.
+    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for texts of substitutions.
+    :raises TypeError: when a literal has not the type.
+    """
+
+    def __init__(self, value: Any, *, value_type: Any = None) -> None:
+        self.__value = normalize_typed_substitution(value, value_type)
+        self.__value_type = value_type
+        self.__evaluated: Any = None
+
+    def __str__(self) -> str:
+        return f'launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})'
+
+    @property
+    def value(self) -> Any:
+        """The evaluated value once there is one, until then what is to be evaluated."""
+        return self.__value if self.__evaluated is None else self.__evaluated
+
+    @property
+    def value_type(self) -> Any:
+        """The stated type, or None."""
+        return self.__value_type
+
+    def evaluate(self, context: LaunchContext) -> Any:
+        """The value.
+
+        :raises ValueError: when the text of a substitution cannot be converted.
+        """
+        self.__evaluated = perform_typed_substitution(context, self.__value, self.__value_type)
+        return self.__evaluated
+
+
+class Parameter:
+    """One parameter, passed to the node as `-p name:=value`."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: Any, *, value_type: Any = None) -> None:
+        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = ParameterValue(value, value_type=value_type)
+        self.__evaluated_name: Optional[str] = None
+
+    def __str__(self) -> str:
+        return f'launch_ros.description.Parameter(name={self.name}, value={self.value}, value_type={self.value_type})'
+
+    @property
+    def name(self) -> Union[List[Substitution], str]:
+        """The evaluated name once there is one, until then what is to be evaluated."""
+        return self.__name if self.__evaluated_name is None else self.__evaluated_name
+
+    @property
+    def value(self) -> Any:
+        """As :attr:`ParameterValue.value`."""
+        return self.__value.value
+
+    @property
+    def value_type(self) -> Any:
+        """The stated type, or None."""
+        return self.__value.value_type
+
+    def evaluate(self, context: LaunchContext) -> Tuple[str, Any]:
+        """Name and value."""
+        self.__evaluated_name = perform_substitutions(context, self.__name)
+        return self.__evaluated_name, self.__value.evaluate(context)
+
+
+class ParameterFile:
+    """A file of parameters.
+
+    :param param_file: its path.
+    :param allow_substs: the file's text may contain `$(...)` substitutions; the result goes to a temporary file.
+    """
+
+    def __init__(self, param_file: Any, *, allow_substs: Any = False) -> None:
+        ensure_argument_type(param_file, (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes), 'param_file', 'ParameterFile()')
+        if isinstance(param_file, (os.PathLike, bytes)):
+            param_file = os.fsdecode(param_file)
+        self.__param_file = normalize_to_list_of_substitutions(param_file)
+        self.__allow_substs = normalize_typed_substitution(allow_substs, bool)
+        self.__evaluated: Optional[Path] = None
+        self.__evaluated_allow_substs: Optional[bool] = None
+        self.__files = TemporaryFiles()
+
+    def __repr__(self) -> str:
+        return f'launch_ros.description.ParameterFile(param_file={self.param_file}, allow_substs={self.allow_substs})'
+
+    @property
+    def param_file(self) -> Union[Path, List[Substitution]]:
+        """The evaluated path once there is one, until then what is to be evaluated."""
+        return self.__param_file if self.__evaluated is None else self.__evaluated
+
+    @property
+    def allow_substs(self) -> Any:
+        """Whether the text may contain substitutions."""
+        return self.__allow_substs if self.__evaluated_allow_substs is None else self.__evaluated_allow_substs
+
+    def evaluate(self, context: LaunchContext) -> Path:
+        """The path to give to the node.
+
+        :raises SubstitutionFailure: when the substituted text is not YAML any more.
+        """
+        path = Path(perform_substitutions(context, self.__param_file))
+        self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
+        if self.__evaluated_allow_substs:
+            path = Path(self.__files.write(_substituted(context, path)))
+        self.__evaluated = path
+        return path
+
+    def cleanup(self) -> None:
+        """Remove the temporary file, if there is one."""
+        self.__files.remove()
+        self.__evaluated = None
+
+
+def _substituted(context: LaunchContext, path: Path) -> str:
+    """The file's text with its substitutions performed."""
+    import yaml
+    from launch.frontend.parse_substitution import parse_substitution
+    from launch.substitutions import SubstitutionFailure
+    text = perform_substitutions(context, parse_substitution(path.read_text(encoding='utf-8')))
+    try:
+        yaml.safe_load(text)
+    except yaml.YAMLError:
+        raise SubstitutionFailure('The substituted parameter file is not a valid yaml file') from None
+    return text

@@ -1,0 +1,31 @@
+"""Types of the `parameters` of a node: as a launch file writes them, normalized, and evaluated.
+
+A list of parameter files and mappings. Mappings may be nested; their values may be literals, substitutions, uniform lists, or
+:class:`~launch_ros.parameter_descriptions.ParameterValue`.
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Dict, Tuple, Union
+
+from launch.substitution import Substitution
+
+if TYPE_CHECKING:
+    from .parameter_descriptions import Parameter, ParameterFile
+
+SomeParameterFile = Any
+"""A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
+SomeParameterName = Any
+"""A text, a substitution, or a tuple of both."""
+SomeParameterValue = Any
+"""See the table in the ROS documentation of `Node`: what each kind of value becomes."""
+SomeParametersDict = Mapping[Any, Any]
+SomeParameters = Sequence[Any]
+
+ParameterName = Tuple[Substitution, ...]
+ParametersDict = Dict[ParameterName, Any]
+Parameters = Sequence[Union['ParameterFile', ParametersDict, 'Parameter']]
+
+EvaluatedParameterValue = Union[str, int, float, bool, bytes, Tuple[Any, ...]]
+EvaluatedParameters = Tuple[Union[Path, Dict[str, EvaluatedParameterValue], 'Parameter'], ...]

@@ -1,0 +1,51 @@
+"""A global parameter's value."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class Parameter(Substitution):
+    """The value that the nearest :class:`~launch_ros.actions.SetParameter` gave to a parameter, as a text.
+
+    :param default: used when there is none.
+    :raises SubstitutionFailure: on evaluation, when there is neither.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, *, default: Optional[SomeSubstitutionsType] = None) -> None:
+        super().__init__()
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__default = None if default is None else normalize_to_list_of_substitutions(default)
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The parameter's name."""
+        return self.__name
+
+    @property
+    def default(self) -> Optional[list[Substitution]]:
+        """The default."""
+        return self.__default
+
+    def describe(self) -> str:
+        """As `ros2 launch -s` shows it."""
+        name = ' + '.join(sub.describe() for sub in self.name)
+        return f'Parameter({name})'
+
+    def perform(self, context: LaunchContext) -> str:
+        """The text."""
+        name = perform_substitutions(context, self.name)
+        for entry in reversed(context.launch_configurations.get('global_params', [])):
+            if isinstance(entry, tuple) and entry[0] == name:
+                return str(entry[1])
+        if self.__default is not None:
+            return perform_substitutions(context, self.__default)
+        from launch.substitutions import SubstitutionFailure
+        raise SubstitutionFailure(f"parameter '{name}' not found")

@@ -1,0 +1,81 @@
+"""Node parameters in one form, checked as far as possible before launch time.
+
+A value becomes one of: a literal scalar; a tuple of literals (a list without substitutions); a tuple of substitutions (one
+text, typed by YAML's rules later); a tuple of lists and texts (a list whose items are such texts).
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from launch.some_substitutions_type import SomeSubstitutionsType_types_tuple
+from launch.substitution import Substitution
+from launch.utilities.ensure_argument_type_impl import ensure_argument_type
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+
+from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
+from ..parameters_type import Parameters, ParametersDict, SomeParameters, SomeParametersDict
+
+_ITEM_TYPES = (float, int, str, bool, *SomeSubstitutionsType_types_tuple)
+
+
+def normalize_parameters(parameters: SomeParameters) -> Parameters:
+    """A list of parameter files, dicts and Parameters.
+
+    :raises TypeError: when it is not a list, or an item or value is of no kind that can be used.
+    """
+    if isinstance(parameters, str) or not isinstance(parameters, Sequence):
+        raise TypeError(f'Expecting list of parameters, got {parameters}')
+    return [_normalize(item) for item in parameters]
+
+
+def _normalize(item: Any) -> Any:
+    if isinstance(item, Mapping):
+        return normalize_parameter_dict(item)
+    return item if isinstance(item, (ParameterFile, Parameter)) else ParameterFile(item)
+
+
+def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
+    """A flat dict of one mapping: nested names are joined with '.', and an empty nested mapping vanishes.
+
+    :raises TypeError: for a value of no kind that can be used.
+    """
+    ensure_argument_type(parameters, Mapping, 'parameters')
+    normalized: ParametersDict = {}
+    for name, value in parameters.items():
+        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
+        full_name = (*_prefix, *normalize_to_list_of_substitutions(name))
+        if isinstance(value, Mapping):
+            normalized.update(normalize_parameter_dict(value, _prefix=(*full_name, *normalize_to_list_of_substitutions('.'))))
+        else:
+            normalized[full_name] = _normalize_value(value)
+    return normalized
+
+
+def _normalize_value(value: Any) -> Any:
+    if isinstance(value, (str, bool, int, float, bytes, ParameterValue)):
+        return value
+    if isinstance(value, Substitution):
+        return (value,)
+    if isinstance(value, Sequence):
+        return _normalize_list(value)
+    raise TypeError(f'Unexpected type for parameter value {value}')
+
+
+def _normalize_list(items: Iterable[Any]) -> Any:
+    items = list(items)
+    for item in items:
+        ensure_argument_type(item, _ITEM_TYPES, 'subvalue')
+    kinds = {_kind(item) for item in items}
+    if kinds <= {Substitution, str} and Substitution in kinds:
+        return tuple(normalize_to_list_of_substitutions(items))
+    if kinds == {float, int}:
+        return tuple(float(item) for item in items)
+    return tuple(normalize_to_list_of_substitutions(item) if _kind(item) in (Substitution, list) else item for item in items)
+
+
+def _kind(item: Any) -> type:
+    for kind in (Substitution, str, bool, int, float):
+        if isinstance(item, kind):
+            return kind
+    return list

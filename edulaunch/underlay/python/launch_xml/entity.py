@@ -1,0 +1,95 @@
+"""An XML element as the parse functions see it."""
+from __future__ import annotations
+
+from typing import Any
+
+from launch.frontend.entity import Entities
+from launch.frontend.entity import Entity as BaseEntity
+from launch.frontend.type_utils import check_is_list_entity
+
+from .typed_text import typed
+
+SEPARATOR = '-sep'
+"""`values="1,2" values-sep=","` is a list."""
+
+
+class Entity(BaseEntity):
+    """An XML element.
+
+    :param xml_element: has `tag`, `attrib` and its children as items, like `xml.etree.ElementTree.Element`.
+    :param parent: the element around it.
+    """
+
+    __slots__ = ('_element', '_attributes', '_parent', '_children_asked')
+
+    def __init__(self, xml_element: Any, *, parent: Entity | None = None) -> None:
+        self._element = xml_element
+        self._attributes: dict[str, str] = xml_element.attrib
+        self._parent = parent
+        self._children_asked = False
+        self.asked: list[str] = []
+
+    @property
+    def type_name(self) -> str:
+        return self._element.tag  # type: ignore[no-any-return]
+
+    @property
+    def parent(self) -> Entity | None:
+        return self._parent
+
+    @property
+    def line(self) -> int:
+        return getattr(self._element, 'line', 0)
+
+    @property
+    def shown(self) -> str:
+        return f'<{self._element.tag}>'
+
+    @property
+    def children(self) -> list[BaseEntity]:
+        self._children_asked = True
+        return [Entity(child, parent=self) for child in self._element]
+
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
+                 can_be_str: bool = True) -> Any:
+        """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
+        self.asked.append(name)
+        if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
+            found: Any = [Entity(child, parent=self) for child in self._element if child.tag == name]
+            if found:
+                return found
+        else:
+            value = self._attributes.get(name)
+            if value is not None:
+                return self._typed(name, value, data_type, can_be_str)
+        if optional:
+            return None
+        raise self._missing(
+            AttributeError(f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
+            f"the attribute '{name}'")
+
+    def _typed(self, name: str, text: str, data_type: Any, can_be_str: bool) -> Any:
+        value: str | list[str] = text
+        if len(self._attributes) > 1 and name + SEPARATOR in self._attributes:
+            self.asked.append(name + SEPARATOR)
+            separator = self._attributes[name + SEPARATOR]
+            value = text.split(separator) if separator else [text]
+        elif data_type is str:
+            return text
+        try:
+            return typed(value, data_type, can_be_str)
+        except ValueError:
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "
+                f'`{text}` can not be converted to one of those types') from None
+
+    def assert_entity_completely_parsed(self) -> None:
+        """Raise ValueError for child elements, then for attributes, that nobody asked for."""
+        asked = self.asked
+        if not self._children_asked:
+            tags = [child.tag for child in self._element if child.tag not in asked]
+            if tags:
+                raise self._unexpected('nested tag(s)', list(dict.fromkeys(tags)))
+        for name in self._attributes:
+            if name not in asked:
+                raise self._unexpected('attribute(s)', [one for one in self._attributes if one not in asked])

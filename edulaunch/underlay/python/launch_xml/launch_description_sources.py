@@ -1,0 +1,19 @@
+"""Launch descriptions from XML files."""
+from __future__ import annotations
+
+from launch.launch_description_sources import FrontendLaunchDescriptionSource
+from launch.some_substitutions_type import SomeSubstitutionsType
+
+from .parser import Parser
+
+__all__ = ['XMLLaunchDescriptionSource']
+
+
+class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """The launch description in an XML file.
+
+    :param launch_file_path: path of the file; relative ones are relative to the current directory.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(launch_file_path, method='interpreted XML launch file', parser=Parser)

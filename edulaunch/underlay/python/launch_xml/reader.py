@@ -1,0 +1,84 @@
+"""From XML text to elements that know their line.
+
+Launch files come from strangers: nothing outside the text is ever read, entities cannot be declared (so none can be
+multiplied), and nesting has a limit.
+"""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .element import Element
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import ParseError
+
+MAX_DEPTH = 100
+"""How deep elements may be nested."""
+
+
+def read(text: str) -> Element:
+    """The root element.
+
+    :raises xml.etree.ElementTree.ParseError: with the text and position of the standard library's parser.
+    :raises ValueError: for a document that declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.
+    """
+    return _Reading().root_of(text)
+
+
+class _Reading:
+    """One run of expat: the elements that are open right now, and the root."""
+
+    def __init__(self) -> None:
+        from pyexpat import ParserCreate
+        self.expat: Any = ParserCreate(None, '}')
+        self.expat.buffer_text = True
+        self.expat.StartElementHandler = self.start
+        self.expat.EndElementHandler = self.end
+        self.expat.EntityDeclHandler = self.refuse_entity
+        self.expat.SkippedEntityHandler = self.refuse_unknown_entity
+        self.roots: list[Element] = []
+        self.open: list[Element] = []
+
+    def root_of(self, text: str) -> Element:
+        from pyexpat import ExpatError
+        try:
+            self.expat.Parse(text, True)
+        except ExpatError as error:
+            raise self.broken(str(error), error.lineno, error.offset) from None
+        except ValueError as error:
+            error.edulaunch_line = self.expat.CurrentLineNumber  # type: ignore[attr-defined]
+            raise
+        return self.roots[0]
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        if '}' in tag:
+            tag = f'{{{tag}'
+        element = Element(tag, attributes, self.expat.CurrentLineNumber)
+        opened = self.open
+        if opened:
+            opened[-1].append(element)
+            if len(opened) >= MAX_DEPTH:
+                raise ValueError(f'elements are nested more than {MAX_DEPTH} levels deep')
+        else:
+            self.roots.append(element)
+        opened.append(element)
+
+    def end(self, tag: str) -> None:
+        self.open.pop()
+
+    def refuse_entity(self, name: str, *_: Any) -> None:
+        raise ValueError(f"the entity '{name}' is declared; launch files must not declare entities")
+
+    def refuse_unknown_entity(self, name: str, is_parameter_entity: bool) -> None:
+        line, column = self.expat.CurrentLineNumber, self.expat.CurrentColumnNumber
+        raise self.broken(f'undefined entity &{name};: line {line}, column {column}', line, column)
+
+    def broken(self, message: str, line: int, column: int) -> ParseError:
+        """The standard library's error, with what was still open as a hint."""
+        from xml.etree.ElementTree import ParseError
+        error: Any = ParseError(message)
+        error.position = line, column
+        error.edulaunch_line = line
+        if self.open and ('mismatched' in message or 'no element' in message):
+            error.edulaunch_hint = f'<{self.open[-1].tag}> of line {self.open[-1].line} is not closed'
+        return error  # type: ignore[no-any-return]

@@ -1,0 +1,111 @@
+"""A YAML value as the parse functions see it."""
+from __future__ import annotations
+
+from typing import Any
+
+from launch.frontend.entity import Entities
+from launch.frontend.entity import Entity as BaseEntity
+from launch.frontend.type_utils import check_is_list_entity
+from launch.utilities.type_utils import is_instance_of
+
+
+class Entity(BaseEntity):
+    """The value below an element's name.
+
+    :param element: a mapping of attributes, or directly the list of child elements.
+    :param type_name: the name.
+    :param parent: the element around it.
+    """
+
+    __slots__ = ('_element', '_type_name', '_parent', '_line', '_children_asked')
+
+    def __init__(self, element: Any, type_name: str | None = None, *, parent: Entity | None = None,
+                 line: int = 0) -> None:
+        self._element = element
+        self._type_name = type_name
+        self._parent = parent
+        self._line = line
+        self._children_asked = False
+        self.asked: list[str] = []
+
+    @property
+    def type_name(self) -> str:
+        return self._type_name  # type: ignore[return-value]
+
+    @property
+    def parent(self) -> Entity | None:
+        return self._parent
+
+    @property
+    def line(self) -> int:
+        return self._line
+
+    @property
+    def children(self) -> list[BaseEntity]:
+        """The elements in the list, or in the list under the key `children`.
+
+        :raises TypeError, ValueError, RuntimeError: when there is no such list of one-key mappings.
+        """
+        self._children_asked = True
+        return [self._child(item) for item in self._list_of_children()]
+
+    def _list_of_children(self) -> list[Any]:
+        children = self._element
+        if isinstance(children, dict):
+            if 'children' not in children:
+                raise ValueError(
+                    f'Expected entity `{self._type_name}` to have children entities. '
+                    'That can be a list of subentities or a dictionary with a `children` list element')
+            self.asked.append('children')
+            children = children['children']
+        if not isinstance(children, list):
+            raise TypeError(
+                f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'")
+        return children
+
+    def _child(self, item: Any) -> Entity:
+        if not isinstance(item, dict) or len(item) != 1:
+            raise RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
+        (type_name, element), = item.items()
+        return Entity(element, type_name, parent=self, line=getattr(item, 'line', 0))
+
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
+                 can_be_str: bool = True) -> Any:
+        """The value under the key `name`, which must have the type already; or children for `List[Entity]`."""
+        self.asked.append(name)
+        element = self._element
+        if not isinstance(element, dict) or name not in element:
+            if optional:
+                return None
+            raise self._missing(
+                AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'"),
+                f"the key '{name}'")
+        value = element[name]
+        if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
+            return self._entities(name, value)
+        if not is_instance_of(value, data_type, can_be_str=can_be_str):
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
+                f"got '{_type_of(value)}'")
+        return value
+
+    def _entities(self, name: str, value: Any) -> list[Entity]:
+        if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
+        return [Entity(item, name, parent=self, line=getattr(item, 'line', self._line)) for item in value]
+
+    def assert_entity_completely_parsed(self) -> None:
+        """Raise ValueError for keys, or for a list of child elements, that nobody asked for."""
+        element = self._element
+        if isinstance(element, dict):
+            keys = [key for key in element if key not in self.asked]
+            if keys:
+                raise self._unexpected('key(s)', keys)
+        elif element and not self._children_asked:
+            raise ValueError(f'Unexpected nested entity(ies) found in `{self._type_name}`: {element}')
+
+
+def _type_of(value: Any) -> type:
+    """The type as people know it: a mapping that remembers its line is a dict to them."""
+    return dict if isinstance(value, dict) else type(value)

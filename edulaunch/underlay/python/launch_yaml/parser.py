@@ -1,0 +1,45 @@
+"""Reading launch files in YAML."""
+from __future__ import annotations
+
+from typing import Any, TextIO
+
+from launch.frontend import hints
+from launch.frontend.parser import Parser as BaseParser
+
+from .entity import Entity
+
+
+class Parser(BaseParser):
+    """Reads launch files in YAML."""
+
+    @classmethod
+    def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
+        """The root element of a file (its path, or an open text stream) and a parser for it.
+
+        :raises yaml.YAMLError: when the text is not YAML.
+        :raises RuntimeError: when there is more than one root.
+        """
+        if isinstance(file, str) or not hasattr(file, 'read'):
+            with open(file, encoding='utf-8') as stream:
+                return cls.load(stream)
+        parser = cls()
+        parser.file = str(getattr(file, 'name', ''))
+        try:
+            return cls._root_of(file.read()), parser
+        except Exception as error:
+            hints.complete_unreadable(error, parser.file)
+            raise
+
+    @staticmethod
+    def _root_of(text: str) -> Entity:
+        from .reader import read
+        tree: Any = read(text)
+        if len(tree) != 1:
+            raise RuntimeError('Expected only one root')
+        (type_name,) = tree.keys()
+        return Entity(tree[type_name], type_name, line=tree.line)
+
+    @classmethod
+    def get_file_extensions(cls) -> set[str]:
+        """Extensions of YAML launch files."""
+        return {'launch.yaml', 'launch.yml', 'yaml', 'yml', 'launch'}

@@ -1,0 +1,118 @@
+"""From YAML text to plain data whose mappings know their line.
+
+Launch files come from strangers: aliases must not multiply the text, and nesting has a limit.
+"""
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import yaml
+
+MAX_DEPTH = 100
+"""How deep lists and mappings may be nested."""
+MAX_GROWTH = 10
+"""A text may stand for so many values per character, when its aliases are replaced by their meaning."""
+SMALL = 1_000
+"""As many values are always fine."""
+SAFE_DEPTH = 1_000
+"""libyaml's composer uses the machine's stack, half a kilobyte per level; this is safe even in a thread."""
+
+
+class Mapping(dict):  # type: ignore[type-arg]
+    """A mapping of the file.
+
+    :ivar line: where its first key stands, from 1.
+    """
+
+    __slots__ = ('line',)
+
+    line: int
+
+
+def read(text: str) -> Any:
+    """The data of the single document in `text`, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+
+    :raises yaml.YAMLError: when the text is not (plain, single-document) YAML.
+    :raises ValueError: when it is nested too deep, its aliases multiply it too much, or a date is impossible.
+    """
+    loader_class = _loader_class()
+    if _possible_depth(text) > SAFE_DEPTH:
+        _check_depth_of_events(text, loader_class)
+    loader = loader_class(text)
+    try:
+        node = loader.get_single_node()
+        if node is None:
+            return None
+        _Size(SMALL + MAX_GROWTH * len(text)).check(node)
+        return loader.construct_document(node)
+    except RecursionError:
+        raise _too_deep() from None
+    finally:
+        loader.dispose()
+
+
+@lru_cache(maxsize=1)
+def _loader_class() -> Any:
+    """The safe loader (in C where PyYAML has it) with a constructor for mappings that notes the line."""
+    base = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
+    loader_class: Any = type('LaunchLoader', (base,), {})
+    loader_class.add_constructor('tag:yaml.org,2002:map', _construct_mapping)
+    return loader_class
+
+
+def _construct_mapping(loader: Any, node: Any) -> Any:
+    mapping = Mapping()
+    mapping.line = node.start_mark.line + 1
+    yield mapping
+    mapping.update(loader.construct_mapping(node))
+
+
+def _possible_depth(text: str) -> int:
+    """No text is nested deeper: a bracket opens one level, and an indentation by one column two at most."""
+    longest_line = max(map(len, text.split('\n')))
+    return text.count('[') + text.count('{') + 2 * longest_line
+
+
+def _check_depth_of_events(text: str, loader_class: Any) -> None:
+    depth = 0
+    for event in yaml.parse(text, Loader=loader_class):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > MAX_DEPTH:
+                raise _too_deep()
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+
+
+def _too_deep() -> ValueError:
+    return ValueError(f'lists and mappings are nested more than {MAX_DEPTH} levels deep')
+
+
+class _Size:
+    """Counts what a node stands for; nodes that aliases share are counted each time but looked at once."""
+
+    def __init__(self, limit: int) -> None:
+        self.limit = limit
+        self.sizes: dict[int, int] = {}
+
+    def check(self, node: Any, depth: int = 1) -> int:
+        known = self.sizes.get(id(node))
+        if known is not None:
+            return known
+        if depth > MAX_DEPTH:
+            raise _too_deep()
+        size = 1
+        if not isinstance(node, yaml.ScalarNode):
+            for child in _children(node):
+                size += self.check(child, depth + 1)
+                if size > self.limit:
+                    raise ValueError(f'aliases multiply the text to more than {self.limit} values')
+        self.sizes[id(node)] = size
+        return size
+
+
+def _children(node: Any) -> list[Any]:
+    if isinstance(node, yaml.MappingNode):
+        return [part for pair in node.value for part in pair]
+    return node.value  # type: ignore[no-any-return]

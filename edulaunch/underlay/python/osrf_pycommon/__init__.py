@@ -1,0 +1,1 @@
+"""The parts of osrf_pycommon that launch and its extensions use."""

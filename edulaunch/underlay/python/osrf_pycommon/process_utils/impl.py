@@ -1,0 +1,12 @@
+"""Finding programs."""
+from __future__ import annotations
+
+from typing import Optional
+
+
+def which(cmd: str, mode: int = 1, path: Optional[str] = None, **kwargs: object) -> Optional[str]:
+    """As `shutil.which`: the path of a program on `path` (default: the PATH of the running process), or None."""
+    import shutil
+
+    from edulaunch.processes import current_process
+    return shutil.which(cmd, mode, current_process().env.get('PATH') if path is None else path)

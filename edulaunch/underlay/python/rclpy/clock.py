@@ -1,0 +1,223 @@
+"""Clocks. All of them tell simulated time; ROS time can be taken over by /clock (`use_sim_time`)."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import current_task
+from rclpy.clock_type import ClockType
+from rclpy.duration import Duration
+from rclpy.exceptions import NotInitializedException
+from rclpy.time import Time, time_of_clock
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.timer import Timer
+
+__all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
+
+
+class ClockChange(IntEnum):
+    """How a clock's source changed in a time jump."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+
+class JumpThreshold:
+    """Which time jumps a callback is for.
+
+    :param min_forward: smallest forward jump (a positive Duration), or None.
+    :param min_backward: smallest backward jump (a negative Duration), or None.
+    :param on_clock_change: whether a change of the time source counts.
+    :raises ValueError: for a duration of the wrong sign.
+    """
+
+    def __init__(self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True) -> None:
+        self.min_forward = min_forward
+        self.min_backward = min_backward
+        self.on_clock_change = on_clock_change
+        if min_forward is not None and min_forward.nanoseconds <= 0:
+            raise ValueError('min_forward must be a positive non-zero duration')
+        if min_backward is not None and min_backward.nanoseconds >= 0:
+            raise ValueError('min_backward must be a negative non-zero duration')
+
+    def reached(self, change: ClockChange, delta_ns: int) -> bool:
+        """Whether a jump of `delta_ns` is one of those."""
+        if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
+            return self.on_clock_change
+        forward, backward = self.min_forward, self.min_backward
+        return bool((forward is not None and delta_ns >= forward.nanoseconds)
+                    or (backward is not None and delta_ns <= backward.nanoseconds))
+
+
+class TimeJump:
+    """A time jump as a callback is told of it."""
+
+    def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
+        self._clock_change = clock_change
+        self._delta = delta
+
+    @property
+    def clock_change(self) -> ClockChange:
+        """How the time source changed."""
+        return self._clock_change
+
+    @property
+    def delta(self) -> Duration:
+        """How far time jumped."""
+        return self._delta
+
+
+class JumpHandle:
+    """A registered pair of jump callbacks. Keep it: the callbacks end with it."""
+
+    def __init__(self, *, clock: Clock, threshold: JumpThreshold, pre_callback: Callable[[], object] | None,
+                 post_callback: Callable[[TimeJump], object] | None) -> None:
+        if pre_callback is None and post_callback is None:
+            raise ValueError('One of pre_callback or post_callback must be callable')
+        if pre_callback is not None and not callable(pre_callback):
+            raise ValueError('pre_callback must be callable if given')
+        if post_callback is not None and not callable(post_callback):
+            raise ValueError('post_callback must be callable if given')
+        self.threshold = threshold
+        self.pre_callback = pre_callback
+        self.post_callback = post_callback
+        self._clock: Clock | None = clock
+        clock._jump_handles.append(self)
+
+    def unregister(self) -> None:
+        """Call the callbacks no more."""
+        if self._clock is not None:
+            self._clock._jump_handles.remove(self)
+            self._clock = None
+
+    def __enter__(self) -> JumpHandle:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.unregister()
+
+
+class Clock:
+    """A clock of the given kind; `Clock(clock_type=ClockType.ROS_TIME)` is a :class:`ROSClock`."""
+
+    _clock_type: ClockType
+
+    def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
+        if not isinstance(clock_type, ClockType):
+            raise TypeError('Clock type must be a ClockType enum')
+        self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
+        self._clock_type = clock_type
+        self._sim = current_task().sim
+        self._override_ns = None
+        self._jump_handles = []
+        self._timers = []
+        return self
+
+    _sim: Any
+    _override_ns: int | None
+    _jump_handles: list[JumpHandle]
+    _timers: list[Timer]
+
+    @property
+    def clock_type(self) -> ClockType:
+        """The kind of this clock."""
+        return self._clock_type
+
+    @property
+    def handle(self) -> Clock:
+        """The thing that counts; here the clock itself."""
+        return self
+
+    def __repr__(self) -> str:
+        return f'Clock(clock_type={self._clock_type.name})'
+
+    def now(self) -> Time:
+        """The present time."""
+        current_task().poll()
+        override = self._override_ns
+        return time_of_clock(self._sim.now_ns if override is None else override, self._clock_type)
+
+    def _now_ns(self) -> int:
+        override: int | None = self._override_ns
+        now: int = self._sim.now_ns if override is None else override
+        return now
+
+    def create_jump_callback(self, threshold: JumpThreshold, *, pre_callback: Callable[[], object] | None = None,
+                             post_callback: Callable[[TimeJump], object] | None = None) -> JumpHandle:
+        """Be told before and after time jumps."""
+        return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback)
+
+    def sleep_until(self, until: Time, context: Context | None = None) -> bool:
+        """Wait until this clock tells `until`.
+
+        :returns: False when the context ended or the time source changed before that.
+        :raises NotInitializedException: before init.
+        :raises ValueError: when `until` belongs to another kind of clock.
+        """
+        from rclpy.utilities import get_default_context
+        context = context or get_default_context()
+        if not context._ok:
+            raise NotInitializedException()
+        if until.clock_type != self._clock_type:
+            raise ValueError("until's clock type does not match this clock's type")
+        active = self._override_ns is not None
+        task = current_task()
+        handle = self.create_jump_callback(
+            JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1)),
+            post_callback=lambda _: task.wake())
+        with handle:
+            while context._ok and (self._override_ns is not None) is active and self._now_ns() < until.nanoseconds:
+                context.park(None if active else until.nanoseconds)
+        return context._ok and self._now_ns() >= until.nanoseconds and (self._override_ns is not None) is active
+
+    def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
+        """Wait for a length of time; as :meth:`sleep_until`."""
+        return self.sleep_until(self.now() + rel_time, context)
+
+
+class ROSClock(Clock):
+    """The clock of nodes: simulated time, or what /clock says while `use_sim_time` is true."""
+
+    def __new__(cls) -> ROSClock:
+        clock = super().__new__(cls, clock_type=ClockType.ROS_TIME)
+        assert isinstance(clock, ROSClock)
+        return clock
+
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Whether /clock rules."""
+        return self._override_ns is not None
+
+    def _set_ros_time_is_active(self, enabled: bool) -> None:
+        """Let /clock rule, from time 0 on, or not any more."""
+        if enabled == self.ros_time_is_active:
+            return
+        change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
+        self._jump(change, 0 if enabled else None)
+
+    def set_ros_time_override(self, time: Time) -> None:
+        """Let it be `time`; counts only while /clock rules. Raises TypeError when `time` is none."""
+        if not isinstance(time, Time):
+            raise TypeError('Time must be specified as rclpy.time.Time. Received type: {0}'.format(type(time)))
+        if self.ros_time_is_active:
+            self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
+
+    def _jump(self, change: ClockChange, override_ns: int | None) -> None:
+        before = self._now_ns()
+        delta = (self._sim.now_ns if override_ns is None else override_ns) - before
+        handles = [handle for handle in self._jump_handles if handle.threshold.reached(change, delta)]
+        for handle in handles:
+            if handle.pre_callback is not None:
+                handle.pre_callback()
+        self._override_ns = override_ns
+        for timer in list(self._timers):
+            timer._clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
+        for handle in handles:
+            if handle.post_callback is not None:
+                handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
+

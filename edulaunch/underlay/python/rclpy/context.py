@@ -1,0 +1,143 @@
+"""The life of ROS 2 in a program: between init and shutdown."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
+from edulaunch.sim.task import Task, current_task
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.process_state import process_state
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+
+
+class Context:
+    """Arguments and life time shared by nodes, as `rclpy.context.Context`. Use it once: init, then shutdown.
+
+    A context can be used as a context manager, which initialises it and shuts it down.
+    """
+
+    def __init__(self) -> None:
+        self._ok = False
+        self._used = False
+        self._domain_id = 0
+        self._arguments = RosArguments()
+        self._callbacks: list[Callable[[], object]] = []
+        self._executors: list[Executor] = []
+        self._parked: list[Task] = []
+        self._nodes: list[Node] = []
+
+    @property
+    def handle(self) -> Context:
+        """The thing that counts as initialised; here the context itself."""
+        return self
+
+    def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
+        """Begin, reading `args` (None: the program's own command line).
+
+        :raises RuntimeError: when called a second time.
+        :raises UnknownROSArgsError: for arguments after `--ros-args` that mean nothing.
+        """
+        if self._used:
+            raise RuntimeError('Context.init() must only be called once')
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
+        state = process_state()
+        self._arguments = parse_or_raise(state.process.argv if args is None else args)
+        self._domain_id = domain_id if domain_id is not None else int(state.process.env.get('ROS_DOMAIN_ID') or 0)
+        self._ok = self._used = True
+        state.contexts.append(self)
+        if initialize_logging:
+            from rclpy.impl.logging_state import logging_state
+            logging_state().configure(self._arguments)
+
+    def ok(self) -> bool:
+        """Whether the context is between init and shutdown."""
+        current_task().poll()
+        return self._ok
+
+    def shutdown(self) -> None:
+        """End: everything that waits is woken, and the `on_shutdown` callbacks run.
+
+        :raises RuntimeError: when the context was never initialised.
+        :raises RCLError: when it was shut down already, for instance by Ctrl-C.
+        """
+        if not self._used:
+            raise RuntimeError('Context must be initialized before it can be shutdown')
+        if not self._ok:
+            raise RCLError('failed to shutdown: rcl_shutdown already called on the given context\n'
+                           '  help: Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead')
+        self._end()
+
+    def try_shutdown(self) -> None:
+        """End if not ended yet; never raises."""
+        if self._ok:
+            self._end()
+
+    def _end(self) -> None:
+        self._ok = False
+        contexts = process_state().contexts
+        if self in contexts:
+            contexts.remove(self)
+        callbacks, self._callbacks = self._callbacks, []
+        for callback in callbacks:
+            callback()
+        for executor in self._executors:
+            executor.wake()
+        for task in self._parked:
+            task.wake()
+
+    def on_shutdown(self, callback: Callable[[], object]) -> None:
+        """Call `callback()` when the context ends. Raises TypeError when it is not callable."""
+        if not callable(callback):
+            raise TypeError('callback should be a callable, got {}'.format(type(callback)))
+        self._callbacks.append(callback)
+
+    def get_domain_id(self) -> int:
+        """The domain. Raises RuntimeError before init."""
+        if not self._used:
+            raise RuntimeError('Context must be initialized before it can have a domain id')
+        return self._domain_id
+
+    def destroy(self) -> None:
+        """End if not ended yet."""
+        self.try_shutdown()
+
+    def track_node(self, node: Node) -> None:
+        """Remember a node of this context."""
+        self._nodes.append(node)
+
+    def untrack_node(self, node: Node) -> None:
+        """Forget a node."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """Park the running task until it is woken, the deadline comes, or this context ends."""
+        task = current_task()
+        self._parked.append(task)
+        try:
+            return task.park(deadline_ns)
+        finally:
+            self._parked.remove(task)
+
+    def __enter__(self) -> Context:
+        self.init()
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.try_shutdown()
+
+
+def parse_or_raise(arguments: list[str]) -> RosArguments:
+    """Read command-line arguments, raising the C layer's errors for what cannot be understood."""
+    try:
+        parsed = parse_ros_arguments([str(argument) for argument in arguments])
+    except RosArgumentsError as error:
+        raise RCLInvalidROSArgsError(f'Failed to parse ROS arguments: {error}') from None
+    if parsed.unknown:
+        raise UnknownROSArgsError(repr(parsed.unknown))
+    return parsed

@@ -1,0 +1,38 @@
+"""A callback that a program triggers by itself."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.readiness import GUARD, Entity, ReadyList
+from rclpy.task import is_coroutine_function
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+
+
+class GuardCondition(Entity):
+    """Made by `Node.create_guard_condition`; `trigger()` lets the executor call the callback once."""
+
+    category = GUARD
+
+    def __init__(self, callback: Callable[[], Any] | None, callback_group: CallbackGroup, context: Context | None = None, *,
+                 ready_list: ReadyList | None = None, number: int = 0) -> None:
+        super().__init__(ready_list or ReadyList(), callback_group, number)
+        self.callback = callback
+        self.is_async = is_coroutine_function(callback)
+
+    def trigger(self) -> None:
+        """Let the callback be called. Triggering twice before that is triggering once."""
+        if not self._destroyed:
+            self._signal()
+
+    def _run(self, executor: Executor) -> Any:
+        self._queued = False
+        return self.callback() if self.callback is not None and not self._destroyed else None
+
+    def destroy(self) -> None:
+        """Trigger no more."""
+        self._destroyed = True

@@ -1,0 +1,327 @@
+"""Quality of service: profiles, policies, presets, and whether two profiles suit each other."""
+from __future__ import annotations
+
+from enum import Enum, IntEnum
+from typing import TYPE_CHECKING, Any, NamedTuple
+from warnings import warn
+
+from edulaunch.graph import qos as engine
+from rclpy.duration import Duration
+
+if TYPE_CHECKING:
+    from edulaunch.graph.qos import QoS
+
+DURATION_INFINITE = Duration(nanoseconds=(1 << 63) - 1)
+
+
+class InvalidQoSProfileException(Exception):
+    """A profile is made without what it needs."""
+
+    def __init__(self, *args: object) -> None:
+        super().__init__('Invalid QoSProfile', *args)
+
+
+class QoSPolicyKind(IntEnum):
+    """The policies, as incompatibility events number them."""
+
+    INVALID = 1 << 0
+    DURABILITY = 1 << 1
+    DEADLINE = 1 << 2
+    LIVELINESS = 1 << 3
+    RELIABILITY = 1 << 4
+    HISTORY = 1 << 5
+    LIFESPAN = 1 << 6
+    DEPTH = 1 << 7
+    LIVELINESS_LEASE_DURATION = 1 << 8
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
+
+
+def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
+    """The name of a policy, such as 'RELIABILITY'."""
+    return QoSPolicyKind(policy_kind).name
+
+
+class QoSPolicyEnum(IntEnum):
+    """A policy with named values; each also has a short key such as 'keep_last'."""
+
+    def __str__(self) -> str:
+        return str(int(self))
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """All short keys."""
+        return [name.lower() for name in cls.__members__ if name != 'UNKNOWN' and not name.startswith('RMW_')]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSPolicyEnum:
+        """The value of a short key. Raises KeyError for an unknown one."""
+        return cls[name.upper()]
+
+    @property
+    def short_key(self) -> str:
+        """The short key of this value. Raises AttributeError for UNKNOWN."""
+        if self.name == 'UNKNOWN':
+            raise AttributeError('failed to find value %s in %s' % (self.value, self.__class__.__name__))
+        return self.name.lower()
+
+
+class HistoryPolicy(QoSPolicyEnum):
+    """How many samples a queue keeps."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class ReliabilityPolicy(QoSPolicyEnum):
+    """Whether samples may be lost."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class DurabilityPolicy(QoSPolicyEnum):
+    """Whether late subscriptions get old samples."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class LivelinessPolicy(QoSPolicyEnum):
+    """How a publisher shows that it is alive."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+QoSHistoryPolicy = HistoryPolicy
+QoSReliabilityPolicy = ReliabilityPolicy
+QoSDurabilityPolicy = DurabilityPolicy
+QoSLivelinessPolicy = LivelinessPolicy
+
+_DEFAULTS: dict[str, Any] = {
+    'history': HistoryPolicy.KEEP_LAST, 'depth': 10, 'reliability': ReliabilityPolicy.RELIABLE,
+    'durability': DurabilityPolicy.VOLATILE, 'lifespan': Duration(), 'deadline': Duration(),
+    'liveliness': LivelinessPolicy.SYSTEM_DEFAULT, 'liveliness_lease_duration': Duration(),
+    'avoid_ros_namespace_conventions': False,
+}
+_POLICIES = {'history': HistoryPolicy, 'reliability': ReliabilityPolicy, 'durability': DurabilityPolicy,
+             'liveliness': LivelinessPolicy}
+_DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
+
+
+class QoSProfile:
+    """Quality of service of one endpoint.
+
+    Give `depth`, `history`, or both; `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0: none).
+
+    :raises InvalidQoSProfileException: without history and depth, or with KEEP_LAST and no depth.
+    :raises AssertionError: for an unknown keyword or a value of the wrong type.
+    """
+
+    __slots__ = tuple('_' + name for name in _DEFAULTS)
+
+    if TYPE_CHECKING:
+        history: HistoryPolicy
+        depth: int
+        reliability: ReliabilityPolicy
+        durability: DurabilityPolicy
+        lifespan: Duration
+        deadline: Duration
+        liveliness: LivelinessPolicy
+        liveliness_lease_duration: Duration
+        avoid_ros_namespace_conventions: bool
+
+    def __init__(self, **kwargs: Any) -> None:
+        assert kwargs.keys() <= _DEFAULTS.keys(), 'Invalid arguments passed to constructor: %r' % kwargs.keys()
+        if 'history' not in kwargs:
+            if 'depth' not in kwargs:
+                raise InvalidQoSProfileException('History and/or depth settings are required.')
+        elif kwargs['history'] == HistoryPolicy.KEEP_LAST and 'depth' not in kwargs:
+            raise InvalidQoSProfileException('History set to KEEP_LAST without a depth setting.')
+        for name, default in _DEFAULTS.items():
+            setattr(self, name, kwargs.get(name, default))
+        if kwargs.get('depth') == 0 and self.history == HistoryPolicy.KEEP_LAST:
+            warn("A zero depth with KEEP_LAST doesn't make sense; no data could be stored.\n"
+                 'This will be interpreted as SYSTEM_DEFAULT', stacklevel=2)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, QoSProfile):
+            return False
+        return all(getattr(self, slot) == getattr(other, slot) for slot in self.__slots__)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __str__(self) -> str:
+        return '%s(%s)' % (type(self).__name__, ', '.join('%s=%s' % (slot[1:], getattr(self, slot)) for slot in self.__slots__))
+
+    __repr__ = __str__
+
+    def get_c_qos_profile(self) -> QoS:
+        """The profile as the graph wants it."""
+        return engine_qos(self)
+
+
+def _property(name: str) -> property:
+    slot = '_' + name
+
+    def getter(self: QoSProfile) -> Any:
+        """The value of this policy."""
+        return getattr(self, slot)
+
+    def setter(self: QoSProfile, value: Any) -> None:
+        if name in _POLICIES:
+            assert isinstance(value, int)
+            value = _POLICIES[name](value)
+        elif name in _DURATIONS:
+            assert isinstance(value, Duration)
+        else:
+            assert isinstance(value, int)
+        setattr(self, slot, value)
+
+    return property(getter, setter)
+
+
+for _name in _DEFAULTS:
+    setattr(QoSProfile, _name, _property(_name))
+
+
+def engine_qos(profile: QoSProfile) -> QoS:
+    """The resolved profile that the graph works with: system defaults become reliable, volatile, depth 10."""
+    keep_all = profile.history == HistoryPolicy.KEEP_ALL
+    return engine.QoS(
+        depth=profile.depth or (1 if profile.history == HistoryPolicy.KEEP_LAST else 10),
+        reliability=engine.BEST_EFFORT if profile.reliability == ReliabilityPolicy.BEST_EFFORT else engine.RELIABLE,
+        durability=engine.TRANSIENT_LOCAL if profile.durability == DurabilityPolicy.TRANSIENT_LOCAL else engine.VOLATILE,
+        history=engine.KEEP_ALL if keep_all else engine.KEEP_LAST,
+        deadline_ns=_finite_ns(profile.deadline), lifespan_ns=_finite_ns(profile.lifespan),
+        liveliness=engine.MANUAL_BY_TOPIC if profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC else engine.AUTOMATIC,
+        lease_ns=_finite_ns(profile.liveliness_lease_duration))
+
+
+def _finite_ns(duration: Duration) -> int:
+    return 0 if duration == DURATION_INFINITE else duration.nanoseconds
+
+
+def profile_from_engine(qos: QoS) -> QoSProfile:
+    """The profile of an endpoint of the graph, as graph queries show it: unlimited durations are infinite."""
+    def duration(nanoseconds: int) -> Duration:
+        return Duration(nanoseconds=nanoseconds) if nanoseconds else DURATION_INFINITE
+
+    return QoSProfile(
+        history=HistoryPolicy[qos.history.upper()], depth=qos.depth, reliability=ReliabilityPolicy[qos.reliability.upper()],
+        durability=DurabilityPolicy[qos.durability.upper()], lifespan=duration(qos.lifespan_ns),
+        deadline=duration(qos.deadline_ns), liveliness=LivelinessPolicy[qos.liveliness.upper()],
+        liveliness_lease_duration=duration(qos.lease_ns))
+
+
+def validate_qos(qos: QoSProfile | int) -> QoSProfile:
+    """The profile that a `qos_profile` argument means: an int is the depth.
+
+    :raises ValueError: for a negative depth.
+    :raises TypeError: for anything that is neither int nor QoSProfile.
+    """
+    if isinstance(qos, QoSProfile):
+        return qos
+    if not isinstance(qos, int):
+        raise TypeError('Expected QoSProfile or int, but received {!r}'.format(type(qos)))
+    if qos < 0:
+        raise ValueError('history depth must be greater than or equal to zero')
+    return QoSProfile(depth=qos)
+
+
+_SYSTEM = {'reliability': ReliabilityPolicy.SYSTEM_DEFAULT, 'durability': DurabilityPolicy.SYSTEM_DEFAULT}
+qos_profile_unknown = QoSProfile(history=HistoryPolicy.UNKNOWN, depth=0, reliability=ReliabilityPolicy.UNKNOWN,
+                                 durability=DurabilityPolicy.UNKNOWN, liveliness=LivelinessPolicy.UNKNOWN)
+qos_profile_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=10)
+qos_profile_system_default = QoSProfile(history=HistoryPolicy.SYSTEM_DEFAULT, depth=0, **_SYSTEM)
+qos_profile_sensor_data = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
+qos_profile_services_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=10)
+qos_profile_parameters = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
+qos_profile_parameter_events = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
+qos_profile_best_available = QoSProfile(
+    history=HistoryPolicy.KEEP_LAST, depth=10, reliability=ReliabilityPolicy.BEST_AVAILABLE,
+    durability=DurabilityPolicy.BEST_AVAILABLE, liveliness=LivelinessPolicy.BEST_AVAILABLE)
+qos_profile_action_status_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1,
+                                               durability=DurabilityPolicy.TRANSIENT_LOCAL)
+qos_profile_rosout_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL,
+                                        lifespan=Duration(seconds=10))
+
+
+class QoSPresetProfiles(Enum):
+    """The profiles that ROS 2 brings along."""
+
+    UNKNOWN = qos_profile_unknown
+    DEFAULT = qos_profile_default
+    SYSTEM_DEFAULT = qos_profile_system_default
+    SENSOR_DATA = qos_profile_sensor_data
+    SERVICES_DEFAULT = qos_profile_services_default
+    PARAMETERS = qos_profile_parameters
+    PARAMETER_EVENTS = qos_profile_parameter_events
+    BEST_AVAILABLE = qos_profile_best_available
+    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """All short keys, such as 'sensor_data'."""
+        return [name.lower() for name in cls.__members__ if name != 'UNKNOWN']
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSProfile:
+        """The profile of a short key. Raises KeyError for an unknown one."""
+        profile: QoSProfile = cls[name.upper()].value
+        return profile
+
+
+class QoSCompatibility(IntEnum):
+    """Whether two profiles suit each other."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
+
+
+class QoSCheck(NamedTuple):
+    """What :func:`qos_check_compatible` found."""
+
+    compatibility: QoSCompatibility
+    reason: str
+
+
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> QoSCheck:
+    """Whether a publisher and a subscription with these profiles can talk, and the reasons why not."""
+    errors = list(_clashes(engine_qos(publisher_qos), engine_qos(subscription_qos)))
+    if errors:
+        return QoSCheck(QoSCompatibility.ERROR, ''.join(f'ERROR: {reason};' for reason in errors))
+    doubts = [name.capitalize() for name in ('reliability', 'durability', 'liveliness')
+              if 'SYSTEM_DEFAULT' in (getattr(publisher_qos, name).name, getattr(subscription_qos, name).name)
+              and getattr(publisher_qos, name) != getattr(subscription_qos, name) and name != 'liveliness']
+    if doubts:
+        return QoSCheck(QoSCompatibility.WARNING, ''.join(f'WARNING: {name} of one side is the system default;' for name in doubts))
+    return QoSCheck(QoSCompatibility.OK, '')
+
+
+def _clashes(offered: QoS, requested: QoS) -> list[str]:
+    same = offered._replace(depth=requested.depth)
+    found = []
+    for fields, reason in (
+            (('reliability',), 'Best effort publisher and reliable subscription'),
+            (('durability',), 'Volatile publisher and transient local subscription'),
+            (('deadline_ns',), 'Subscription has a deadline, but publisher does not' if not offered.deadline_ns
+             else 'Subscription deadline is less than publisher deadline'),
+            (('liveliness',), "Publisher's liveliness is automatic and subscription's is manual by topic"),
+            (('lease_ns',), 'Subscription has a liveliness lease duration, but publisher does not' if not offered.lease_ns
+             else "Subscription's liveliness lease duration is less than publisher's")):
+        if engine.incompatible_policy(offered, same._replace(**{field: getattr(requested, field) for field in fields})):
+            found.append(reason)
+    return found

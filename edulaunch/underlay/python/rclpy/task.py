@@ -1,0 +1,178 @@
+"""Futures, and the tasks in which executors run coroutines."""
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Coroutine, Generator
+from typing import TYPE_CHECKING, Any
+from warnings import warn
+
+from edulaunch.processes.current import current_process
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+
+
+class Future:
+    """The outcome of something that goes on: a service call, a goal, a task.
+
+    Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
+    """
+
+    def __init__(self, *, executor: Executor | None = None) -> None:
+        self._done = False
+        self._cancelled = False
+        self._result: Any = None
+        self._exception: BaseException | None = None
+        self._exception_fetched = False
+        self._callbacks: list[Callable[[Any], object]] = []
+        self._executor = executor
+        self._awaiting: list[Executor] = []
+
+    def __del__(self) -> None:
+        if getattr(self, '_exception', None) is not None and not self._exception_fetched and sys is not None:
+            print('The following exception was never retrieved: ' + str(self._exception), file=current_process().stderr)
+
+    def __await__(self) -> Generator[Any, None, Any]:
+        while not self._done:
+            yield self
+        return self.result()
+
+    def cancel(self) -> None:
+        """Ask to stop, if it is not done. Does not make it done."""
+        if not self._done:
+            self._cancelled = True
+            self._call_back()
+
+    def cancelled(self) -> bool:
+        """Whether it was cancelled."""
+        return self._cancelled
+
+    def done(self) -> bool:
+        """Whether there is a result or an exception."""
+        return self._done
+
+    def result(self) -> Any:
+        """The result, None while there is none; raises the exception when it ended with one."""
+        if self._exception is not None:
+            self._exception_fetched = True
+            raise self._exception
+        return self._result
+
+    def exception(self) -> BaseException | None:
+        """The exception that it ended with, or None."""
+        self._exception_fetched = True
+        return self._exception
+
+    def set_result(self, result: Any) -> None:
+        """End with a result."""
+        self._result = result
+        self._end()
+
+    def set_exception(self, exception: BaseException) -> None:
+        """End with an exception."""
+        self._exception = exception
+        self._exception_fetched = False
+        self._end()
+
+    def _end(self) -> None:
+        self._done = True
+        self._cancelled = False
+        self._call_back()
+        awaiting, self._awaiting = self._awaiting, []
+        for executor in awaiting:
+            executor.wake()
+
+    def _call_back(self) -> None:
+        callbacks, self._callbacks = self._callbacks, []
+        if self._executor is not None:
+            for callback in callbacks:
+                self._executor.create_task(callback, self)
+            return
+        for callback in callbacks:
+            try:
+                callback(self)
+            except Exception as error:
+                warn(f'Unhandled exception in done callback: {error}', stacklevel=2)
+
+    def _set_executor(self, executor: Executor | None) -> None:
+        """Let this executor run the callbacks."""
+        self._executor = executor
+
+    def add_done_callback(self, callback: Callable[[Any], object]) -> None:
+        """Call `callback(future)` when it is done, or soon if it is done already."""
+        if not self._done:
+            self._callbacks.append(callback)
+        elif self._executor is not None:
+            self._executor.create_task(callback, self)
+        else:
+            callback(self)
+
+    def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
+        """Do not call `callback`; whether it was there."""
+        count = len(self._callbacks)
+        self._callbacks = [other for other in self._callbacks if other != callback]
+        return len(self._callbacks) < count
+
+
+class Task(Future):
+    """A function or coroutine that an executor runs; a coroutine that waits is taken up again at each turn.
+
+    Calling the task runs it until it waits or ends; its outcome is the future's.
+    """
+
+    def __init__(self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None) -> None:
+        super().__init__(executor=executor)
+        self._args = args or ()
+        self._kwargs = kwargs or {}
+        self._executing = False
+        self._running: Coroutine[Any, Any, Any] | None = None
+        self._handler = handler
+        if is_coroutine_function(handler):
+            self._running = handler(*self._args, **self._kwargs)
+        elif hasattr(handler, 'send') and hasattr(handler, 'throw'):
+            self._running = handler
+
+    def __call__(self) -> None:
+        """Run it, or run it on."""
+        if self._done or self._executing:
+            return
+        self._executing = True
+        try:
+            if self._running is None:
+                self.set_result(self._handler(*self._args, **self._kwargs))
+            else:
+                self._run_on(self._running)
+        except Exception as error:
+            self.set_exception(error)
+        finally:
+            self._executing = False
+
+    def _run_on(self, coroutine: Coroutine[Any, Any, Any]) -> None:
+        try:
+            awaited = coroutine.send(None)
+        except StopIteration as end:
+            self.set_result(end.value)
+            return
+        if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
+            awaited._awaiting.append(self._executor)
+
+    def executing(self) -> bool:
+        """Whether it is being run just now."""
+        return self._executing
+
+    def cancel(self) -> None:
+        """Ask to stop: a coroutine that waits is ended."""
+        super().cancel()
+        if self._running is not None and not self._executing:
+            self._running.close()
+
+
+_COROUTINE_FLAG = 0x80
+
+
+def is_coroutine_function(function: Any) -> bool:
+    """Whether calling it makes a coroutine (`async def`), seen through methods and partials."""
+    while hasattr(function, 'func'):
+        function = function.func
+    code = getattr(getattr(function, '__func__', function), '__code__', None)
+    return code is not None and bool(code.co_flags & _COROUTINE_FLAG)

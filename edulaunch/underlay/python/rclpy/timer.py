@@ -1,0 +1,189 @@
+"""Timers, and rates made from them."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import current_task
+from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.exceptions import ROSInterruptException
+from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
+from rclpy.task import is_coroutine_function
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+
+
+
+class Timer(Entity):
+    """Calls back on an exact grid of nanoseconds: the first time one period after its creation.
+
+    A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
+
+    :ivar _next_ns: the next grid point, in the clock's own time.
+    :ivar _due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock can tell.
+    """
+
+    category = TIMER
+
+    def __init__(self, callback: Callable[[], Any] | None, callback_group: CallbackGroup, timer_period_ns: int, clock: Clock, *,
+                 context: Context | None = None, autostart: bool = True, ready_list: ReadyList | None = None,
+                 number: int = 0) -> None:
+        super().__init__(ready_list or ReadyList(), callback_group, number)
+        self.callback = callback
+        self.is_async = is_coroutine_function(callback)
+        self._clock = clock
+        self._period_ns = timer_period_ns
+        self._canceled = not autostart
+        self._last_ns = clock._now_ns()
+        self._next_ns = self._last_ns + timer_period_ns
+        self._due_ns = NEVER_NS
+        clock._timers.append(self)
+        self._ready_list.timers.append(self)
+        self._plan()
+
+    @property
+    def clock(self) -> Clock:
+        """The clock that the timer goes by."""
+        return self._clock
+
+    @property
+    def handle(self) -> Timer:
+        """The thing that counts; here the timer itself."""
+        return self
+
+    @property
+    def timer_period_ns(self) -> int:
+        """The period in nanoseconds. A new one counts from the next call on."""
+        return self._period_ns
+
+    @timer_period_ns.setter
+    def timer_period_ns(self, value: int) -> None:
+        self._period_ns = int(value)
+
+    def _plan(self) -> None:
+        """Work out when the timer is due in simulated time, and let the executor look again."""
+        if self._canceled:
+            self._due_ns = NEVER_NS
+        elif self._clock._override_ns is None:
+            self._due_ns = self._next_ns
+        else:
+            self._due_ns = 0 if self._next_ns <= self._clock._override_ns else NEVER_NS
+        self._ready_list.notify()
+
+    def _clock_jumped(self, before_ns: int, source_changed: bool) -> None:
+        """As rcl: a forward jump past the grid point makes it ready once, a backward jump or a new source starts anew."""
+        now = self._clock._now_ns()
+        if source_changed:
+            self._next_ns = now + min(max(self._next_ns - before_ns, 0), self._period_ns)
+        elif now < self._last_ns:
+            self._last_ns = now
+            self._next_ns = now + self._period_ns
+        self._plan()
+
+    def _run(self, executor: Executor) -> Any:
+        if self._canceled or self._destroyed:
+            return None
+        clock = self._clock
+        now = clock._sim.now_ns if clock._override_ns is None else clock._override_ns
+        period = self._period_ns
+        next_ns = self._next_ns
+        if next_ns > now:
+            return None
+        next_ns += period
+        if next_ns < now:
+            next_ns = now + (next_ns - now) % period if period else now
+        self._last_ns = now
+        self._next_ns = next_ns
+        self._due_ns = next_ns if clock._override_ns is None or next_ns <= now else NEVER_NS
+        return self.callback() if self.callback is not None else None
+
+    def cancel(self) -> None:
+        """Call back no more, until `reset`."""
+        self._check()
+        self._canceled = True
+        self._plan()
+
+    def reset(self) -> None:
+        """Begin anew: the next call is one period from now."""
+        self._check()
+        self._canceled = False
+        self._next_ns = self._clock._now_ns() + self._period_ns
+        self._plan()
+
+    def is_ready(self) -> bool:
+        """Whether the next call is due."""
+        self._check()
+        return not self._canceled and self._next_ns <= self._clock._now_ns()
+
+    def is_canceled(self) -> bool:
+        """Whether it was cancelled."""
+        self._check()
+        return self._canceled
+
+    def time_until_next_call(self) -> int | None:
+        """Nanoseconds until the next call is due, negative when it is overdue, None while cancelled."""
+        self._check()
+        return None if self._canceled else self._next_ns - self._clock._now_ns()
+
+    def time_since_last_call(self) -> int:
+        """Nanoseconds since the last call (since creation before the first)."""
+        self._check()
+        return self._clock._now_ns() - self._last_ns
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+
+    def destroy(self) -> None:
+        """End for good. `Node.destroy_timer` is the better way."""
+        if not self._destroyed:
+            self._destroyed = True
+            self._due_ns = NEVER_NS
+            self._clock._timers.remove(self)
+            self._ready_list.timers.remove(self)
+
+
+class Rate:
+    """`sleep()` waits for the next call of a timer, so some other thread must spin. Made by `Node.create_rate`."""
+
+    def __init__(self, timer: Timer, *, context: Context) -> None:
+        self._clock = timer.clock
+        self._timer = timer
+        self._context = context
+        self._is_destroyed = False
+        self._called = 0
+        timer.callback = self._on_call
+
+    def _on_call(self) -> None:
+        self._called += 1
+        for task in self._context._parked:
+            task.wake()
+
+    def destroy(self) -> None:
+        """End; whoever sleeps is woken."""
+        self._is_destroyed = True
+        self._on_call()
+        self._timer.destroy()
+
+    def sleep(self) -> None:
+        """Wait for the next call of the timer.
+
+        :raises ROSInterruptException: when ROS 2 is shut down, or the rate destroyed, before that.
+        """
+        self._check()
+        called = self._called
+        executor = self._timer._ready_list.executor
+        if executor is None or executor._cannot_serve(self._timer):
+            current_task().owner.note('deadlock', 'rate.sleep() waits for a timer that only a spinning executor can call, and '
+                                      'none can: it is called inside a callback, or nothing spins. Spin in another thread.')
+        while self._called == called and self._context._ok and not self._is_destroyed:
+            self._context.park()
+        self._check()
+
+    def _check(self) -> None:
+        if not self._context._ok or self._is_destroyed:
+            raise ROSInterruptException()

@@ -1,0 +1,56 @@
+"""The program rviz2."""
+from __future__ import annotations
+
+import sys
+
+import rclpy
+from rclcpp_like import CppNode, run_program
+from rclpy.utilities import remove_ros_args
+from tf2_ros import Buffer, TransformListener
+
+from rviz2._config import View, read_view
+
+
+class Rviz(CppNode):
+    """Loads a config, says what it asks to see, and listens to tf when it has a TF display (or when there is no config)."""
+
+    def __init__(self, config: str | None, fixed_frame: str | None) -> None:
+        super().__init__('rviz')
+        view = View(displays=('Grid',)) if config is None else self._load(config)
+        if fixed_frame is not None:
+            view = view._replace(fixed_frame=fixed_frame)
+        log = self.get_logger()
+        log.info(f"View: {view.view_type}, fixed frame '{view.fixed_frame}', displays: {', '.join(view.displays) or 'none'}")
+        log.info('edulaunch opens no RViz window: the pictures come from the recording')
+        if view.shows_tf:
+            self._buffer = Buffer()
+            self._listener = TransformListener(self._buffer, self)
+
+    def _load(self, config: str) -> View:
+        try:
+            view = read_view(config)
+        except OSError as error:
+            self.get_logger().error(f"Could not load display config '{config}': {error.strerror}")
+        except ValueError as error:
+            self.get_logger().error(f"Could not load display config '{config}': it is not an RViz config: {error}")
+        else:
+            self.get_logger().info(f"Loaded display config '{config}'")
+            return view
+        return View(displays=('Grid',))
+
+
+def main() -> None:
+    """Entry point. Options as rviz2's; those about the window are accepted and change nothing."""
+    import argparse
+    parser = argparse.ArgumentParser(prog='rviz2')
+    parser.add_argument('-d', '--display-config', help='config file (.rviz) to load')
+    parser.add_argument('-f', '--fixed-frame', help="fixed frame, in place of the config file's")
+    parser.add_argument('-t', '--splash-screen', help='accepted, without effect')
+    for flag in ('-o', '--ogre-log'), ('-l', '--ogre-log-to-console'), ('--fullscreen',):
+        parser.add_argument(*flag, action='store_true', help='accepted, without effect')
+    options = parser.parse_args(remove_ros_args(sys.argv)[1:])
+    sys.exit(run_program(lambda: rclpy.spin(Rviz(options.display_config, options.fixed_frame))))
+
+
+if __name__ == '__main__':
+    main()

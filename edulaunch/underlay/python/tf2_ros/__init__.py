@@ -1,0 +1,38 @@
+"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first used."""
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+from typing import Any
+
+_EXPORTS = {
+    **dict.fromkeys(('BufferCore', 'ConnectivityException', 'ExtrapolationException', 'InvalidArgumentException',
+                     'LookupException', 'TimeoutException', 'TransformException'), 'tf2_py'),
+    **dict.fromkeys(('BufferInterface', 'ConvertRegistration', 'NotImplementedException', 'Stamped',
+                     'TransformRegistration', 'TypeException', 'convert'), 'tf2_ros.buffer_interface'),
+    'Buffer': 'tf2_ros.buffer',
+    'BufferClient': 'tf2_ros.buffer_client',
+    'BufferServer': 'tf2_ros.buffer_server',
+    'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
+    'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
+    'TransformListener': 'tf2_ros.transform_listener',
+}
+_MODULES = ('buffer', 'buffer_client', 'buffer_interface', 'buffer_server', 'static_transform_broadcaster',
+            'transform_broadcaster', 'transform_listener')
+
+__all__ = sorted(_EXPORTS)  # noqa: PLE0605
+
+
+def __getattr__(name: str) -> Any:
+    if name in _EXPORTS:
+        value = getattr(import_module(_EXPORTS[name]), name)
+    elif name in _MODULES:
+        value = import_module(f'tf2_ros.{name}')
+    else:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    setattr(sys.modules[__name__], name, value)
+    return value
+
+
+def __dir__() -> list[str]:
+    return [*__all__, *_MODULES]

@@ -1,0 +1,148 @@
+"""The buffer that nodes use: a buffer core that can wait."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.duration import Duration
+from tf2_py import BufferCore
+from tf2_ros.buffer_interface import BufferInterface
+
+from edulaunch.sim.sync import sleep
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import TransformStamped
+    from rclpy.node import Node
+    from rclpy.task import Future
+
+POLL_S = 0.02
+
+
+class Buffer(BufferCore, BufferInterface):
+    """Stores transforms and looks them up, optionally waiting for them. Mirrors `tf2_ros.buffer.Buffer` of Jazzy.
+
+    :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
+    :param node: when given, the node offers the service `tf2_frames`, and its clock tells of jumps back in time.
+    """
+
+    def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
+        BufferCore.__init__(self, cache_time)
+        BufferInterface.__init__(self)
+        self._new_data_callbacks: list[Callable[[], None]] = []
+        from rclpy.clock import Clock, JumpThreshold
+        if node is not None:
+            from tf2_msgs.srv import FrameGraph
+            self.srv = node.create_service(FrameGraph, 'tf2_frames', self._answer_frames)
+        self.clock = Clock() if node is None else node.get_clock()
+        threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+        self.jump_handle = self.clock.create_jump_callback(threshold, post_callback=self.time_jump_callback)
+
+    def _answer_frames(self, request: Any, response: Any) -> Any:
+        response.frame_yaml = self.all_frames_as_yaml()
+        return response
+
+    def time_jump_callback(self, time_jump: Any) -> None:
+        """Empty the buffer: its stamps mean nothing any more."""
+        from rclpy.logging import get_logger
+        get_logger('tf2_buffer').warning('Detected jump back in time. Clearing tf buffer.')
+        self.clear()
+
+    def set_transform(self, transform: TransformStamped, authority: str) -> None:
+        """Add a transform, and look again at what somebody is waiting for."""
+        BufferCore.set_transform(self, transform, authority)
+        if self._new_data_callbacks:
+            self._call_new_data_callbacks()
+
+    def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
+        """Add a static transform, and look again at what somebody is waiting for."""
+        BufferCore.set_transform_static(self, transform, authority)
+        if self._new_data_callbacks:
+            self._call_new_data_callbacks()
+
+    def _call_new_data_callbacks(self) -> None:
+        for callback in list(self._new_data_callbacks):
+            callback()
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any,
+                         timeout: Duration = Duration()) -> TransformStamped:
+        """The transform that maps coordinates given in the source frame into the target frame.
+
+        :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames have data.
+        :param timeout: how long to wait for it; the node's executor stands still meanwhile, as in ROS 2.
+        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException.
+        """
+        if timeout.nanoseconds:
+            self.can_transform(target_frame, source_frame, time, timeout)
+        return self.lookup_transform_core(target_frame, source_frame, time)
+
+    def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                              fixed_frame: str, timeout: Duration = Duration()) -> TransformStamped:
+        """The transform between frames at two different times, over a frame that does not move meanwhile."""
+        if timeout.nanoseconds:
+            self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
+        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
+
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration(),
+                      return_debug_tuple: bool = False) -> Any:
+        """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
+        answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
+        return answer if return_debug_tuple else answer[0]
+
+    def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                           fixed_frame: str, timeout: Duration = Duration(), return_debug_tuple: bool = False) -> Any:
+        """:meth:`can_transform` for :meth:`lookup_transform_full`."""
+        answer = self._wait_for(lambda: self.can_transform_full_core(
+            target_frame, target_time, source_frame, source_time, fixed_frame), timeout)
+        return answer if return_debug_tuple else answer[0]
+
+    def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
+        """Ask every 20 ms of simulated time until the answer is yes or the timeout is over."""
+        remaining_s = timeout.nanoseconds * 1e-9
+        answer = check()
+        while not answer[0] and remaining_s > 1e-12:
+            sleep(min(POLL_S, remaining_s))
+            remaining_s -= POLL_S
+            answer = check()
+        return answer
+
+    def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
+        """A future that is done, with the transform, as soon as the transform is there; it has no timeout."""
+        return self._future(lambda: self.can_transform_core(target_frame, source_frame, time),
+                            lambda: self.lookup_transform_core(target_frame, source_frame, time))
+
+    def wait_for_transform_full_async(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                                      fixed_frame: str) -> Future:
+        """:meth:`wait_for_transform_async` for :meth:`lookup_transform_full`."""
+        times = (target_frame, target_time, source_frame, source_time, fixed_frame)
+        return self._future(lambda: self.can_transform_full_core(*times),
+                            lambda: self.lookup_transform_full_core(*times))
+
+    async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
+        """:meth:`lookup_transform` for coroutines: awaits the transform."""
+        await self.wait_for_transform_async(target_frame, source_frame, time)
+        return self.lookup_transform_core(target_frame, source_frame, time)
+
+    async def lookup_transform_full_async(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                                          fixed_frame: str) -> TransformStamped:
+        """:meth:`lookup_transform_full` for coroutines."""
+        await self.wait_for_transform_full_async(target_frame, target_time, source_frame, source_time, fixed_frame)
+        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
+
+    def _future(self, check: Callable[[], tuple[int, str]], lookup: Callable[[], TransformStamped]) -> Future:
+        from rclpy.task import Future
+        future = Future()
+        if check()[0]:
+            future.set_result(lookup())
+            return future
+
+        def on_new_data() -> None:
+            if check()[0] and not future.done():
+                future.set_result(lookup())
+
+        def forget(_: object) -> None:
+            if on_new_data in self._new_data_callbacks:
+                self._new_data_callbacks.remove(on_new_data)
+
+        self._new_data_callbacks.append(on_new_data)
+        future.add_done_callback(forget)
+        return future

@@ -1,0 +1,89 @@
+"""What all sources of transforms have in common, and the transforming of whole objects."""
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.duration import Duration
+from tf2_ros.registrations import ConvertRegistration, TransformRegistration, TypeException
+
+__all__ = ['BufferInterface', 'ConvertRegistration', 'NotImplementedException', 'Stamped', 'TransformRegistration',
+           'TypeException', 'convert']
+
+
+class NotImplementedException(Exception):
+    """Raised by :class:`BufferInterface` itself: lookups belong to its subclasses."""
+
+    def __init__(self) -> None:
+        super().__init__('CanTransform not implemented')
+
+
+class BufferInterface:
+    """Transforms stamped objects by means of a subclass's lookups.
+
+    Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of geometry_msgs.
+    """
+
+    def __init__(self) -> None:
+        self.registration = TransformRegistration()
+
+    def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = Duration(),
+                  new_type: Any = None) -> Any:
+        """The object in another frame, at the time of its own stamp (0: the latest).
+
+        :raises TypeException: nobody registered the object's type.
+        :raises tf2.TransformException: no such transform; one of its subclasses.
+        """
+        do_transform = self.registration.get(type(object_stamped))
+        header = object_stamped.header
+        result = do_transform(object_stamped,
+                              self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout))
+        return convert(result, new_type) if new_type else result
+
+    def transform_full(self, object_stamped: Any, target_frame: str, target_time: Any, fixed_frame: str,
+                       timeout: Duration = Duration(), new_type: Any = None) -> Any:
+        """The object in another frame at another time, over a frame that does not move meanwhile."""
+        do_transform = self.registration.get(type(object_stamped))
+        header = object_stamped.header
+        result = do_transform(object_stamped, self.lookup_transform_full(
+            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout))
+        return convert(result, new_type) if new_type else result
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
+        """For subclasses."""
+        raise NotImplementedException
+
+    def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                              fixed_frame: str, timeout: Duration = Duration()) -> Any:
+        """For subclasses."""
+        raise NotImplementedException
+
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
+        """For subclasses."""
+        raise NotImplementedException
+
+    def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
+                           fixed_frame: str, timeout: Duration = Duration()) -> Any:
+        """For subclasses."""
+        raise NotImplementedException
+
+
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
+    """Give an object a header and return it."""
+    from std_msgs.msg import Header
+    obj.header = Header(frame_id=frame_id, stamp=stamp)
+    return obj
+
+
+def convert(a: Any, b_type: Any) -> Any:
+    """Convert an object to another type: directly where that is registered, else over a message.
+
+    :raises TypeException: no way is registered.
+    """
+    registration = ConvertRegistration()
+    try:
+        direct = registration.get_convert((type(a), b_type))
+    except TypeException:
+        if type(a) is b_type:
+            return a
+        return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
+    return direct(a)

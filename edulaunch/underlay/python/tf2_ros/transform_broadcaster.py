@@ -1,0 +1,31 @@
+"""Sending transforms that change."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from rclpy.qos import QoSProfile
+from tf2_msgs.msg import TFMessage
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import TransformStamped
+    from rclpy.node import Node
+
+
+class TransformBroadcaster:
+    """Publishes transforms on /tf.
+
+    :param qos: of the publisher; depth 100 when left out.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        self.pub_tf = node.create_publisher(TFMessage, '/tf', QoSProfile(depth=100) if qos is None else qos)
+
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
+        """Publish one transform, or several in one message."""
+        self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
+
+
+def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
+    """One transform or several, as a list."""
+    return list(transform) if hasattr(transform, '__iter__') else [transform]

@@ -1,0 +1,31 @@
+"""A frame that hangs at a turtle, like a carrot before a donkey."""
+from __future__ import annotations
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+
+PERIOD_S = 0.1
+
+
+class CarrotPublisher(Node):
+    """Sends turtle1 -> carrot1 ten times a second; where, says :meth:`place`."""
+
+    def __init__(self, node_name: str) -> None:
+        super().__init__(node_name)
+        self._broadcaster = TransformBroadcaster(self)
+        self._timer = self.create_timer(PERIOD_S, self._on_timer)
+
+    def place(self, seconds: int) -> tuple[float, float]:
+        """x and y of the carrot in the turtle's frame, metres; `seconds` is the whole seconds of the node's time."""
+        return 0.0, 2.0
+
+    def _on_timer(self) -> None:
+        now = self.get_clock().now()
+        stamped = TransformStamped()
+        stamped.header.stamp = now.to_msg()
+        stamped.header.frame_id = 'turtle1'
+        stamped.child_frame_id = 'carrot1'
+        translation = stamped.transform.translation
+        translation.x, translation.y = self.place(now.seconds_nanoseconds()[0])
+        self._broadcaster.sendTransform(stamped)

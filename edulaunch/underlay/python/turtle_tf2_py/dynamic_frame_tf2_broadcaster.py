@@ -1,0 +1,24 @@
+"""The program dynamic_frame_tf2_broadcaster: a carrot that jumps from side to side of turtle1."""
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+from turtle_tf2_py._carrot import CarrotPublisher
+from turtle_tf2_py._programs import spin
+
+
+class DynamicFramePublisher(CarrotPublisher):
+    """Ten metres away. The angle is pi times *whole* seconds, as upstream has it: the carrot flips once a second."""
+
+    def place(self, seconds: int) -> tuple[float, float]:
+        """On the y axis of the turtle's frame, but for rounding."""
+        return 10.0 * sin(seconds * pi), 10.0 * cos(seconds * pi)
+
+
+def main() -> None:
+    """Entry point."""
+    spin(lambda: DynamicFramePublisher('dynamic_frame_tf2_broadcaster'))
+
+
+if __name__ == '__main__':
+    main()

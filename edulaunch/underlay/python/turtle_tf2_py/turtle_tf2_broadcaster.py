@@ -1,0 +1,43 @@
+"""The program turtle_tf2_broadcaster: says where a turtle is, as the transform world -> turtle."""
+from __future__ import annotations
+
+from math import cos, sin
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+from turtlesim.msg import Pose
+
+from turtle_tf2_py._programs import spin
+
+
+class FramePublisher(Node):
+    """One transform for each pose of the turtle named by the parameter `turtlename`."""
+
+    def __init__(self) -> None:
+        super().__init__('turtle_tf2_frame_publisher')
+        self._turtle = self.declare_parameter('turtlename', 'turtle').get_parameter_value().string_value
+        self._broadcaster = TransformBroadcaster(self)
+        self._poses = self.create_subscription(Pose, f'/{self._turtle}/pose', self._on_pose, 1)
+        self._transform = TransformStamped()
+        self._transform.header.frame_id = 'world'
+        self._transform.child_frame_id = self._turtle
+
+    def _on_pose(self, pose: Pose) -> None:
+        stamped = self._transform
+        stamped.header.stamp = self.get_clock().now().to_msg()
+        transform = stamped.transform
+        transform.translation.x = pose.x
+        transform.translation.y = pose.y
+        transform.rotation.z = sin(pose.theta / 2.0)
+        transform.rotation.w = cos(pose.theta / 2.0)
+        self._broadcaster.sendTransform(stamped)
+
+
+def main() -> None:
+    """Entry point."""
+    spin(FramePublisher)
+
+
+if __name__ == '__main__':
+    main()

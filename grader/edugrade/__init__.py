@@ -1,0 +1,18 @@
+"""edugrade: grades ROS 2 launch files by what they do when launched in edulaunch's simulation.
+
+For the author of a rubric::
+
+    from edugrade import Evidence, Missing, Mismatch, Rubric, Scenario, check
+
+In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked), `runner.py` with
+`child_run.py` and `child.py` (the runs), `judging.py` (the verdicts), `terminal.py` and `document.py` (the reports), `cli.py`.
+"""
+from __future__ import annotations
+
+from .check import Check, check
+from .evidence import Evidence
+from .failure import Failure, Mismatch, Missing
+from .rubric import Rubric
+from .scenario import Scenario
+
+__all__ = ['Check', 'Evidence', 'Failure', 'Mismatch', 'Missing', 'Rubric', 'Scenario', 'check']

@@ -1,0 +1,45 @@
+"""What a check is: a function over the recorded runs, with points and with the checks it needs."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from .evidence import Evidence
+
+CheckFunction = Callable[[Evidence], None]
+
+
+@dataclass(frozen=True)
+class Check:
+    """One check of a rubric. Call it with the evidence: it returns when the check passes, else raises `Failure`.
+
+    :param name: the function's name; stable, used in the JSON report.
+    :param sentence: what is checked, as the student reads it.
+    :param points: given when the check passes.
+    :param needs: checks that must have passed before this one says anything of use.
+    """
+
+    name: str
+    sentence: str
+    function: CheckFunction
+    points: int = 0
+    needs: tuple[Check, ...] = ()
+
+    def __call__(self, run: Evidence) -> None:
+        self.function(run)
+
+
+def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFunction], Check]:
+    """Make a check of a function; the first line of its docstring is the sentence that the student sees.
+
+    :raises ValueError: the function has no docstring, or the points are negative.
+    """
+    def make(function: CheckFunction) -> Check:
+        name = getattr(function, '__name__', 'check')
+        text = (function.__doc__ or '').strip()
+        if not text:
+            raise ValueError(f'the check {name}() has no docstring; its first line is the sentence the student reads')
+        if points < 0:
+            raise ValueError(f'the check {name}() has {points} points; points are never negative')
+        return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))
+    return make

@@ -1,0 +1,130 @@
+"""The untrusted half: runs one scenario of a submission and sends back what happened.
+
+Started by the runner as a script of its own with ``python -I``; it limits itself before it reads the student's file.
+It imports nothing of edugrade, and only ever answers with a frame of plain data: one letter, eight bytes of length, content.
+
+====== ===========================================================================
+letter content
+====== ===========================================================================
+R      the recording's bytes
+U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
+S      JSON: the run was stopped (too long, too large, the program ended itself)
+B      JSON: edulaunch itself broke
+====== ===========================================================================
+"""
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+from types import FrameType
+from typing import Any, NoReturn
+
+
+def main() -> NoReturn:
+    job: dict[str, Any] = json.loads(sys.argv[1])
+    sys.argv[1:] = []
+    channel = int(job['channel'])
+    os.set_inheritable(channel, False)
+    limit_resources(job['limits'])
+    sys.path[:] = job['path']
+    answer_before_the_deadline(job, channel)
+    letter, content = attempt(job)
+    send(channel, letter, content)
+    os._exit(0)
+
+
+def limit_resources(limits: dict[str, int]) -> None:
+    """Lower this process's limits for good. Systems without a limit (AS on macOS, all on Windows) go without it."""
+    try:
+        import resource
+    except ImportError:
+        return
+    for name, value in limits.items():
+        kind = getattr(resource, f'RLIMIT_{name}', None)
+        if kind is None:
+            continue
+        hard = resource.getrlimit(kind)[1]
+        lowered = value if hard == resource.RLIM_INFINITY else min(value, hard)
+        try:
+            resource.setrlimit(kind, (lowered, lowered))
+        except (ValueError, OSError):
+            continue
+
+
+def answer_before_the_deadline(job: dict[str, Any], channel: int) -> None:
+    """When time is nearly up, say where the program was. (The runner kills what does not answer.)"""
+    def on_alarm(signum: int, frame: FrameType | None) -> None:
+        report: dict[str, Any] = {'reason': 'timeout'}
+        place = innermost(frame, job)
+        if place is not None:
+            report['file'], report['line'] = place
+        send(channel, b'S', json.dumps(report).encode())
+        os._exit(0)
+
+    if hasattr(signal, 'setitimer'):
+        signal.signal(signal.SIGALRM, on_alarm)
+        signal.setitimer(signal.ITIMER_REAL, job['wall_s'])
+
+
+def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
+    """File and line of the innermost frame that is the student's, if any."""
+    while frame is not None:
+        file = os.path.abspath(frame.f_code.co_filename)
+        if file == job['file'] or file.startswith(job['folder'] + os.sep):
+            return file, frame.f_lineno
+        frame = frame.f_back
+    return None
+
+
+def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
+    """Run the scenario; what it came to, as a frame's letter and content."""
+    try:
+        import edulaunch
+        from edulaunch.errors import RunawayProgramError, UnusableInput
+    except ImportError as error:
+        return _broke(error)
+    try:
+        recording = edulaunch.run(job['file'], arguments=job['arguments'], duration_s=job['duration_s'],
+                                  seed=job['seed'], workspaces=job['workspaces'])
+        return b'R', recording.to_bytes()
+    except UnusableInput as error:
+        return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
+    except RunawayProgramError as error:
+        return b'S', json.dumps({'reason': 'runaway', 'text': error.message, 'help': error.help}).encode()
+    except MemoryError:
+        return b'S', b'{"reason": "memory"}'
+    except SystemExit as error:
+        return b'S', _ended_itself(error, job)
+    except BaseException as error:
+        return _broke(error)
+
+
+def _ended_itself(error: SystemExit, job: dict[str, Any]) -> bytes:
+    report: dict[str, Any] = {'reason': 'exit'}
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    place = innermost(trace.tb_frame, job) if trace is not None else None
+    if place is not None:
+        report['file'], report['line'] = place
+    return json.dumps(report).encode()
+
+
+def _broke(error: BaseException) -> tuple[bytes, bytes]:
+    import traceback
+    text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))
+    return b'B', json.dumps({'text': f'{type(error).__name__}: {error}', 'trace': text[-8000:]}).encode()
+
+
+def send(channel: int, letter: bytes, content: bytes) -> None:
+    """Write one frame, all of it."""
+    for part in (letter + len(content).to_bytes(8, 'big'), content):
+        view = memoryview(part)
+        while view:
+            view = view[os.write(channel, view):]
+
+
+if __name__ == '__main__':
+    main()

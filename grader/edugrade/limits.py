@@ -1,0 +1,23 @@
+"""What one run of a submission may use."""
+from __future__ import annotations
+
+MEBI = 1 << 20
+
+
+class Limits:
+    """Limits of one child process; wall-clock time is the only one that a student should ever meet.
+
+    :param wall_s: seconds of real time for one scenario. The simulated duration is the rubric's business.
+    :param memory_mib: address space; :param output_mib: what it may print; :param recording_mib: what it may send back.
+    """
+
+    def __init__(self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128) -> None:
+        self.wall_s = wall_s
+        self.memory_mib = memory_mib
+        self.output_mib = output_mib
+        self.recording_mib = recording_mib
+
+    @property
+    def resources(self) -> dict[str, int]:
+        """For setrlimit, by the name behind ``RLIMIT_``."""
+        return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}

@@ -1,0 +1,25 @@
+"""One run that a rubric asks for."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A named launch of the submission.
+
+    :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
+    :param duration_s: simulated seconds.
+    :param seed: of the simulation; it decides the randomness of the students' nodes.
+    """
+
+    name: str
+    arguments: Mapping[str, str] = field(default_factory=dict)
+    duration_s: float = 20.0
+    seed: int = 0
+
+    @property
+    def command(self) -> str:
+        """The arguments as they are typed after ``ros2 launch``."""
+        return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())

@@ -1,0 +1,195 @@
+"""Programs that block take turns."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from edulaunch.errors import SimulationError
+from edulaunch.sim.simulation import Simulation
+from edulaunch.sim.task import AmbientTask, Task, current_task, running_task
+
+Log = list[tuple[float, str]]
+
+
+def start(sim: Simulation, body: Callable[[], object], name: str = 'task') -> Task:
+    task = Task(sim, body, name=name)
+    task.start()
+    return task
+
+
+def note(sim: Simulation, log: Log, what: object) -> None:
+    log.append((sim.elapsed_s, str(what)))
+
+
+def sleeper(sim: Simulation, log: Log, name: str, seconds: float, times: int) -> Callable[[], None]:
+    def body() -> None:
+        for _ in range(times):
+            current_task().sleep_until(sim.now_ns + round(seconds * 1e9))
+            log.append((sim.elapsed_s, name))
+    return body
+
+
+def test_sleepers_interleave_by_time_then_by_who_asked_first() -> None:
+    sim, log = Simulation(), []
+    start(sim, sleeper(sim, log, 'a', 1.0, 2))
+    start(sim, sleeper(sim, log, 'b', 0.5, 4))
+    sim.run()
+    assert log == [(0.5, 'b'), (1.0, 'a'), (1.0, 'b'), (1.5, 'b'), (2.0, 'a'), (2.0, 'b')]
+
+
+def test_a_wake_before_the_park_is_not_lost() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        current_task().wake()
+        note(sim, log, current_task().park(sim.now_ns + 10**9))
+
+    start(sim, body)
+    sim.run()
+    assert log == [(0.0, 'True')]
+
+
+def test_park_tells_wake_from_deadline() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        note(sim, log, current_task().park(sim.now_ns + 2 * 10**9))
+        note(sim, log, current_task().park(sim.now_ns + 2 * 10**9))
+
+    task = start(sim, body)
+    sim.schedule(sim.now_ns + 10**9, task.wake)
+    sim.run()
+    assert log == [(1.0, 'True'), (3.0, 'False')]
+
+
+def test_two_wakes_are_one() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        for _ in range(2):
+            note(sim, log, current_task().park(sim.now_ns + 10**9))
+
+    task = start(sim, body)
+    sim.schedule(sim.now_ns + 1000, lambda: (task.wake(), task.wake()))
+    sim.run()
+    assert [what for _, what in log] == ['True', 'False']
+
+
+def test_sleeping_ignores_wakes_and_hands_them_on() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        current_task().sleep_until(sim.now_ns + 10**9)
+        log.append((sim.elapsed_s, 'slept'))
+        note(sim, log, current_task().park(sim.now_ns + 10**9))
+
+    task = start(sim, body)
+    sim.schedule(sim.now_ns + 1000, task.wake)
+    sim.run()
+    assert log == [(1.0, 'slept'), (1.0, 'True')]
+
+
+def test_an_interrupt_is_raised_where_the_task_waits() -> None:
+    sim, log = Simulation(), []
+
+    def fail() -> None:
+        raise KeyboardInterrupt
+
+    def body() -> None:
+        try:
+            current_task().park()
+        except KeyboardInterrupt:
+            log.append((sim.elapsed_s, 'interrupted'))
+
+    task = start(sim, body)
+    sim.schedule(sim.now_ns + 10**9, lambda: task.interrupt(fail))
+    sim.run()
+    assert log == [(1.0, 'interrupted')] and task.finished and task.exception is None
+
+
+def test_a_killed_task_unwinds_and_cannot_go_on() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        try:
+            current_task().park()
+        finally:
+            log.append('cleaned up')
+            current_task().park()
+            log.append('never')
+
+    task = start(sim, body)
+    sim.step()
+    task.kill()
+    sim.run()
+    assert log == ['cleaned up'] and task.finished
+
+
+def test_an_exception_ends_only_its_own_task() -> None:
+    sim, log = Simulation(), []
+    broken = start(sim, lambda: 1 / 0)
+    start(sim, sleeper(sim, log, 'other', 1.0, 1))
+    sim.run()
+    assert isinstance(broken.exception, ZeroDivisionError)
+    assert log == [(1.0, 'other')]
+
+
+def test_done_callbacks_come_once_and_late_ones_at_once() -> None:
+    sim, seen = Simulation(), []
+    task = start(sim, lambda: 42)
+    task.add_done_callback(lambda done: seen.append(done.result))
+    sim.run()
+    task.add_done_callback(lambda done: seen.append('late'))
+    assert seen == [42, 'late']
+
+
+def test_a_loop_that_only_polls_is_moved_on_by_time() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        end = sim.now_ns + 5_000_000
+        while sim.now_ns < end:
+            current_task().poll()
+        log.append(sim.now_ns - sim.start_ns)
+
+    start(sim, body)
+    sim.run()
+    assert log == [5_000_000]
+
+
+def test_current_task_is_the_running_one_and_outside_the_ambient_one() -> None:
+    sim, seen = Simulation(), []
+    task = start(sim, lambda: seen.append(running_task()))
+    sim.run()
+    assert seen == [task]
+    assert isinstance(current_task(), AmbientTask) and current_task() is current_task()
+
+
+def test_ambient_waiting_runs_the_simulation_in_place() -> None:
+    sim, log = Simulation(), []
+    ambient = AmbientTask(sim)
+    start(sim, sleeper(sim, log, 'node', 1.0, 3))
+    assert ambient.park(sim.now_ns + 2_500_000_000) is False
+    assert (sim.elapsed_s, log) == (2.5, [(1.0, 'node'), (2.0, 'node')])
+
+
+def test_ambient_waiting_for_ever_is_an_error_not_a_hang() -> None:
+    with pytest.raises(SimulationError, match='waiting for ever'):
+        AmbientTask(Simulation()).park()
+
+
+def test_two_interleaved_simulations_behave_as_each_alone() -> None:
+    def run(sims: list[Simulation], step: int) -> list[Log]:
+        logs: list[Log] = [[] for _ in sims]
+        for sim, log in zip(sims, logs, strict=True):
+            start(sim, sleeper(sim, log, 'a', 0.3, 5))
+            start(sim, sleeper(sim, log, 'b', 0.2, 5))
+        for moment in range(0, 2_000_000_001, step):
+            for sim in sims:
+                sim.run(sim.start_ns + moment)
+        return logs
+
+    alone = run([Simulation()], 2_000_000_000)[0]
+    assert len(alone) == 10
+    assert run([Simulation(), Simulation()], 40_000_000) == [alone, alone]
