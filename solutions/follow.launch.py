@@ -9,7 +9,6 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([
         DeclareLaunchArgument('move', default_value='false', description='Whether turtle1 drives a square.'),
-        DeclareLaunchArgument('target_frame', default_value='turtle1', description='The frame that turtle2 follows.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
         Node(package='turtlesim', executable='draw_square', condition=IfCondition(LaunchConfiguration('move'))),
         Node(
@@ -28,6 +27,6 @@ def generate_launch_description():
             package='turtle_tf2_py',
             executable='turtle_tf2_listener',
             name='listener',
-            parameters=[{'target_frame': LaunchConfiguration('target_frame')}],
+            parameters=[{'target_frame': 'turtle1'}],
         ),
     ])

@@ -1,6 +1,52 @@
 """Message, service and action classes made from .msg, .srv and .action text; wire tuples; CDR bytes.
 
-Reading order: `spec` and `kinds` (what an interface is), `parser` (from text), `layout` (flattened fields), `generator`
-(the class), `registry` (finds files, makes each class once), `importer` (`import geometry_msgs.msg`), `cdr` and
-`description` (bytes and type hashes, as on a real ROS network), `plain` (wire tuples as JSON, without any class).
+Reading order: `spec` and `kinds` (what an interface is), `parser` (from text), `layout` (flattened fields),
+`source` and `generator` (the class), `registry` (finds files, makes each class once), `importer` (`import
+geometry_msgs.msg`), `cdr` and `description` (bytes and type hashes, as on a real ROS network), `plain` (wire
+tuples as JSON, without any class).
 """
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.interfaces.containers import Service
+    from edulaunch.interfaces.message import Message
+    from edulaunch.interfaces.registry import Registry
+
+
+def install(registry: Registry | None = None) -> None:
+    """Make `import geometry_msgs.msg` and the like work, with the interfaces of a registry (default: those of
+    the underlay).
+    """
+    from edulaunch.interfaces.importer import install as install_finder
+    from edulaunch.interfaces.underlay import underlay_registry
+
+    install_finder(registry or underlay_registry())
+
+
+def current_registry() -> Registry:
+    """The registry whose interfaces can be imported at present; the underlay's when none is installed."""
+    from edulaunch.interfaces.importer import installed_registry
+    from edulaunch.interfaces.underlay import underlay_registry
+
+    return installed_registry() or underlay_registry()
+
+
+def message_class(type_name: str) -> type[Message]:
+    """The class of 'geometry_msgs/msg/Twist', or of a part such as 'turtlesim/srv/Spawn_Request'.
+
+    :raises InterfaceError: with the nearest name when there is no such type.
+    """
+    cls: type[Any] = current_registry().get(type_name)
+    return cls
+
+
+def service_class(type_name: str) -> type[Service]:
+    """The class of a service such as 'turtlesim/srv/Spawn'.
+
+    :raises InterfaceError: with the nearest name when there is no such type.
+    """
+    cls: type[Any] = current_registry().get(type_name)
+    return cls

@@ -1,4 +1,5 @@
 """CDR bytes of messages, as ROS 2 middlewares and rosbag2 files carry them (XCDR1, little-endian)."""
+
 from __future__ import annotations
 
 import struct
@@ -41,15 +42,19 @@ def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
     :raises InterfaceError: when the bytes are no CDR of that type.
     """
     if bytes(data[:2]) != HEADER[:2]:
-        raise InterfaceError(f'these bytes are not little-endian CDR: they start with {bytes(data[:4]).hex(" ") or "nothing"}',
-                             help=f'a {cls.TYPE} starts with {HEADER.hex(" ")}')
+        raise InterfaceError(
+            f'these bytes are not little-endian CDR: they start with {bytes(data[:4]).hex(" ") or "nothing"}',
+            help=f'a {cls.TYPE} starts with {HEADER.hex(" ")}',
+        )
     body = bytes(data[4:])
     try:
         wire, position = _codec(cls).read(body, 0)
     except (struct.error, Truncated, UnicodeDecodeError, OverflowError) as error:
         raise InterfaceError(f'these {len(data)} bytes are not a {cls.TYPE}: {error}') from None
-    if len(body) - position > 3:   # a middleware may pad to a multiple of four
-        raise InterfaceError(f'these {len(data)} bytes are not a {cls.TYPE}: {len(body) - position} bytes are left over')
+    if len(body) - position > 3:  # a middleware may pad to a multiple of four
+        raise InterfaceError(
+            f'these {len(data)} bytes are not a {cls.TYPE}: {len(body) - position} bytes are left over'
+        )
     return wire
 
 

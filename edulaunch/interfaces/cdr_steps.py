@@ -1,4 +1,6 @@
-"""How CDR lays out each sort of field. Positions count from the end of the header, which alignment refers to."""
+"""How CDR lays out each sort of field. Positions count from the end of the header, which alignment refers to.
+"""
+
 from __future__ import annotations
 
 import sys
@@ -54,10 +56,12 @@ class Codec:
 
 
 class Run:
-    """Single numbers, booleans and bytes in a row: one struct for each of the 8 possible alignments of the start."""
+    """Single numbers, booleans and bytes in a row: one struct for each of the 8 possible alignments of the
+    start.
+    """
 
     def __init__(self, kinds: list[Kind | None]) -> None:
-        self._kinds = kinds            # None: the byte that stands for a message without fields
+        self._kinds = kinds  # None: the byte that stands for a message without fields
         self.takes = sum(kind is not None for kind in kinds)
 
     @cached_property
@@ -95,12 +99,13 @@ class Text:
         length, position = _read_count(data, position, 1)
         if length == 0 or data[position + length - 1]:
             raise Truncated(f'a string at byte {position} does not end with a zero')
-        values.append(data[position:position + length - 1].decode())
+        values.append(data[position : position + length - 1].decode())
         return position + length
 
 
 class WideText:
-    """A wide string: the number of UTF-16 units, then each as 32 bits (so rmw_fastrtps does), no final zero."""
+    """A wide string: the number of UTF-16 units, then each as 32 bits (so rmw_fastrtps does), no final zero.
+    """
 
     takes = 1
 
@@ -112,7 +117,7 @@ class WideText:
     def read(self, data: bytes, position: int, values: list[Any]) -> int:
         count, position = _read_count(data, position, 4)
         units = Struct(f'<{count}I').unpack_from(data, position)
-        values.append(Struct(f'<{count}H').pack(*(unit & 0xffff for unit in units)).decode('utf-16-le'))
+        values.append(Struct(f'<{count}H').pack(*(unit & 0xFFFF for unit in units)).decode('utf-16-le'))
         return position + 4 * count
 
 
@@ -147,7 +152,9 @@ class Numbers:
         end = position + count * self._width
         if end > len(data):
             raise Truncated(f'{count} values at byte {position} reach beyond the end')
-        values.append(data[position:end] if self._raw else Struct(f'<{count}{self._code}').unpack_from(data, position))
+        values.append(
+            data[position:end] if self._raw else Struct(f'<{count}{self._code}').unpack_from(data, position)
+        )
         return end
 
 

@@ -1,4 +1,5 @@
 """The messages that ROS derives from a service or an action."""
+
 from __future__ import annotations
 
 from edulaunch.interfaces.spec import ActionSpec, Field, FieldType, MessageSpec, ServiceSpec
@@ -8,11 +9,16 @@ _GOAL_ID = Field('goal_id', FieldType('unique_identifier_msgs/msg/UUID'))
 
 def event_of(service: ServiceSpec) -> MessageSpec:
     """The introspection event of a service."""
-    return MessageSpec(f'{service.type}_Event', (
-        Field('info', FieldType('service_msgs/msg/ServiceEventInfo')),
-        Field('request', FieldType(service.request.type, None, 'bounded', 1)),
-        Field('response', FieldType(service.response.type, None, 'bounded', 1)),
-    ), (), service.request.file)
+    return MessageSpec(
+        f'{service.type}_Event',
+        (
+            Field('info', FieldType('service_msgs/msg/ServiceEventInfo')),
+            Field('request', FieldType(service.request.type, None, 'bounded', 1)),
+            Field('response', FieldType(service.response.type, None, 'bounded', 1)),
+        ),
+        (),
+        service.request.file,
+    )
 
 
 def send_goal_of(action: ActionSpec) -> ServiceSpec:
@@ -21,8 +27,13 @@ def send_goal_of(action: ActionSpec) -> ServiceSpec:
     return ServiceSpec(
         name,
         MessageSpec(f'{name}_Request', (_GOAL_ID, Field('goal', FieldType(action.goal.type))), (), file),
-        MessageSpec(f'{name}_Response', (Field('accepted', FieldType('bool')),
-                                         Field('stamp', FieldType('builtin_interfaces/msg/Time'))), (), file))
+        MessageSpec(
+            f'{name}_Response',
+            (Field('accepted', FieldType('bool')), Field('stamp', FieldType('builtin_interfaces/msg/Time'))),
+            (),
+            file,
+        ),
+    )
 
 
 def get_result_of(action: ActionSpec) -> ServiceSpec:
@@ -31,22 +42,34 @@ def get_result_of(action: ActionSpec) -> ServiceSpec:
     return ServiceSpec(
         name,
         MessageSpec(f'{name}_Request', (_GOAL_ID,), (), file),
-        MessageSpec(f'{name}_Response', (Field('status', FieldType('int8')),
-                                         Field('result', FieldType(action.result.type))), (), file))
+        MessageSpec(
+            f'{name}_Response',
+            (Field('status', FieldType('int8')), Field('result', FieldType(action.result.type))),
+            (),
+            file,
+        ),
+    )
 
 
 def feedback_message_of(action: ActionSpec) -> MessageSpec:
     """The message of the feedback topic."""
-    return MessageSpec(f'{action.type}_FeedbackMessage', (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))),
-                       (), action.goal.file)
+    return MessageSpec(
+        f'{action.type}_FeedbackMessage',
+        (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))),
+        (),
+        action.goal.file,
+    )
 
 
-def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
+def parts_of(
+    spec: MessageSpec | ServiceSpec | ActionSpec,
+) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
     """The interface itself and everything derived from it, by full type name."""
     if isinstance(spec, MessageSpec):
         return {spec.type: spec}
     if isinstance(spec, ServiceSpec):
         return {part.type: part for part in (spec, spec.request, spec.response, event_of(spec))}
     parts: dict[str, MessageSpec | ServiceSpec | ActionSpec] = {
-        part.type: part for part in (spec, spec.goal, spec.result, spec.feedback, feedback_message_of(spec))}
+        part.type: part for part in (spec, spec.goal, spec.result, spec.feedback, feedback_message_of(spec))
+    }
     return parts | parts_of(send_goal_of(spec)) | parts_of(get_result_of(spec))

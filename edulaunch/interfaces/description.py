@@ -1,4 +1,5 @@
 """Type descriptions and their RIHS01 hashes, by which ROS 2 programs tell whether they mean the same type."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -17,7 +18,8 @@ SpecOf = Callable[[str], InterfaceSpec]
 
 
 def type_description(type_name: str, spec_of: SpecOf) -> dict[str, Any]:
-    """The description of a type and all types it refers to, as type_description_interfaces/msg/TypeDescription lays it out.
+    """The description of a type and all types it refers to, as
+    type_description_interfaces/msg/TypeDescription lays it out.
 
     :param spec_of: gives the spec of a full type name (`Registry.spec`).
     """
@@ -46,11 +48,20 @@ def _fields(spec: InterfaceSpec) -> tuple[Field, ...]:
     if isinstance(spec, MessageSpec):
         return spec.fields or (EMPTY_FIELD,)
     if isinstance(spec, ServiceSpec):
-        parts = {'request_message': spec.request.type, 'response_message': spec.response.type, 'event_message': event_of(spec).type}
+        parts = {
+            'request_message': spec.request.type,
+            'response_message': spec.response.type,
+            'event_message': event_of(spec).type,
+        }
     else:
-        parts = {'goal': spec.goal.type, 'result': spec.result.type, 'feedback': spec.feedback.type,
-                 'send_goal_service': send_goal_of(spec).type, 'get_result_service': get_result_of(spec).type,
-                 'feedback_message': feedback_message_of(spec).type}
+        parts = {
+            'goal': spec.goal.type,
+            'result': spec.result.type,
+            'feedback': spec.feedback.type,
+            'send_goal_service': send_goal_of(spec).type,
+            'get_result_service': get_result_of(spec).type,
+            'feedback_message': feedback_message_of(spec).type,
+        }
     return tuple(Field(name, FieldType(type_name)) for name, type_name in parts.items())
 
 
@@ -60,9 +71,12 @@ def _field(field: Field) -> dict[str, Any]:
         type_id = _NESTED_TYPE_ID
     else:
         type_id = kind.type_id if field_type.string_bound is None else _BOUNDED_STRING_IDS[kind.name]
-    return {'name': field.name, 'type': {
-        'type_id': type_id + _ARRAY_OFFSETS[field_type.array],
-        'capacity': field_type.size,
-        'string_capacity': field_type.string_bound or 0,
-        'nested_type_name': field_type.base if kind is None else '',
-    }}
+    return {
+        'name': field.name,
+        'type': {
+            'type_id': type_id + _ARRAY_OFFSETS[field_type.array],
+            'capacity': field_type.size,
+            'string_capacity': field_type.string_bound or 0,
+            'nested_type_name': field_type.base if kind is None else '',
+        },
+    }

@@ -1,4 +1,5 @@
 """The line of help under a refused assignment."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -14,8 +15,10 @@ def help_for(field_type: FieldType, message: type[Message] | None, name: str, va
         return _one(field_type, message, name, value)
     if type(value).__module__ == 'numpy':
         return f'{_given(value)} was given: write value.tolist()'
-    if isinstance(value, (str, bytes)) or not isinstance(value, Iterable):
-        return f'{_given(value)} was given: write [{_brief(value)}]' if not isinstance(value, Iterable) else f'{_given(value)} was given'
+    if not isinstance(value, Iterable):
+        return f'{_given(value)} was given: write [{_brief(value)}]'
+    if isinstance(value, (str, bytes)):
+        return f'{_given(value)} was given'
     return _several(field_type, message, name, list(value))
 
 
@@ -24,7 +27,9 @@ def _several(field_type: FieldType, message: type[Message] | None, name: str, va
     wanted = message or (kind.python if kind else object)
     for index, value in enumerate(values):
         if not isinstance(value, wanted):
-            return _one(field_type.element, message, f'{name}[{index}]', value).replace(' was given', f' is at index {index}', 1)
+            return _one(field_type.element, message, f'{name}[{index}]', value).replace(
+                ' was given', f' is at index {index}', 1
+            )
     if field_type.array != 'unbounded' and len(values) != field_type.size:
         return f'{len(values)} value{"s" * (len(values) != 1)} given'
     return 'a value is out of range'
@@ -39,8 +44,10 @@ def _one(field_type: FieldType, message: type[Message] | None, name: str, value:
     if kind is None or isinstance(value, kind.python):
         return f'{_brief(value)} was given'
     if kind.python is float and type(value) is int:
-        return f'{given}: write {value}.0' if abs(value) < 10 ** 15 else f'{given}: write float(value)'
-    if kind.python is not bytes and _converts(kind.python, value):
+        return f'{given}: write {value}.0' if abs(value) < 10**15 else f'{given}: write float(value)'
+    if kind.python is bytes:
+        return f'{given}: write bytes([{value}])' if type(value) is int and 0 <= value < 256 else given
+    if _converts(kind.python, value):
         return f'{given}: write {kind.python.__name__}(value)'
     return given
 

@@ -1,4 +1,5 @@
 """What may be assigned to a field: rclpy's checks with their texts, each with one line of help."""
+
 from __future__ import annotations
 
 import sys
@@ -63,7 +64,13 @@ class FieldRule:
         return f"of type '{self._python_name()}'"
 
     def _python_name(self) -> str:
-        return self.message.__name__ if self.kind is None and self.message else self.kind.python.__name__ if self.kind else ''
+        return (
+            self.message.__name__
+            if self.kind is None and self.message
+            else self.kind.python.__name__
+            if self.kind
+            else ''
+        )
 
     def _is_one(self, value: Any) -> bool:
         if self.kind is None:
@@ -78,7 +85,9 @@ class FieldRule:
             return True
         if kind.python is str:
             return self.type.string_bound is None or len(value) <= self.type.string_bound
-        return bool(kind.low <= value <= kind.high) or (kind.python is float and (value != value or abs(value) == _INF))
+        return bool(kind.low <= value <= kind.high) or (
+            kind.python is float and (value != value or abs(value) == _INF)
+        )
 
     # Several values
 
@@ -94,7 +103,9 @@ class FieldRule:
         return listed and self._is_right_length(len(value)) and self._each_is_right(value)
 
     def _is_right_length(self, length: int) -> bool:
-        return {'fixed': length == self.type.size, 'bounded': length <= self.type.size}.get(self.type.array, True)
+        return {'fixed': length == self.type.size, 'bounded': length <= self.type.size}.get(
+            self.type.array, True
+        )
 
     def _each_is_right(self, values: Iterable[Any]) -> bool:
         return all(self._is_one(value) and self._is_in_range(value) for value in values)
@@ -113,15 +124,21 @@ class FieldRule:
     def _accept_array(self, value: array[Any]) -> array[Any]:
         assert self.kind is not None
         if value.typecode != self.kind.code:
-            raise AssertionError(f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
-                                 f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)")
+            raise AssertionError(
+                f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
+                f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)"
+            )
         if not self._is_right_length(len(value)):
-            raise AssertionError(f"The '{self.name}' array.array() must have a size <= {self.type.size}"
-                                 f'\n  help: this one has {len(value)} values')
+            raise AssertionError(
+                f"The '{self.name}' array.array() must have a size <= {self.type.size}"
+                f'\n  help: this one has {len(value)} values'
+            )
         return value
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
-        """A numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when first read."""
+        """A numpy array is kept itself; a list is kept as the wire value, and becomes a numpy array when
+        first read.
+        """
         assert self.kind is not None
         numpy = sys.modules.get('numpy')
         if numpy is not None and isinstance(value, numpy.ndarray):
@@ -134,11 +151,15 @@ class FieldRule:
     def _accept_ndarray(self, value: Any) -> Any:
         assert self.kind is not None
         if value.dtype != self.kind.name:
-            raise AssertionError(f"The '{self.name}' numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'"
-                                 f"\n  help: this one has '{value.dtype}': write value.astype('{self.kind.name}')")
+            raise AssertionError(
+                f"The '{self.name}' numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'"
+                f"\n  help: this one has '{value.dtype}': write value.astype('{self.kind.name}')"
+            )
         if value.size != self.type.size:
-            raise AssertionError(f"The '{self.name}' numpy.ndarray() must have a size of {self.type.size}"
-                                 f'\n  help: this one has {value.size} values')
+            raise AssertionError(
+                f"The '{self.name}' numpy.ndarray() must have a size of {self.type.size}"
+                f'\n  help: this one has {value.size} values'
+            )
         return value
 
     # Help
@@ -146,7 +167,9 @@ class FieldRule:
     def _refuse(self, words: str, value: Any) -> NoReturn:
         from edulaunch.interfaces.field_help import help_for
 
-        raise AssertionError(f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}")
+        raise AssertionError(
+            f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}"
+        )
 
     # Snapshots of the fields whose content may have changed since it was assigned
 
@@ -160,7 +183,9 @@ class FieldRule:
         return b''.join(values) if is_byte_like(self.type) else tuple(values)
 
     def refuse_elements(self, values: Any) -> None:
-        """Raise unless every message in the list is of the right class (a subclass will do) and the length is legal."""
+        """Raise unless every message in the list is of the right class (a subclass will do) and the length is
+        legal.
+        """
         if not self._are_right(values):
             self._refuse(f'must be {self._several_words()}', values)
 

@@ -1,4 +1,5 @@
 """Makes a class from a spec."""
+
 from __future__ import annotations
 
 from array import array
@@ -39,8 +40,15 @@ def make_message(spec: MessageSpec, message_of: MessageOf) -> type[Message]:
 def _globals(spec: MessageSpec, float32s: int) -> dict[str, Any]:
     rounding = Struct(f'<{float32s}f')
     return {
-        '__name__': module_of(spec.type), '_Message': Message, '_new': object.__new__, '_array': array, '_get': attrgetter,
-        '_property': property, '_set_fields': set_fields, '_pack': rounding.pack, '_unpack': rounding.unpack,
+        '__name__': module_of(spec.type),
+        '_Message': Message,
+        '_new': object.__new__,
+        '_array': array,
+        '_get': attrgetter,
+        '_property': property,
+        '_set_fields': set_fields,
+        '_pack': rounding.pack,
+        '_unpack': rounding.unpack,
     }
 
 
@@ -89,6 +97,8 @@ def default_object(field: Field) -> Any:
 
 
 def module_of(type_name: str) -> str:
-    """The module that a class says it comes from: 'geometry_msgs.msg._transform_stamped'. Parts of a service share its module."""
+    """The module that a class says it comes from: 'geometry_msgs.msg._transform_stamped'. Parts of a service
+    share its module.
+    """
     package, kind, name = type_name.split('/')
     return f'{package}.{kind}._{module_name(name.partition("_")[0])}'

@@ -1,18 +1,22 @@
 """The primitive field types of ROS interfaces."""
+
 from __future__ import annotations
 
 
 class Kind:
     """One primitive type.
 
-    `code` is the type code of both `array` and `struct`; `python` the type that a field of it holds; `low` and `high` the inclusive
-    range of numbers; `ros` the name in `get_fields_and_field_types()`; `type_id` its number in a type description.
+    `code` is the type code of both `array` and `struct`; `python` the type that a field of it holds; `low`
+    and `high` the inclusive range of numbers; `ros` the name in `get_fields_and_field_types()`; `type_id` its
+    number in a type description.
     """
 
     # A plain class here and in `layout`: each NamedTuple would add half a millisecond to the start of every program.
     __slots__ = ('name', 'python', 'code', 'size', 'low', 'high', 'ros', 'type_id')
 
-    def __init__(self, name: str, python: type, code: str, size: int, low: float, high: float, ros: str, type_id: int) -> None:
+    def __init__(
+        self, name: str, python: type, code: str, size: int, low: float, high: float, ros: str, type_id: int
+    ) -> None:
         self.name = name
         self.python = python
         self.code = code
@@ -37,33 +41,36 @@ class Kind:
         return ''
 
 
-FLOAT32_MAX = 3.402823466e+38
-FLOAT64_MAX = 1.7976931348623157e+308
+FLOAT32_MAX = 3.402823466e38
+FLOAT64_MAX = 1.7976931348623157e308
 
 
 def _integer(name: str, code: str, size: int, type_id: int) -> Kind:
     bits = 8 * size
-    low, high = (0, 2 ** bits - 1) if name[0] == 'u' else (-2 ** (bits - 1), 2 ** (bits - 1) - 1)
+    low, high = (0, 2**bits - 1) if name[0] == 'u' else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
     return Kind(name, int, code, size, low, high, name, type_id)
 
 
 # `char` is left out on purpose: ROS 2 turns it into uint8 before anything else sees it, and so does `primitive_name`.
-KINDS: dict[str, Kind] = {kind.name: kind for kind in (
-    Kind('bool', bool, '?', 1, 0, 1, 'boolean', 15),
-    Kind('byte', bytes, 'c', 1, 0, 255, 'octet', 16),
-    _integer('int8', 'b', 1, 2),
-    _integer('uint8', 'B', 1, 3),
-    _integer('int16', 'h', 2, 4),
-    _integer('uint16', 'H', 2, 5),
-    _integer('int32', 'i', 4, 6),
-    _integer('uint32', 'I', 4, 7),
-    _integer('int64', 'q', 8, 8),
-    _integer('uint64', 'Q', 8, 9),
-    Kind('float32', float, 'f', 4, -FLOAT32_MAX, FLOAT32_MAX, 'float', 10),
-    Kind('float64', float, 'd', 8, -FLOAT64_MAX, FLOAT64_MAX, 'double', 11),
-    Kind('string', str, '', 0, 0, 0, 'string', 17),
-    Kind('wstring', str, '', 0, 0, 0, 'wstring', 18),
-)}
+KINDS: dict[str, Kind] = {
+    kind.name: kind
+    for kind in (
+        Kind('bool', bool, '?', 1, 0, 1, 'boolean', 15),
+        Kind('byte', bytes, 'c', 1, 0, 255, 'octet', 16),
+        _integer('int8', 'b', 1, 2),
+        _integer('uint8', 'B', 1, 3),
+        _integer('int16', 'h', 2, 4),
+        _integer('uint16', 'H', 2, 5),
+        _integer('int32', 'i', 4, 6),
+        _integer('uint32', 'I', 4, 7),
+        _integer('int64', 'q', 8, 8),
+        _integer('uint64', 'Q', 8, 9),
+        Kind('float32', float, 'f', 4, -FLOAT32_MAX, FLOAT32_MAX, 'float', 10),
+        Kind('float64', float, 'd', 8, -FLOAT64_MAX, FLOAT64_MAX, 'double', 11),
+        Kind('string', str, '', 0, 0, 0, 'string', 17),
+        Kind('wstring', str, '', 0, 0, 0, 'wstring', 18),
+    )
+}
 PRIMITIVE_NAMES = (*KINDS, 'char')
 BYTE_LIKE = frozenset({'byte', 'int8', 'uint8'})
 """Kinds whose repeated values travel as one bytes object."""

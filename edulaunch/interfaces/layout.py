@@ -1,9 +1,10 @@
 """How a message lies flat in a wire tuple.
 
-A wire tuple holds the message's single values in order, with the fields of nested messages in place of the nested message:
-a Twist is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated fields are tuples (or bytes) inside it;
-each element of a repeated message field is such a flat tuple again.
+A wire tuple holds the message's single values in order, with the fields of nested messages in place of the
+nested message: a Twist is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated
+fields are tuples (or bytes) inside it; each element of a repeated message field is such a flat tuple again.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -16,7 +17,9 @@ SpecOf = Callable[[str], MessageSpec]
 
 
 class Branch:
-    """A nested message: the variable that holds it in generated code, its holder's variable and slot, and its type."""
+    """A nested message: the variable that holds it in generated code, its holder's variable and slot, and its
+    type.
+    """
 
     __slots__ = ('variable', 'holder', 'slot', 'type')
 
@@ -28,7 +31,9 @@ class Branch:
 
 
 class Leaf:
-    """One entry of the wire tuple: its dotted path, the variable of its holder, the holder's message type, and the field itself."""
+    """One entry of the wire tuple: its dotted path, the variable of its holder, the holder's message type,
+    and the field itself.
+    """
 
     __slots__ = ('path', 'holder', 'owner', 'field', 'type')
 
@@ -90,7 +95,11 @@ def is_fixed_numbers(field_type: FieldType) -> bool:
 
 def is_number_sequence(field_type: FieldType) -> bool:
     """Whether the field is an array.array to its reader."""
-    return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
+    return (
+        field_type.array in ('bounded', 'unbounded')
+        and field_type.kind is not None
+        and field_type.kind.is_number
+    )
 
 
 def zero(field_type: FieldType) -> Any:

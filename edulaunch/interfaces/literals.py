@@ -1,4 +1,5 @@
 """Values written in interface texts: constants and defaults."""
+
 from __future__ import annotations
 
 import re

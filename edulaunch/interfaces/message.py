@@ -1,4 +1,5 @@
 """The base of all generated message classes, and class attributes that are made when first read."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -31,7 +32,8 @@ class Lazy:
 class Message:
     """What every message class has besides its fields; the fields look and behave as in rclpy.
 
-    `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message from one.
+    `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message
+    from one.
     """
 
     __slots__ = ()
@@ -41,8 +43,10 @@ class Message:
     _SPEC: ClassVar[MessageSpec]
     _FIELDS: ClassVar[dict[str, str]]
     _RULES: ClassVar[dict[str, Any]]
+    _CODEC: ClassVar[Any]
     to_wire: ClassVar[Callable[[Any], tuple[Any, ...]]]
     if TYPE_CHECKING:
+
         def __init__(self, **kwargs: Any) -> None: ...
 
         @staticmethod
@@ -77,7 +81,8 @@ class Message:
 
 
 def set_fields(message: Message, values: dict[str, Any]) -> None:
-    """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see `Message._check_fields`.
+    """Set the keyword arguments of a constructor. `check_fields` is taken as in Jazzy; see
+    `Message._check_fields`.
 
     :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
     """
@@ -95,4 +100,6 @@ def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
     unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
     words = did_you_mean(unknown[0], fields)
     listed = f'the fields of {type(message).__name__} are: {", ".join(fields) or "(none)"}'
-    raise AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}')
+    raise AssertionError(
+        f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}'
+    )

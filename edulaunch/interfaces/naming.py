@@ -1,4 +1,5 @@
 """Names of types, and the nearest of several names."""
+
 from __future__ import annotations
 
 import re
@@ -6,7 +7,9 @@ from collections.abc import Iterable
 
 
 def module_name(type_name: str) -> str:
-    """The module that ROS generates for a type name: 'TransformStamped' -> 'transform_stamped', 'Pose2D' -> 'pose2_d'."""
+    """The module that ROS generates for a type name: 'TransformStamped' -> 'transform_stamped', 'Pose2D' ->
+    'pose2_d'.
+    """
     spaced = re.sub('(.)([A-Z][a-z]+)', r'\1_\2', type_name)
     return re.sub('([a-z0-9])([A-Z])', r'\1_\2', spaced).lower()
 

@@ -1,4 +1,5 @@
 """Reads the text of .msg, .srv and .action files."""
+
 from __future__ import annotations
 
 import re
@@ -9,22 +10,56 @@ from edulaunch.errors import InterfaceError
 from edulaunch.interfaces.kinds import KINDS, PRIMITIVE_NAMES, primitive_name
 from edulaunch.interfaces.literals import constant_value, default_value
 from edulaunch.interfaces.naming import did_you_mean
-from edulaunch.interfaces.spec import ActionSpec, Constant, Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
+from edulaunch.interfaces.spec import (
+    ActionSpec,
+    Constant,
+    Field,
+    FieldType,
+    InterfaceSpec,
+    MessageSpec,
+    ServiceSpec,
+)
 
 FIELD_NAME = '^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'
 CONSTANT_NAME = '^[A-Z]([A-Z0-9_]?[A-Z0-9]+)*$'
-_TYPE = re.compile(r'(?P<base>[A-Za-z][\w/]*)(?:<=(?P<string>\d{1,9}))?(?P<array>\[(?:(?P<upper><=)?(?P<size>\d{1,9}))?\])?$', re.ASCII)
+_TYPE = re.compile(
+    r'(?P<base>[A-Za-z][\w/]*)(?:<=(?P<string>\d{1,9}))?(?P<array>\[(?:(?P<upper><=)?(?P<size>\d{1,9}))?\])?$',
+    re.ASCII,
+)
 _NESTED = re.compile(r'(?:(?P<package>[a-z]\w*)/(?:msg/)?)?(?P<name>[A-Z][A-Za-z0-9]*)$', re.ASCII)
-_CONSTANT_NAME = re.compile('[A-Z](?:_?[A-Z0-9])*$')  # the same names as ROS's pattern, without its exponential backtracking
+_CONSTANT_NAME = re.compile(
+    '[A-Z](?:_?[A-Z0-9])*$'
+)  # the same names as ROS's pattern, without its exponential backtracking
 _CONSTANT = re.compile(r'(?P<name>\w+)\s*=\s*(?P<value>.*)$')
 # Where students most often reach for a word of another language, or of ROS 1.
 _OTHER_WORDS = {
-    'float': 'float32 or float64', 'double': 'float64', 'int': 'int32 or int64', 'integer': 'int32 or int64', 'long': 'int64',
-    'unsigned': 'uint32', 'str': 'string', 'text': 'string', 'boolean': 'bool', 'octet': 'byte', 'list': 'T[], such as int32[]',
-    'time': 'builtin_interfaces/Time', 'duration': 'builtin_interfaces/Duration',
+    'float': 'float32 or float64',
+    'double': 'float64',
+    'int': 'int32 or int64',
+    'integer': 'int32 or int64',
+    'long': 'int64',
+    'unsigned': 'uint32',
+    'str': 'string',
+    'text': 'string',
+    'boolean': 'bool',
+    'octet': 'byte',
+    'list': 'T[], such as int32[]',
+    'time': 'builtin_interfaces/Time',
+    'duration': 'builtin_interfaces/Duration',
 }
 # Names that the generated classes use themselves.
-_RESERVED = frozenset({'to_wire', 'from_wire', 'wire_type', 'get_fields_and_field_types', 'check_fields', 'TYPE', 'SLOT_TYPES', 'LAYOUT'})
+_RESERVED = frozenset(
+    {
+        'to_wire',
+        'from_wire',
+        'wire_type',
+        'get_fields_and_field_types',
+        'check_fields',
+        'TYPE',
+        'SLOT_TYPES',
+        'LAYOUT',
+    }
+)
 
 
 class _Line(NamedTuple):
@@ -37,7 +72,8 @@ class _Line(NamedTuple):
 
 
 def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
-    """The interface that `text` describes; the kind (msg, srv, action) is taken from `type_name`, such as 'turtlesim/srv/Spawn'.
+    """The interface that `text` describes; the kind (msg, srv, action) is taken from `type_name`, such as
+    'turtlesim/srv/Spawn'.
 
     :param file: named in errors; the type name is used when it is empty.
     :raises InterfaceError: with file, line, what was expected and the nearest known name.
@@ -46,8 +82,10 @@ def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
     file = file or type_name
     parts = {'msg': [''], 'srv': ['_Request', '_Response'], 'action': ['_Goal', '_Result', '_Feedback']}[kind]
     sections = _sections(text, file, kind, len(parts))
-    messages = [_message(lines, f'{package}/{kind}/{name}{part}', file)
-                for lines, part in zip(sections, parts, strict=True)]
+    messages = [
+        _message(lines, f'{package}/{kind}/{name}{part}', file)
+        for lines, part in zip(sections, parts, strict=True)
+    ]
     if kind == 'srv':
         return ServiceSpec(type_name, *messages)
     return ActionSpec(type_name, *messages) if kind == 'action' else messages[0]
@@ -64,13 +102,17 @@ def _sections(text: str, file: str, kind: str, wanted: int) -> list[list[_Line]]
                 line.fail(f"expected '---' alone on its line, not '{line.text}'")
             sections.append([])
             if len(sections) > wanted:
-                line.fail(f"a .{kind} file has {wanted - 1 or 'no'} line{'s' * (wanted > 2)} with '---'; this is one too many")
+                line.fail(
+                    f"a .{kind} file has {wanted - 1 or 'no'} line{'s' * (wanted > 2)} with '---'; this is one too many"
+                )
         elif line.text:
             sections[-1].append(line)
     if len(sections) < wanted:
         names = {2: 'request --- response', 3: 'goal --- result --- feedback'}[wanted]
-        _Line(file, number, '').fail(f"expected {wanted - len(sections)} more line{'s' * (wanted - len(sections) > 1)} with '---'",
-                                     help=f'a .{kind} file is: {names}; a part may be empty')
+        _Line(file, number, '').fail(
+            f"expected {wanted - len(sections)} more line{'s' * (wanted - len(sections) > 1)} with '---'",
+            help=f'a .{kind} file is: {names}; a part may be empty',
+        )
     return sections
 
 
@@ -104,10 +146,15 @@ def _entry(line: _Line, package: str) -> Field | Constant:
 
 def _constant(line: _Line, field_type: FieldType, name: str, text: str) -> Constant:
     if field_type.array or field_type.kind is None:
-        line.fail(f"a constant must have a primitive type, not '{field_type.text}'", help='a default has no =: int32[] values [1, 2]')
+        line.fail(
+            f"a constant must have a primitive type, not '{field_type.text}'",
+            help='a default has no =: int32[] values [1, 2]',
+        )
     if not _CONSTANT_NAME.match(name):
-        line.fail(f"'{name}' is an invalid constant name. It should have the pattern '{CONSTANT_NAME}'",
-                  help=f"write {name.upper()} for a constant, or leave out the '=' for a default value")
+        line.fail(
+            f"'{name}' is an invalid constant name. It should have the pattern '{CONSTANT_NAME}'",
+            help=f"write {name.upper()} for a constant, or leave out the '=' for a default value",
+        )
     _refuse_reserved(line, name)
     try:
         return Constant(name, field_type.base, constant_value(field_type.base, text))
@@ -118,14 +165,19 @@ def _constant(line: _Line, field_type: FieldType, name: str, text: str) -> Const
 def _field(line: _Line, field_type: FieldType, rest: str) -> Field:
     name, _, text = rest.partition(' ')
     if not re.match(FIELD_NAME, name, re.ASCII):
-        line.fail(f"'{name}' is an invalid field name. It should have the pattern '{FIELD_NAME}'",
-                  help='lower-case letters, digits and single underscores, starting with a letter')
+        line.fail(
+            f"'{name}' is an invalid field name. It should have the pattern '{FIELD_NAME}'",
+            help='lower-case letters, digits and single underscores, starting with a letter',
+        )
     _refuse_reserved(line, name)
     text = text.strip()
     if not text:
         return Field(name, field_type, None, line.number)
     if field_type.kind is None:
-        line.fail(f"field '{name}' of type '{field_type.text}' cannot have a default", help='only primitive types have defaults')
+        line.fail(
+            f"field '{name}' of type '{field_type.text}' cannot have a default",
+            help='only primitive types have defaults',
+        )
     try:
         return Field(name, field_type, default_value(field_type, text), line.number)
     except ValueError as error:
@@ -135,17 +187,33 @@ def _field(line: _Line, field_type: FieldType, rest: str) -> Field:
 def _refuse_reserved(line: _Line, name: str) -> None:
     if name in _RESERVED or iskeyword(name):
         why = 'a word of Python' if iskeyword(name) else 'used by every message class'
-        line.fail(f"'{name}' cannot be a name here: it is {why}", help=f"choose another, such as '{name}_value'")
+        line.fail(
+            f"'{name}' cannot be a name here: it is {why}", help=f"choose another, such as '{name}_value'"
+        )
 
 
 def _field_type(line: _Line, text: str, package: str) -> FieldType:
     match = _TYPE.match(text)
     if match is None:
-        line.fail(f"'{text}' is not a type", help='types look like float64, string<=10, int32[], int32[3], int32[<=3], pkg/Type')
+        line.fail(
+            f"'{text}' is not a type",
+            help='types look like float64, string<=10, int32[], int32[3], int32[<=3], pkg/Type',
+        )
     bound = int(match['string']) if match['string'] else None
     if bound is not None and match['base'] not in ('string', 'wstring'):
-        line.fail(f"only strings have a bound, not '{match['base']}'", help=f"for a bounded list write {match['base']}[<={bound}]")
-    array = '' if match['array'] is None else 'bounded' if match['upper'] else 'fixed' if match['size'] else 'unbounded'
+        line.fail(
+            f"only strings have a bound, not '{match['base']}'",
+            help=f'for a bounded list write {match["base"]}[<={bound}]',
+        )
+    array = (
+        ''
+        if match['array'] is None
+        else 'bounded'
+        if match['upper']
+        else 'fixed'
+        if match['size']
+        else 'unbounded'
+    )
     size = int(match['size'] or 0)
     if bound == 0 or (array in ('fixed', 'bounded') and size == 0):
         line.fail(f"'{text}' has room for nothing: a size must be at least 1")
@@ -160,8 +228,11 @@ def _base(line: _Line, name: str, package: str) -> str:
         return 'std_msgs/msg/Header'
     nested = _NESTED.match(name)
     if nested:
-        return f"{nested['package'] or package}/msg/{nested['name']}"
+        return f'{nested["package"] or package}/msg/{nested["name"]}'
     if name in _OTHER_WORDS:
         line.fail(f"unknown type '{name}'", help=f'did you mean {_OTHER_WORDS[name]}?')
-    line.fail(f"unknown type '{name}'", help=did_you_mean(name, PRIMITIVE_NAMES)
-              or 'a message type starts with a capital letter: Name for this package, other_package/Name for another one')
+    line.fail(
+        f"unknown type '{name}'",
+        help=did_you_mean(name, PRIMITIVE_NAMES)
+        or 'a message type starts with a capital letter: Name for this package, other_package/Name for another one',
+    )

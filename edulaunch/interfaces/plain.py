@@ -1,8 +1,10 @@
 """Wire tuples without their classes: legality, JSON, columns.
 
-A recording stores, beside its wire tuples, the *form* of each type: the dotted path and the .msg notation of every entry. That is enough
-to read the recording back when the interface files are gone, and to refuse data that no real message could have produced.
+A recording stores, beside its wire tuples, the *form* of each type: the dotted path and the .msg notation of
+every entry. That is enough to read the recording back when the interface files are gone, and to refuse data
+that no real message could have produced.
 """
+
 from __future__ import annotations
 
 import re
@@ -18,7 +20,9 @@ from edulaunch.interfaces.spec import FieldType
 Form = Sequence[Sequence[str]]
 """(path, type text) of each entry of a wire tuple; survives JSON."""
 
-_TEXT = re.compile(r'(?P<base>[\w/]+)(?:<=(?P<string>\d+))?(?P<array>\[(?P<upper><=)?(?P<size>\d+)?\])?$', re.ASCII)
+_TEXT = re.compile(
+    r'(?P<base>[\w/]+)(?:<=(?P<string>\d+))?(?P<array>\[(?P<upper><=)?(?P<size>\d+)?\])?$', re.ASCII
+)
 _ROUND = Struct('<f')
 
 
@@ -52,7 +56,9 @@ class Forms:
     """
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
-        self._forms = {name: tuple((path, _type_of(text)) for path, text in form) for name, form in forms.items()}
+        self._forms = {
+            name: tuple((path, _type_of(text)) for path, text in form) for name, form in forms.items()
+        }
 
     def columns(self, type_name: str, wires: Iterable[tuple[Any, ...]]) -> dict[str, tuple[Any, ...]]:
         """The entries of many wire tuples by path: {'linear.x': (2.0, 2.0, ...), ...}."""
@@ -62,7 +68,10 @@ class Forms:
 
     def to_json(self, type_name: str, wire: tuple[Any, ...]) -> list[Any]:
         """The wire tuple as lists, numbers and strings; bytes become strings of the characters 0 to 255."""
-        return [self._entry_to_json(field_type, value) for (_, field_type), value in zip(self._form(type_name), wire, strict=True)]
+        return [
+            self._entry_to_json(field_type, value)
+            for (_, field_type), value in zip(self._form(type_name), wire, strict=True)
+        ]
 
     def _entry_to_json(self, field_type: FieldType, value: Any) -> Any:
         if isinstance(value, bytes):
@@ -79,8 +88,10 @@ class Forms:
         form = self._form(type_name)
         if not isinstance(data, (list, tuple)) or len(data) != len(form):
             raise InterfaceError(f'{type_name}: expected {len(form)} values, not {_brief(data)}')
-        return tuple(self._entry(f'{type_name}: {path}', field_type, value)
-                     for (path, field_type), value in zip(form, data, strict=True))
+        return tuple(
+            self._entry(f'{type_name}: {path}', field_type, value)
+            for (path, field_type), value in zip(form, data, strict=True)
+        )
 
     def _form(self, type_name: str) -> tuple[tuple[str, FieldType], ...]:
         try:
@@ -117,7 +128,9 @@ def _single(where: str, field_type: FieldType, value: Any) -> Any:
     elif kind.python is str:
         legal = field_type.string_bound is None or len(value) <= field_type.string_bound
     else:
-        legal = kind.low <= value <= kind.high or (kind.python is float and (value != value or value - value != 0))
+        legal = kind.low <= value <= kind.high or (
+            kind.python is float and (value != value or value - value != 0)
+        )
     if not legal:
         _refuse(where, field_type, value)
     return _ROUND.unpack(_ROUND.pack(value))[0] if kind.name == 'float32' else value
@@ -138,8 +151,18 @@ def _type_of(text: str) -> FieldType:
     match = _TEXT.match(text)
     if match is None:
         raise InterfaceError(f"'{text}' is no type of a wire form")
-    array = '' if match['array'] is None else 'bounded' if match['upper'] else 'fixed' if match['size'] else 'unbounded'
-    return FieldType(match['base'], int(match['string']) if match['string'] else None, array, int(match['size'] or 0))
+    array = (
+        ''
+        if match['array'] is None
+        else 'bounded'
+        if match['upper']
+        else 'fixed'
+        if match['size']
+        else 'unbounded'
+    )
+    return FieldType(
+        match['base'], int(match['string']) if match['string'] else None, array, int(match['size'] or 0)
+    )
 
 
 def _brief(value: Any) -> str:

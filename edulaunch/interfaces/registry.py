@@ -1,13 +1,15 @@
 """Finds interface files in share folders and makes each class once."""
+
 from __future__ import annotations
 
 import os
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import InterfaceError
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from edulaunch.errors import InterfaceError
     from edulaunch.interfaces.message import Message
     from edulaunch.interfaces.spec import InterfaceSpec, MessageSpec
 
@@ -17,14 +19,15 @@ KINDS_OF_INTERFACE = ('msg', 'srv', 'action')
 class Registry:
     """The interfaces under some share folders, over those of another registry.
 
-    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first that has a package wins.
+    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first that has
+        a package wins.
     :param base: asked for packages that no root has (a workspace over the underlay); its classes are shared.
     """
 
     def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None) -> None:
         self.roots = tuple(os.fspath(root) for root in roots)
         self.base = base
-        self._packages: dict[str, dict[str, dict[str, str]]] = {}   # package -> kind -> name -> path
+        self._packages: dict[str, dict[str, dict[str, str]]] = {}  # package -> kind -> name -> path
         self._folders: dict[str, str] | None = None
         self._specs: dict[str, InterfaceSpec] = {}
         self._classes: dict[str, type[Any]] = {}
@@ -45,7 +48,9 @@ class Registry:
         return bool(files) if kind is None else kind in files
 
     def names(self, package: str, kind: str) -> list[str]:
-        """The interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill', 'SetPen', ...]."""
+        """The interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill',
+        'SetPen', ...].
+        """
         files = self._files(package)
         if not files and self.base is not None:
             return self.base.names(package, kind)
@@ -53,8 +58,13 @@ class Registry:
 
     def types(self, kind: str | None = None) -> list[str]:
         """All full type names (of one kind), sorted."""
-        return sorted(f'{package}/{each}/{name}' for package in self.packages() for each in KINDS_OF_INTERFACE
-                      if kind in (None, each) for name in self.names(package, each))
+        return sorted(
+            f'{package}/{each}/{name}'
+            for package in self.packages()
+            for each in KINDS_OF_INTERFACE
+            if kind in (None, each)
+            for name in self.names(package, each)
+        )
 
     def path(self, type_name: str) -> str:
         """The file that defines 'pkg/kind/Name'.
@@ -105,9 +115,10 @@ class Registry:
         if owner is not self:
             return owner.get(type_name)
         if type_name in self._making:
-            from edulaunch.errors import InterfaceError
-            ring = ' -> '.join([*self._making[self._making.index(type_name):], type_name])
-            raise InterfaceError(f'{type_name} contains itself: {ring}', help='a message must have a finite size')
+            ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
+            raise InterfaceError(
+                f'{type_name} contains itself: {ring}', help='a message must have a finite size'
+            )
         self._making.append(type_name)
         try:
             cls = self._classes[type_name] = self._make(self.spec(type_name))
@@ -140,7 +151,9 @@ class Registry:
         if folder is None:
             return {}
         if package not in self._packages:
-            self._packages[package] = {kind: files for kind in KINDS_OF_INTERFACE if (files := _interface_files(folder, kind))}
+            self._packages[package] = {
+                kind: files for kind in KINDS_OF_INTERFACE if (files := _interface_files(folder, kind))
+            }
         return self._packages[package]
 
     def _split(self, type_name: str) -> tuple[str, str, str]:
@@ -156,11 +169,17 @@ class Registry:
         return self
 
     def _load(self, type_name: str) -> None:
-        """Read a file and keep the specs of everything it defines. A part's name is its interface's, an underscore and a word."""
+        """Read a file and keep the specs of everything it defines. A part's name is its interface's, an
+        underscore and a word.
+        """
         from edulaunch.interfaces.derived import parts_of
         from edulaunch.interfaces.parser import parse
 
-        whole = type_name if '_' not in type_name.rpartition('/')[2] else type_name[:type_name.index('_', type_name.rindex('/'))]
+        whole = (
+            type_name
+            if '_' not in type_name.rpartition('/')[2]
+            else type_name[: type_name.index('_', type_name.rindex('/'))]
+        )
         parts = parts_of(parse(self.text(whole), whole, self.path(whole)))
         if type_name not in parts:
             raise self._unknown(type_name)
@@ -177,16 +196,16 @@ class Registry:
 
     def _nested(self, spec: MessageSpec, type_name: str) -> type[Message]:
         """The class of a field's type; an unknown one is reported at the line that asks for it."""
-        from edulaunch.errors import InterfaceError
-
         try:
             return self.get(type_name)
         except InterfaceError as error:
             field = next((each for each in spec.fields if each.type.base == type_name), None)
             if field is None or not str(error.message).startswith('unknown'):
                 raise
-            raise InterfaceError(f"{spec.file}:{field.line}: {error.message}, the type of field '{field.name}'",
-                                 help=error.help) from None
+            raise InterfaceError(
+                f"{spec.file}:{field.line}: {error.message}, the type of field '{field.name}'",
+                help=error.help,
+            ) from None
 
     def _unknown(self, type_name: str) -> InterfaceError:
         from edulaunch.interfaces.unknown import unknown_type

@@ -1,4 +1,5 @@
 """The entries of `SLOT_TYPES`, with the names of rosidl_parser.definition."""
+
 from __future__ import annotations
 
 from typing import NamedTuple

@@ -1,8 +1,10 @@
 """The Python source of a message class.
 
-Snapshots are the hottest code of a simulation, so each class gets straight-line code of its own: nested messages are inlined, their slots
-are stored directly without checks, all single values move in one tuple, and float32 values are rounded together in one struct round trip.
+Snapshots are the hottest code of a simulation, so each class gets straight-line code of its own: nested
+messages are inlined, their slots are stored directly without checks, all single values move in one tuple, and
+float32 values are rounded together in one struct round trip.
 """
+
 from __future__ import annotations
 
 from math import isfinite
@@ -22,7 +24,8 @@ from edulaunch.interfaces.spec import Field, FieldType, MessageSpec
 class ClassSource:
     """Writes the source of one class; afterwards `names` tells what the code expects in its globals.
 
-    `names` maps a global name to what it stands for: ('class', type), ('rule', type, field name), ('default', wire value).
+    `names` maps a global name to what it stands for: ('class', type), ('rule', type, field name), ('default',
+    wire value).
     """
 
     def __init__(self, spec: MessageSpec, layout: Layout) -> None:
@@ -41,7 +44,13 @@ class ClassSource:
         """The whole class."""
         slots = ', '.join(f"'_{field.name}'" for field in self._spec.fields)
         lines = [f'class {self._name}(_Message):', f' __slots__ = ({slots}{"," if slots else ""})']
-        for part in (self._init(), self._to_wire(), self._from_wire(), self._eq(), *map(self._field, self._spec.fields)):
+        for part in (
+            self._init(),
+            self._to_wire(),
+            self._from_wire(),
+            self._eq(),
+            *map(self._field, self._spec.fields),
+        ):
             lines += [f' {line}' for line in part]
         return '\n'.join(lines) + '\n'
 
@@ -54,7 +63,9 @@ class ClassSource:
         return self._global('rule', leaf.owner, leaf.field.name)
 
     def _create(self, branch: Branch) -> str:
-        return f' {branch.variable} = {branch.holder}.{branch.slot} = _new({self._global("class", branch.type)})'
+        return (
+            f' {branch.variable} = {branch.holder}.{branch.slot} = _new({self._global("class", branch.type)})'
+        )
 
     # Construction
 
@@ -62,14 +73,21 @@ class ClassSource:
         single = [leaf for leaf in self._leaves if not leaf.type.array]
         lines = ['def __init__(m, /, **kwargs):', *map(self._create, self._branches)]
         if single:
-            targets, values = (', '.join(part) for part in zip(*((leaf.target, self._constant(leaf)) for leaf in single), strict=True))
+            targets, values = (
+                ', '.join(part)
+                for part in zip(*((leaf.target, self._constant(leaf)) for leaf in single), strict=True)
+            )
             lines.append(f' {targets} = {values}')
         lines += [f' {leaf.target} = {self._fresh(leaf)}' for leaf in self._leaves if leaf.type.array]
         return [*lines, ' if kwargs: _set_fields(m, kwargs)']
 
     def _constant(self, leaf: Leaf) -> str:
         value = default_wire(leaf.field)
-        return self._global('default', leaf.path, value) if isinstance(value, float) and not isfinite(value) else repr(value)
+        return (
+            self._global('default', leaf.path, value)
+            if isinstance(value, float) and not isfinite(value)
+            else repr(value)
+        )
 
     def _fresh(self, leaf: Leaf) -> str:
         """An expression for the default of a repeated field: a new object unless it is immutable."""
@@ -93,8 +111,11 @@ class ClassSource:
     # Snapshots
 
     def _to_wire(self) -> list[str]:
-        lines = ['@staticmethod', 'def to_wire(m):',
-                 *(f' {branch.variable} = {branch.holder}.{branch.slot}' for branch in self._branches)]
+        lines = [
+            '@staticmethod',
+            'def to_wire(m):',
+            *(f' {branch.variable} = {branch.holder}.{branch.slot}' for branch in self._branches),
+        ]
         rounded = [leaf for leaf in self._leaves if leaf.type == FieldType('float32')]
         round_trip = f'_unpack(_pack({", ".join(leaf.target for leaf in rounded)}))'
         if rounded and len(rounded) == len(self._leaves):
@@ -110,7 +131,10 @@ class ClassSource:
 
     def _check_elements(self, leaf: Leaf) -> list[str]:
         """Lists of messages stay ordinary lists, so a student may have appended anything."""
-        cls, refuse = self._global('class', leaf.type.base), f'{self._rule(leaf)}.refuse_elements({leaf.target})'
+        cls, refuse = (
+            self._global('class', leaf.type.base),
+            f'{self._rule(leaf)}.refuse_elements({leaf.target})',
+        )
         lines = [f' for i in {leaf.target}:', f'  if type(i) is not {cls}: {refuse}']
         if leaf.type.array != 'unbounded':
             operator = '!=' if leaf.type.array == 'fixed' else '>'
@@ -132,12 +156,26 @@ class ClassSource:
         return f'{self._rule(leaf)}.{"array" if is_number_sequence(field_type) else "list"}_to_wire({target})'
 
     def _from_wire(self) -> list[str]:
-        lines = ['@staticmethod', 'def from_wire(wire):', f' m = _new({self._name})', *map(self._create, self._branches)]
-        names = {leaf.path: f'v{index}' for index, leaf in enumerate(self._leaves)
-                 if leaf.type.array and not is_fixed_numbers(leaf.type)}
+        lines = [
+            '@staticmethod',
+            'def from_wire(wire):',
+            f' m = _new({self._name})',
+            *map(self._create, self._branches),
+        ]
+        names = {
+            leaf.path: f'v{index}'
+            for index, leaf in enumerate(self._leaves)
+            if leaf.type.array and not is_fixed_numbers(leaf.type)
+        }
         if self._leaves:
-            lines.append(f' {"".join(f"{names.get(leaf.path, leaf.target)}, " for leaf in self._leaves)} = wire')
-        lines += [f' {leaf.target} = {self._object_of(leaf.type, names[leaf.path])}' for leaf in self._leaves if leaf.path in names]
+            lines.append(
+                f' {"".join(f"{names.get(leaf.path, leaf.target)}, " for leaf in self._leaves)} = wire'
+            )
+        lines += [
+            f' {leaf.target} = {self._object_of(leaf.type, names[leaf.path])}'
+            for leaf in self._leaves
+            if leaf.path in names
+        ]
         return [*lines, ' return m']
 
     def _object_of(self, field_type: FieldType, name: str) -> str:
@@ -145,15 +183,24 @@ class ClassSource:
             return f'[{self._global("from_wire", field_type.base)}(i) for i in {name}]'
         if is_number_sequence(field_type):
             return f"_array('{field_type.kind.code}', {name})"
-        return f'[{name}[i:i + 1] for i in range(len({name}))]' if is_byte_like(field_type) else f'list({name})'
+        return (
+            f'[{name}[i:i + 1] for i in range(len({name}))]' if is_byte_like(field_type) else f'list({name})'
+        )
 
     def _eq(self) -> list[str]:
-        fixed = {leaf.field.name: leaf for leaf in self._leaves if is_fixed_numbers(leaf.type) and leaf.holder == 'm'}
+        fixed = {
+            leaf.field.name: leaf
+            for leaf in self._leaves
+            if is_fixed_numbers(leaf.type) and leaf.holder == 'm'
+        }
         tests = []
         for field in self._spec.fields:
             leaf = fixed.get(field.name)
-            mine, other = ((f'm._{field.name}', f'o._{field.name}') if leaf is None
-                           else (self._wire_of(leaf), self._wire_of(leaf.held_by('o'))))
+            mine, other = (
+                (f'm._{field.name}', f'o._{field.name}')
+                if leaf is None
+                else (self._wire_of(leaf), self._wire_of(leaf.held_by('o')))
+            )
             tests.append(f' and {mine} == {other}')
         return ['def __eq__(m, o, /):', f' return isinstance(o, {self._name})' + ''.join(tests)]
 
@@ -172,15 +219,24 @@ class ClassSource:
         if is_fixed_numbers(field.type):
             getter = f'_read_{field.name}'
             stored = 'bytes' if is_byte_like(field.type) else 'tuple'
-            lines += [f'def {getter}(m):', f' if type({slot}) is {stored}: {slot} = {rule}.to_numpy({slot})', f' return {slot}']
+            lines += [
+                f'def {getter}(m):',
+                f' if type({slot}) is {stored}: {slot} = {rule}.to_numpy({slot})',
+                f' return {slot}',
+            ]
         return [*lines, f'{field.name} = _property({getter}, {field.name})']
 
     def _is_right(self, field_type: FieldType) -> str:
-        """A quick test that accepts the common right value; whatever fails it goes through the field's rule."""
+        """A quick test that accepts the common right value; whatever fails it goes through the field's rule.
+        """
         kind = field_type.kind
         if field_type.array or field_type.string_bound is not None or field_type.base == 'byte':
             return ''
         if kind is None:
             return f'type(value) is {self._global("class", field_type.base)}'
-        limits = f' and {kind.low!r} <= value <= {kind.high!r}' if kind.is_number and kind.name != 'float64' else ''
+        limits = (
+            f' and {kind.low!r} <= value <= {kind.high!r}'
+            if kind.is_number and kind.name != 'float64'
+            else ''
+        )
         return f'type(value) is {kind.python.__name__}{limits}'

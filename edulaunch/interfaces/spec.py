@@ -1,4 +1,5 @@
 """What a .msg, .srv or .action text says, as plain immutable data."""
+
 from __future__ import annotations
 
 from typing import Any, NamedTuple
@@ -9,8 +10,9 @@ from edulaunch.interfaces.kinds import KINDS, Kind
 class FieldType(NamedTuple):
     """The type of a field.
 
-    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'); `string_bound` the N of `string<=N` or None;
-    `array` one of '' (a single value), 'fixed', 'bounded', 'unbounded'; `size` the N of `T[N]` and `T[<=N]`.
+    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'); `string_bound` the N of
+    `string<=N` or None; `array` one of '' (a single value), 'fixed', 'bounded', 'unbounded'; `size` the N of
+    `T[N]` and `T[<=N]`.
     """
 
     base: str
@@ -36,23 +38,33 @@ class FieldType(NamedTuple):
 
     @property
     def _brackets(self) -> str:
-        return {'': '', 'fixed': f'[{self.size}]', 'bounded': f'[<={self.size}]', 'unbounded': '[]'}[self.array]
+        return {'': '', 'fixed': f'[{self.size}]', 'bounded': f'[<={self.size}]', 'unbounded': '[]'}[
+            self.array
+        ]
 
     @property
     def ros_text(self) -> str:
-        """The type as `get_fields_and_field_types()` shows it: 'sequence<double>', 'double[36]', 'geometry_msgs/Point'."""
+        """The type as `get_fields_and_field_types()` shows it: 'sequence<double>', 'double[36]',
+        'geometry_msgs/Point'.
+        """
         kind = self.kind
         if kind is None:
             package, _, name = self.base.split('/')
             one = f'{package}/{name}'
         else:
             one = kind.ros + ('' if self.string_bound is None else f'<{self.string_bound}>')
-        return {'': one, 'fixed': f'{one}[{self.size}]', 'bounded': f'sequence<{one}, {self.size}>',
-                'unbounded': f'sequence<{one}>'}[self.array]
+        return {
+            '': one,
+            'fixed': f'{one}[{self.size}]',
+            'bounded': f'sequence<{one}, {self.size}>',
+            'unbounded': f'sequence<{one}>',
+        }[self.array]
 
 
 class Field(NamedTuple):
-    """One field; `default` is a Python value (a tuple for repeated fields) or None; `line` its line in the file."""
+    """One field; `default` is a Python value (a tuple for repeated fields) or None; `line` its line in the
+    file.
+    """
 
     name: str
     type: FieldType
@@ -69,7 +81,9 @@ class Constant(NamedTuple):
 
 
 class MessageSpec(NamedTuple):
-    """One message, or one half of a service: its full type name, fields, constants and the file it was read from."""
+    """One message, or one half of a service: its full type name, fields, constants and the file it was read
+    from.
+    """
 
     type: str
     fields: tuple[Field, ...]

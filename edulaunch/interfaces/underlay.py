@@ -1,4 +1,5 @@
 """The interfaces that come with edulaunch."""
+
 from __future__ import annotations
 
 import os
@@ -9,6 +10,8 @@ from edulaunch.interfaces.registry import Registry
 
 @cache
 def underlay_registry() -> Registry:
-    """The one registry of the underlay's interfaces. Its files never change while a program runs, so all simulations share it."""
+    """The one registry of the underlay's interfaces. Its files never change while a program runs, so all
+    simulations share it.
+    """
     here = os.path.dirname(os.path.abspath(__file__))
     return Registry([os.path.join(os.path.dirname(here), 'underlay', 'share')])

@@ -1,4 +1,5 @@
 """Words for an interface that does not exist."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -23,10 +24,17 @@ def type_help(registry: Registry, type_name: str) -> str | None:
     if elsewhere:
         return f'{name} is in {" and ".join(elsewhere)}'
     if not registry.has(package):
-        return did_you_mean(package, registry.packages()) or 'no package with interfaces has this name: is its workspace built and sourced?'
+        return (
+            did_you_mean(package, registry.packages())
+            or 'no package with interfaces has this name: is its workspace built and sourced?'
+        )
     return did_you_mean(type_name, registry.types())
 
 
 def homes(registry: Registry, name: str, kind: str | None = None) -> list[str]:
     """The modules that have an interface of this name: homes(registry, 'Twist') -> ['geometry_msgs.msg']."""
-    return [full.rpartition('/')[0].replace('/', '.') for full in registry.types(kind) if full.endswith(f'/{name}')]
+    return [
+        full.rpartition('/')[0].replace('/', '.')
+        for full in registry.types(kind)
+        if full.endswith(f'/{name}')
+    ]

@@ -69,6 +69,13 @@ class Index:
         place = self._place(package)
         return [] if place is None else place.executables(package)
 
+    def find_executable(self, package: str, executable: str) -> str | None:
+        """`<prefix>/lib/<package>/<executable>` when the package has it; for an entry point the file need not exist."""
+        place = self._place(package)
+        if place is None or executable not in place.executables(package):
+            return None
+        return os.path.join(place.path, 'lib', package, executable)
+
     def native_executables(self, package: str) -> dict[str, str]:
         """Executables that the package's CMakeLists.txt builds from C++: name -> 'file:line'. They cannot run here."""
         place = self._place(package)

@@ -1,1 +1,1 @@
-"""Worlds: the turtles' canvas and a planar robot as plain numbers, without a node, a topic or a clock of their own."""
+"""Worlds: the turtles' canvas and a planar robot as plain numbers, without a node, a topic or a clock."""

@@ -16,7 +16,7 @@ UNTOUCHED: Color = (255, 255, 255)
 
 
 class Pen:
-    """What a turtle draws with: colour (r, g, b; 0 to 255), width in pixels, and whether it touches the canvas."""
+    """What a turtle draws with: colour, width in pixels, and whether it touches the canvas."""
 
     __slots__ = ('color', 'width', 'on', 'stroke', 'rows', 'shift', 'last_x', 'last_y')
 
@@ -35,16 +35,18 @@ class Pen:
 
 
 class DrawingLayer:
-    """500 x 500 pixels over the background. A pixel no pen touched reads as white, whatever the background colour is.
+    """500 x 500 pixels over the background. A pixel no pen touched is white, whatever the background is.
 
-    A line is made of squares of the pen's width, set closely along it. The pixels are made when the first line is drawn.
+    A line is made of squares of the pen's width, set closely along it. The pixels are made with the first
+    line. `segments` has colour, width (px), x0, y0, x1, y1 (metres, y downward) and time (ns) of each line;
+    `version` grows with every change, so that a turtle standing still need not look again.
     """
 
     __slots__ = ('segments', 'version', '_pixels')
 
     def __init__(self) -> None:
-        self.segments: list[Segment] = []  # colour, width (px), x0, y0, x1, y1 (metres, y downward), time (ns)
-        self.version = 0  # grows with every change, so that a turtle standing still need not look again
+        self.segments: list[Segment] = []
+        self.version = 0
         self._pixels: bytearray | None = None
 
     def clear(self) -> None:
@@ -79,7 +81,8 @@ class DrawingLayer:
             x0, y0, x1, y1 = visible
         dx = x1 - x0
         dy = y1 - y0
-        steps = int(2.0 * (abs(dx) if abs(dx) > abs(dy) else abs(dy)) / width) + 1  # half a width apart: no notches
+        longer = abs(dx) if abs(dx) > abs(dy) else abs(dy)
+        steps = int(2.0 * longer / width) + 1  # half a width apart: no notches
         if x0 != pen.last_x or y0 != pen.last_y:
             self._stamp(pen, x0, y0)
         if steps > 1:
@@ -120,7 +123,7 @@ def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
 
 
 def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:
-    """The part of a line (pixels) near the canvas: on it or so little outside that a broad pen reaches over. None if none.
+    """The part of a line (pixels) on the canvas or so near that a broad pen reaches over, or None.
 
     A line from or to nowhere (infinity, nan) has none.
     """

@@ -7,9 +7,9 @@ from math import cos, inf, pi, sin
 class PlanarRobot:
     """A robot that drives with a linear and an angular velocity, like a TurtleBot3 Waffle.
 
-    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame. The robot keeps its last command, however old; it
-    has no mass: a new velocity holds at once. Between commands it runs along an exact circular arc, so that the result
-    does not depend on how often one looks.
+    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame.
+    The robot keeps its last command, however old; it has no mass: a new velocity holds at once. Between
+    commands it runs along an exact circular arc, so that the result does not depend on how often one looks.
 
     :param max_linear: limit of the linear velocity either way, m/s (the Waffle's is 0.26).
     :param max_angular: limit of the angular velocity either way, rad/s (the Waffle's is 1.82).
@@ -29,7 +29,7 @@ class PlanarRobot:
         self.max_angular = max_angular
 
     def command(self, linear: float, angular: float, now_ns: int) -> None:
-        """Drive with these velocities from `now_ns` on, each cut to its limit; what is not a number means zero."""
+        """Drive with these velocities from `now_ns` on, each cut to its limit; not a number means zero."""
         self.advance_to(now_ns)
         self.linear = _limited(linear, self.max_linear)
         self.angular = _limited(angular, self.max_angular)

@@ -26,7 +26,8 @@ def normalize_single(angle: float) -> float:
 class RotationGoal:
     """A turn to the absolute heading `theta` (radians), started at the heading `start`.
 
-    `remaining` is the feedback and `delta` the result: start minus present heading, so negative after a turn to the left.
+    `remaining` is the feedback and `delta` the result: start minus present heading, negative after a left
+    turn.
     """
 
     __slots__ = ('theta', 'start', 'remaining', 'delta')
@@ -38,7 +39,7 @@ class RotationGoal:
         self.delta = 0.0
 
     def step(self, heading: float) -> float:
-        """Look at the present heading: the angular velocity to turn with (rad/s), 0.0 when the goal is reached."""
+        """Look at the present heading: the angular velocity to turn with (rad/s), 0.0 at the goal."""
         heading = as_float32(heading)
         self.remaining = normalize_single(as_float32(self.theta - heading))
         self.delta = normalize_single(as_float32(self.start - heading))

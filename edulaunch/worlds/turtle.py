@@ -14,17 +14,18 @@ COMMAND_LASTS_NS = 1_000_000_000
 class Turtle:
     """A turtle on the canvas.
 
-    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta` is in radians,
-    counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
+    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta` is
+    in radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
 
-    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down) outside the canvas
-    the turtle was stopped at (None when it hit no wall), and `turned` whether a rotation goal was reached.
+    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down) outside
+    the canvas it was stopped at (None: no wall), and `turned` whether a rotation goal was reached.
     """
 
-    __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns', 'rotation',
-                 'color', 'wall_hit', 'turned', '_layer', '_seen', '_requests', '_moved')
+    __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns',
+                 'rotation', 'color', 'wall_hit', 'turned', '_layer', '_seen', '_requests', '_moved')
 
-    def __init__(self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
+    def __init__(
+            self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
         self.name = name
         self.picture = picture
         self.pen = Pen()
@@ -53,7 +54,7 @@ class Turtle:
         return hypot(self.speed, self.sideways) if self.sideways else abs(self.speed)
 
     def command(self, linear: float, angular: float, now_ns: int, sideways: float | None = None) -> None:
-        """Move with these velocities for a second, or until the next command. `sideways` None leaves that velocity alone."""
+        """Move with these velocities for a second, or until the next command. None leaves it alone."""
         self.command_ns = now_ns
         self.speed = linear
         self.turning = angular
@@ -85,7 +86,7 @@ class Turtle:
         self.speed = self.sideways = self.turning = 0.0
 
     def update(self, now_ns: int) -> None:
-        """One tick of 16 ms: teleports, rotation goal, command timeout, motion, walls, colour sensor, pen; in this order."""
+        """One tick of 16 ms, in this order: teleports, rotation, timeout, motion, walls, colour, pen."""
         if self._requests:
             self._teleport(now_ns)
         if self.rotation is not None:

@@ -7,14 +7,15 @@ from edulaunch.worlds.drawing import SIDE, DrawingLayer
 from edulaunch.worlds.float32 import as_float32
 from edulaunch.worlds.turtle import Turtle
 
-PICTURES = ('ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')
+PICTURES = (
+    'ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')
 CENTER = as_float32(SIDE / 2.0)
 
 
 class TurtleWorld:
-    """Turtles on a square canvas of :data:`SIDE` metres, updated every 16 ms in alphabetical order of their names.
+    """Turtles on a square canvas of :data:`SIDE` metres, updated in alphabetical order of their names.
 
-    :param random: chooses each turtle's picture, the only thing here that is not fixed by what happened before.
+    :param random: chooses each turtle's picture, the only thing here that is left to chance.
     """
 
     def __init__(self, random: Random) -> None:
@@ -31,7 +32,7 @@ class TurtleWorld:
         return None
 
     def free_name(self) -> str:
-        """The next automatic name, turtle1, turtle2, ... Numbers of turtles that are gone are not used again."""
+        """The next automatic name: turtle1, turtle2, ... Numbers of turtles that are gone are not used."""
         while True:
             self._named += 1
             name = f'turtle{self._named}'
@@ -39,7 +40,7 @@ class TurtleWorld:
                 return name
 
     def spawn(self, x: float, y: float, theta: float, name: str = '') -> Turtle | None:
-        """Put a turtle at (x, y, theta), y upward, without looking whether it is on the canvas: the first update clamps it.
+        """Put a turtle at (x, y, theta), y upward; if that is off the canvas, the first update clamps it.
 
         :param name: empty for an automatic name.
         :returns: the turtle, or None when the name is taken.

@@ -1,4 +1,4 @@
-"""A small stage for the built-in programs: the real host and graph, a hand to poke them with, and a tape of what happened."""
+"""A stage for the built-in programs: host and graph, a hand to poke them with, a tape of what happened."""
 from __future__ import annotations
 
 from typing import Any

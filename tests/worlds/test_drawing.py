@@ -47,7 +47,8 @@ def test_the_sensor_sees_the_trail_one_tick_late(turtle: Turtle, world: TurtleWo
     assert colors == [UNTOUCHED, TRAIL, TRAIL]
 
 
-@pytest.mark.parametrize('width, rows', [(0, [100]), (1, [100]), (2, [100, 101]), (3, [99, 100, 101]), (5, [98, 99, 100, 101, 102])])
+@pytest.mark.parametrize('width, rows', [
+    (0, [100]), (1, [100]), (2, [100, 101]), (3, [99, 100, 101]), (5, [98, 99, 100, 101, 102])])
 def test_a_line_is_as_wide_as_its_pen(width: int, rows: list[int]) -> None:
     layer = DrawingLayer()
     layer.draw(Pen(RED, width), 50 / METRE_PX, 100 / METRE_PX, 90 / METRE_PX, 100 / METRE_PX, T0)
@@ -57,7 +58,9 @@ def test_a_line_is_as_wide_as_its_pen(width: int, rows: list[int]) -> None:
 def test_a_long_line_has_no_gap() -> None:
     layer = DrawingLayer()
     layer.draw(Pen(RED, 1), 0.0, 0.0, 499 / METRE_PX, 250 / METRE_PX, T0)
-    assert all(RED in (at_pixel(layer, column, round(column * 250 / 499) + off) for off in (-1, 0, 1)) for column in range(500))
+    for column in range(500):
+        row = round(column * 250 / 499)
+        assert RED in [at_pixel(layer, column, row + offset) for offset in (-1, 0, 1)]
 
 
 def test_a_line_that_leaves_the_canvas_is_cut_there() -> None:

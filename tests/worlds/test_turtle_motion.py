@@ -1,4 +1,4 @@
-"""Golden numbers of one turtle's motion, computed from turtlesim's rules (facts_turtlesim.md, sections 3 and 6)."""
+"""Golden numbers of one turtle's motion, computed from turtlesim's rules (facts_turtlesim.md, section 3)."""
 from __future__ import annotations
 
 from math import inf, nan
@@ -44,7 +44,8 @@ def pose(turtle: Turtle) -> tuple[float, float, float]:
     (0.0, 2.0, (5.544444561004639, 5.544444561004639, 2.0160000324249268)),
 ])
 def test_one_command_acts_for_63_ticks(
-        world: TurtleWorld, turtle: Turtle, linear: float, angular: float, expected: tuple[float, float, float]) -> None:
+        world: TurtleWorld, turtle: Turtle, linear: float, angular: float,
+        expected: tuple[float, float, float]) -> None:
     turtle.command(linear, angular, T0)
     ticks(world, 63)
     assert pose(turtle) == expected
@@ -113,7 +114,8 @@ def test_a_teleport_does_not_stop_the_turtle(world: TurtleWorld, turtle: Turtle)
 
 
 @pytest.mark.parametrize('theta, count, first, last, delta', [
-    (1.57, 98, [1.5700000524520874, 1.5540000200271606, 1.5380001068115234], 0.018000006675720215, -1.5520000457763672),
+    (1.57, 98, [1.5700000524520874, 1.5540000200271606, 1.5380001068115234], 0.018000006675720215,
+     -1.5520000457763672),
     (0.7854, 49, [], None, -0.7680000066757202),
     (3.1416, 197, [-3.141585350036621], None, 3.135999917984009),
     (-2.3562, 148, [], None, 2.3519999980926514),

@@ -14,7 +14,12 @@ def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str,
 
     def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
                       flush: bool = False) -> None:
-        builtins.print(*values, sep=sep, end=end, file=process.stdout if file is None else file, flush=flush)
+        if file is None:
+            view: Any = process.loader.modules.get('sys')
+            file = process.stdout if view is None else view.stdout
+        file.write((' ' if sep is None else sep).join(map(str, values)) + ('\n' if end is None else end))
+        if flush:
+            file.flush()
 
     def private_input(prompt: object = '') -> str:
         process.stdout.write(str(prompt))

@@ -14,11 +14,11 @@ MakeNode = Callable[[str, QoSProfile], 'Talker | Listener']
 
 
 def run_with_quality(arguments: list[str], verb: str, node_stem: str, make_node: MakeNode) -> None:
-    """Run a node with the quality of service that the command line asks for, until it has handled enough messages."""
+    """Run a node with the quality of service that was asked for, until it has handled enough messages."""
     import argparse
     parser = argparse.ArgumentParser(formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    parser.add_argument('--reliable', action='store_true', help=f'{verb} with reliable delivery instead of best effort')
-    parser.add_argument('-n', '--number_of_cycles', type=int, default=20, help='how many messages to handle before ending')
+    parser.add_argument('--reliable', action='store_true', help=f'{verb} reliably instead of best effort')
+    parser.add_argument('-n', '--number_of_cycles', type=int, default=20, help='messages before ending')
     options = parser.parse_args(remove_ros_args(arguments)[1:])
     qos = QoSProfile(depth=10) if options.reliable else qos_profile_sensor_data
 

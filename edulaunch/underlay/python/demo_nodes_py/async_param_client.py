@@ -13,7 +13,8 @@ from rclpy.parameter_client import AsyncParameterClient
 from demo_nodes_py._running import run
 
 REMOTE = 'parameter_blackboard'
-VALUES = [Parameter('int_parameter', Parameter.Type.INTEGER, 10), Parameter('bool_parameter', Parameter.Type.BOOL, False),
+VALUES = [Parameter('int_parameter', Parameter.Type.INTEGER, 10),
+          Parameter('bool_parameter', Parameter.Type.BOOL, False),
           Parameter('string_parameter', Parameter.Type.STRING, 'Fee Fi Fo Fum')]
 NAMES = [parameter.name for parameter in VALUES]
 
@@ -31,7 +32,7 @@ def work() -> None:
     for name in sorted(_reply(node, client.list_parameters(NAMES, 10)).result.names):
         log.info(f'    - {name}')
     log.info('Getting parameters:')
-    for name, value in zip(NAMES, _reply(node, client.get_parameters(NAMES)).values):
+    for name, value in zip(NAMES, _reply(node, client.get_parameters(NAMES)).values, strict=False):
         log.info(f'    - {name}: {parameter_value_to_python(value)}')
     log.info('Loading parameters:')
     file = os.path.join(get_package_share_directory('demo_nodes_py'), 'params.yaml')
@@ -46,7 +47,7 @@ def _reply(node: Node, future: Any) -> Any:
 
 
 def _say_results(node: Node, names: list[str], future: Any) -> None:
-    for name, result in zip(names, _reply(node, future).results):
+    for name, result in zip(names, _reply(node, future).results, strict=False):
         node.get_logger().info(f'    {name}:')
         node.get_logger().info(f'        successful: {result.successful}')
         if result.reason:

@@ -1,4 +1,4 @@
-"""The program set_parameters_callback: the three moments at which a node can have its say on a new parameter value."""
+"""The program set_parameters_callback: the three moments at which a node has its say on a new value."""
 from __future__ import annotations
 
 from rcl_interfaces.msg import SetParametersResult
@@ -9,7 +9,7 @@ from demo_nodes_py._running import spin
 
 
 class SetParametersCallback(Node):
-    """Setting param1 also sets param2 to 4.0 (before), both must not be negative (on), and both are remembered (after)."""
+    """Setting param1 sets param2 to 4.0 too (before); neither may be negative (on); both are kept (after)."""
 
     def __init__(self) -> None:
         super().__init__('set_parameters_callback')
@@ -19,8 +19,9 @@ class SetParametersCallback(Node):
         self.add_post_set_parameters_callback(self._after)
 
     def _before(self, parameters: list[Parameter]) -> list[Parameter]:
-        follow = [Parameter('param2', Parameter.Type.DOUBLE, 4.0) for parameter in parameters if parameter.name == 'param1']
-        return [*parameters, *follow]
+        if any(parameter.name == 'param1' for parameter in parameters):
+            return [*parameters, Parameter('param2', Parameter.Type.DOUBLE, 4.0)]
+        return parameters
 
     def _check(self, parameters: list[Parameter]) -> SetParametersResult:
         for parameter in parameters:

@@ -21,18 +21,19 @@ if TYPE_CHECKING:
 class ParameterArguments:
     """The parameters of one node.
 
+    :param node_name: the node's name as far as it is known.
     :param node_key: what stands above the values in generated files: the node's full name, or `/**`.
     :param origin: where the launch file made the node.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
     :ivar origins: parameter name -> where its value was written, for values that do not come from a file.
     """
 
-    def __init__(self, node_key: str, origin: Optional[Origin]) -> None:
+    def __init__(self, node_name: str, node_key: str, origin: Optional[Origin]) -> None:
         self.items: List[Tuple[str, bool]] = []
         self.origins: Dict[str, str] = {}
         self._node_key = node_key
         self._here = 'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
-        self._files = TemporaryFiles()
+        self._files = TemporaryFiles(f'{node_name} {self._here}')
 
     def add_global(self, entries: Iterable[Union[str, Tuple[str, Any]]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""

@@ -13,18 +13,21 @@ Written = Tuple[str, int]
 class TemporaryFiles:
     """Files `launch_params_XXXXXXXX` in the temporary folder.
 
-    The name is made from the content and a count, so that command lines (which are recorded) repeat from run to run. Two runs
-    at the same time may write the same file: each replaces it whole, with equal content.
+    The name is made from the content, the owner and a count, so that command lines (which are recorded) repeat from run to run.
+    Two runs at the same time may write the same file: each replaces it whole, with equal content.
+
+    :param owner: a text that tells apart the owners in one run.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, owner: str = '') -> None:
+        self._owner = owner
         self._written: list[Written] = []
         self._finalizer = weakref.finalize(self, _remove, self._written)
 
     def write(self, text: str) -> str:
         """Write a new file; gives its path."""
         import hashlib
-        digest = hashlib.sha256(f'{len(self._written)}\n{text}'.encode()).hexdigest()[:8]
+        digest = hashlib.sha256(f'{self._owner}\n{len(self._written)}\n{text}'.encode()).hexdigest()[:8]
         path = os.path.join(tempfile.gettempdir(), f'launch_params_{digest}')
         handle, draft = tempfile.mkstemp(prefix='launch_params_')
         with open(handle, 'w', encoding='utf-8') as stream:

@@ -65,7 +65,8 @@ class Entity(BaseEntity):
         if optional:
             return None
         raise self._missing(
-            AttributeError(f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
+            AttributeError(
+                f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
             f"the attribute '{name}'")
 
     def _typed(self, name: str, text: str, data_type: Any, can_be_str: bool) -> Any:

@@ -1,6 +1,7 @@
 """Reading launch files in XML."""
 from __future__ import annotations
 
+import os
 from typing import TextIO
 
 from launch.frontend import hints
@@ -14,13 +15,13 @@ class Parser(BaseParser):
     """Reads launch files in XML."""
 
     @classmethod
-    def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
+    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """The root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises xml.etree.ElementTree.ParseError: when the text is not well-formed XML.
         :raises ValueError: when it declares entities or is nested too deep.
         """
-        if isinstance(file, str) or not hasattr(file, 'read'):
+        if isinstance(file, (str, os.PathLike)):
             with open(file, encoding='utf-8') as stream:
                 return cls.load(stream)
         parser = cls()

@@ -1,7 +1,7 @@
 """From XML text to elements that know their line.
 
-Launch files come from strangers: nothing outside the text is ever read, entities cannot be declared (so none can be
-multiplied), and nesting has a limit.
+Launch files come from strangers: nothing outside the text is ever read, no entity can be declared (so none can
+be multiplied), and nesting has a limit.
 """
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def read(text: str) -> Element:
     """The root element.
 
     :raises xml.etree.ElementTree.ParseError: with the text and position of the standard library's parser.
-    :raises ValueError: for a document that declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.
+    :raises ValueError: when the text declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.
     """
     return _Reading().root_of(text)
 

@@ -71,7 +71,7 @@ class Entity(BaseEntity):
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
                  can_be_str: bool = True) -> Any:
-        """The value under the key `name`, which must have the type already; or children for `List[Entity]`."""
+        """The value under the key `name`, which must have the type; or children for `List[Entity]`."""
         self.asked.append(name)
         element = self._element
         if not isinstance(element, dict) or name not in element:

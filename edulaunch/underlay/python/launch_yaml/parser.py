@@ -1,6 +1,7 @@
 """Reading launch files in YAML."""
 from __future__ import annotations
 
+import os
 from typing import Any, TextIO
 
 from launch.frontend import hints
@@ -13,13 +14,13 @@ class Parser(BaseParser):
     """Reads launch files in YAML."""
 
     @classmethod
-    def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
+    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """The root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises yaml.YAMLError: when the text is not YAML.
         :raises RuntimeError: when there is more than one root.
         """
-        if isinstance(file, str) or not hasattr(file, 'read'):
+        if isinstance(file, (str, os.PathLike)):
             with open(file, encoding='utf-8') as stream:
                 return cls.load(stream)
         parser = cls()

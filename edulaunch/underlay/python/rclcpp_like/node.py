@@ -11,14 +11,15 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
 from rclcpp_like.parameter_rules import range_refusal, type_refusal
 
-_EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
+_EVENT_QOS = (
+    ('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
 
 
 class CppNode(Node):
     """A node that others take for a C++ node.
 
-    It listens to /parameter_events, has the read-only qos_overrides parameters of that topic, and refuses parameter
-    values in rclcpp's words. A bad value given at start-up is an error that ends the program.
+    It listens to /parameter_events, has the read-only qos_overrides parameters of that topic, and refuses
+    parameter values in rclcpp's words. A bad value given at start-up is an error that ends the program.
     """
 
     def __init__(self, node_name: str, **options: Any) -> None:
@@ -73,7 +74,7 @@ class CppNode(Node):
         if descriptor.read_only:
             return f"parameter '{name}' cannot be set because it is read-only"
         declared = self.get_parameter(name).type_
-        if not descriptor.dynamic_typing and Parameter.Type.NOT_SET not in (declared, parameter.type_):
-            if parameter.type_ != declared:
-                return type_refusal(name, declared, parameter.type_)
+        free = descriptor.dynamic_typing or Parameter.Type.NOT_SET in (declared, parameter.type_)
+        if not free and parameter.type_ != declared:
+            return type_refusal(name, declared, parameter.type_)
         return range_refusal(name, parameter.value, descriptor)

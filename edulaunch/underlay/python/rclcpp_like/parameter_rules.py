@@ -20,7 +20,7 @@ def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> 
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
-    """The reason for refusing a number outside the descriptor's range or off its steps; None when it is inside."""
+    """The reason for refusing a number outside the descriptor's range or off its steps, or None."""
     for limits in descriptor.integer_range:
         if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
             return f"Parameter {{{name}}} doesn't comply with integer range."

@@ -15,8 +15,8 @@ from rclcpp_like.errors import cpp_name_of
 def run_program(main: Callable[[], int | None]) -> int:
     """Run `main` between rclpy's init and shutdown, and answer the exit code a C++ program would have.
 
-    Ctrl-C is said in the log and ends the program well. An exception that C++ has too is printed the way its runtime
-    does, and aborts (signal 6).
+    Ctrl-C is said in the log and ends the program well. An exception that C++ has too is printed the way its
+    runtime does, and aborts (signal 6).
     """
     try:
         rclpy.init()
@@ -30,7 +30,8 @@ def run_program(main: Callable[[], int | None]) -> int:
         if name is None:
             raise
         process = current_process()
-        process.write('stderr', f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n")
+        text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
+        process.write('stderr', text)
         process.exit_now(-signal.SIGABRT)
     finally:
         rclpy.try_shutdown()

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.sim.task import current_task
+from edulaunch.processes.current import current_process
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import ROSInterruptException
 from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
@@ -85,6 +85,7 @@ class Timer(Entity):
         self._plan()
 
     def _run(self, executor: Executor) -> Any:
+        self._queued = False
         if self._canceled or self._destroyed:
             return None
         clock = self._clock
@@ -177,9 +178,9 @@ class Rate:
         self._check()
         called = self._called
         executor = self._timer._ready_list.executor
-        if executor is None or executor._cannot_serve(self._timer):
-            current_task().owner.note('deadlock', 'rate.sleep() waits for a timer that only a spinning executor can call, and '
-                                      'none can: it is called inside a callback, or nothing spins. Spin in another thread.')
+        if executor is not None and executor._cannot_serve(self._timer):
+            current_process().note('deadlock', 'rate.sleep() inside a callback waits for ever: the executor that would call its '
+                                   'timer is busy with this callback. Use a timer instead, or spin in another thread.')
         while self._called == called and self._context._ok and not self._is_destroyed:
             self._context.park()
         self._check()

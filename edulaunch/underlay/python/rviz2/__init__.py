@@ -1,1 +1,1 @@
-"""rviz2 without a window: it reads its config, joins tf as RViz does, and leaves the picture to the recording."""
+"""rviz2 without a window: it reads its config, joins tf as RViz does, and leaves pictures to a recording."""

@@ -12,7 +12,7 @@ from rviz2._config import View, read_view
 
 
 class Rviz(CppNode):
-    """Loads a config, says what it asks to see, and listens to tf when it has a TF display (or when there is no config)."""
+    """Loads a config, says what it asks to see, and listens to tf when it has a TF display."""
 
     def __init__(self, config: str | None, fixed_frame: str | None) -> None:
         super().__init__('rviz')
@@ -20,21 +20,23 @@ class Rviz(CppNode):
         if fixed_frame is not None:
             view = view._replace(fixed_frame=fixed_frame)
         log = self.get_logger()
-        log.info(f"View: {view.view_type}, fixed frame '{view.fixed_frame}', displays: {', '.join(view.displays) or 'none'}")
+        displays = ', '.join(view.displays) or 'none'
+        log.info(f"View: {view.view_type}, fixed frame '{view.fixed_frame}', displays: {displays}")
         log.info('edulaunch opens no RViz window: the pictures come from the recording')
         if view.shows_tf:
             self._buffer = Buffer()
             self._listener = TransformListener(self._buffer, self)
 
     def _load(self, config: str) -> View:
+        log = self.get_logger()
         try:
             view = read_view(config)
         except OSError as error:
-            self.get_logger().error(f"Could not load display config '{config}': {error.strerror}")
+            log.error(f"Could not load display config '{config}': {error.strerror}")
         except ValueError as error:
-            self.get_logger().error(f"Could not load display config '{config}': it is not an RViz config: {error}")
+            log.error(f"Could not load display config '{config}': it is not an RViz config: {error}")
         else:
-            self.get_logger().info(f"Loaded display config '{config}'")
+            log.info(f"Loaded display config '{config}'")
             return view
         return View(displays=('Grid',))
 

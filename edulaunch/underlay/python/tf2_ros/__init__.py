@@ -12,13 +12,12 @@ _EXPORTS = {
                      'TransformRegistration', 'TypeException', 'convert'), 'tf2_ros.buffer_interface'),
     'Buffer': 'tf2_ros.buffer',
     'BufferClient': 'tf2_ros.buffer_client',
-    'BufferServer': 'tf2_ros.buffer_server',
     'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
     'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
     'TransformListener': 'tf2_ros.transform_listener',
 }
-_MODULES = ('buffer', 'buffer_client', 'buffer_interface', 'buffer_server', 'static_transform_broadcaster',
-            'transform_broadcaster', 'transform_listener')
+_MODULES = ('buffer', 'buffer_client', 'buffer_interface', 'static_transform_broadcaster', 'transform_broadcaster',
+            'transform_listener')
 
 __all__ = sorted(_EXPORTS)  # noqa: PLE0605
 

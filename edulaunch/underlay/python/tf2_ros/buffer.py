@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from tf2_py import BufferCore
+from tf2_py._times import nanoseconds
 from tf2_ros.buffer_interface import BufferInterface
 
 from edulaunch.sim.sync import sleep
+from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 POLL_S = 0.02
+NO_WAIT = Duration()
 
 
 class Buffer(BufferCore, BufferInterface):
@@ -64,32 +67,32 @@ class Buffer(BufferCore, BufferInterface):
             callback()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any,
-                         timeout: Duration = Duration()) -> TransformStamped:
+                         timeout: Duration = NO_WAIT) -> TransformStamped:
         """The transform that maps coordinates given in the source frame into the target frame.
 
         :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames have data.
         :param timeout: how long to wait for it; the node's executor stands still meanwhile, as in ROS 2.
         :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException.
         """
-        if timeout.nanoseconds:
+        if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                              fixed_frame: str, timeout: Duration = Duration()) -> TransformStamped:
+                              fixed_frame: str, timeout: Duration = NO_WAIT) -> TransformStamped:
         """The transform between frames at two different times, over a frame that does not move meanwhile."""
-        if timeout.nanoseconds:
+        if timeout is not NO_WAIT:
             self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration(),
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT,
                       return_debug_tuple: bool = False) -> Any:
         """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         return answer if return_debug_tuple else answer[0]
 
     def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                           fixed_frame: str, timeout: Duration = Duration(), return_debug_tuple: bool = False) -> Any:
+                           fixed_frame: str, timeout: Duration = NO_WAIT, return_debug_tuple: bool = False) -> Any:
         """:meth:`can_transform` for :meth:`lookup_transform_full`."""
         answer = self._wait_for(lambda: self.can_transform_full_core(
             target_frame, target_time, source_frame, source_time, fixed_frame), timeout)
@@ -97,12 +100,14 @@ class Buffer(BufferCore, BufferInterface):
 
     def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
         """Ask every 20 ms of simulated time until the answer is yes or the timeout is over."""
-        remaining_s = timeout.nanoseconds * 1e-9
+        timeout_ns = nanoseconds(timeout, 'duration')
         answer = check()
-        while not answer[0] and remaining_s > 1e-12:
-            sleep(min(POLL_S, remaining_s))
-            remaining_s -= POLL_S
-            answer = check()
+        if timeout_ns > 0 and not answer[0]:
+            sim = current_task().sim
+            deadline_ns = sim.now_ns + timeout_ns
+            while not answer[0] and sim.now_ns < deadline_ns:
+                sleep(POLL_S)
+                answer = check()
         return answer
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:

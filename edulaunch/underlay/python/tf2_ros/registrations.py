@@ -42,7 +42,8 @@ class TransformRegistration:
     def print_me(self) -> None:
         """Print the registered types and the names of their functions."""
         shown = {**_provided['transform'], **_own('transform')}
-        print({key: function.__name__ for key, function in shown.items()})
+        text = str({key: function.__name__ for key, function in shown.items()})
+        current_process().write('stdout', f'{text}\n')
 
     def add(self, key: Key, callback: Callable[..., Any]) -> None:
         """Use `callback(object, TransformStamped)` for objects of type `key`."""

@@ -17,7 +17,7 @@ class CarrotPublisher(Node):
         self._timer = self.create_timer(PERIOD_S, self._on_timer)
 
     def place(self, seconds: int) -> tuple[float, float]:
-        """x and y of the carrot in the turtle's frame, metres; `seconds` is the whole seconds of the node's time."""
+        """x and y of the carrot in the turtle's frame, metres, at the node's time in whole `seconds`."""
         return 0.0, 2.0
 
     def _on_timer(self) -> None:

@@ -8,7 +8,7 @@ from turtlesim.srv import Spawn
 
 
 class SpawningNode(Node):
-    """Asks for a turtle at (4, 2, 0); each step of the 1 s timer does one thing: ask, see the reply, then `on_step`."""
+    """Asks for a turtle at (4, 2, 0). Each second does one thing: ask, see the reply, then `on_step`."""
 
     def __init__(self, node_name: str, turtle: str) -> None:
         super().__init__(node_name)

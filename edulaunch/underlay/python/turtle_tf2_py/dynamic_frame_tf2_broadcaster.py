@@ -8,7 +8,7 @@ from turtle_tf2_py._programs import spin
 
 
 class DynamicFramePublisher(CarrotPublisher):
-    """Ten metres away. The angle is pi times *whole* seconds, as upstream has it: the carrot flips once a second."""
+    """Ten metres away, at an angle of pi times *whole* seconds, as upstream has it: it flips each second."""
 
     def place(self, seconds: int) -> tuple[float, float]:
         """On the y axis of the turtle's frame, but for rounding."""

@@ -1,4 +1,4 @@
-"""The program turtle_tf2_message_broadcaster: turtle3 drives a circle and says where it is as stamped points."""
+"""The program turtle_tf2_message_broadcaster: turtle3 drives a circle and sends stamped points."""
 from __future__ import annotations
 
 from typing import Any

@@ -20,8 +20,9 @@ class WaffleSimulator(CppNode):
     """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
 
     TurtleBot3 takes TwistStamped since Jazzy and took Twist before; a real robot is set to one of them by
-    `enable_stamped_cmd_vel`. Both are understood here at once, so that a program of either time drives the robot: with
-    the parameter true (the default) a plain Twist is followed and warned about once, with false a TwistStamped.
+    `enable_stamped_cmd_vel`. Both are understood here at once, so that a program of either time drives the
+    robot: with the parameter true (the default) a plain Twist is followed and warned about once, with false a
+    TwistStamped.
     """
 
     def __init__(self) -> None:
@@ -45,8 +46,9 @@ class WaffleSimulator(CppNode):
     def _drive(self, twist: Any, type_name: str, expected: bool) -> None:
         if not expected:
             other = 'Twist' if type_name == 'TwistStamped' else 'TwistStamped'
-            self.get_logger().warning(f'Following a geometry_msgs/msg/{type_name} on cmd_vel; a real TurtleBot3 set up like '
-                                      f'this one expects geometry_msgs/msg/{other}', once=True)
+            self.get_logger().warning(
+                f'Following a geometry_msgs/msg/{type_name} on cmd_vel; a real TurtleBot3 set up like this '
+                f'one expects geometry_msgs/msg/{other}', once=True)
         self._robot.command(twist.linear.x, twist.angular.z, self.get_clock().now().nanoseconds)
 
     def _on_timer(self) -> None:

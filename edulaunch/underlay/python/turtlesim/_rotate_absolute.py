@@ -14,7 +14,7 @@ from turtlesim.action import RotateAbsolute
 class RotateAbsoluteServer:
     """Takes every goal and every cancel request at once; the newest goal wins.
 
-    The turning itself is the turtle's update; `goal` is the handle of the goal being followed, None when there is none.
+    The turning itself is the turtle's update; `goal` is the handle of the goal being followed, or None.
     """
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
@@ -58,7 +58,8 @@ class RotateAbsoluteServer:
 
     def _on_accepted(self, goal: Any) -> None:
         if self.goal is not None:
-            self._log.warning('Rotation goal received before a previous goal finished. Aborting previous goal')
+            self._log.warning(
+                'Rotation goal received before a previous goal finished. Aborting previous goal')
             self.abort()
         self.goal = goal
         self._result = RotateAbsolute.Result()

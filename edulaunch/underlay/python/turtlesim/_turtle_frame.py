@@ -17,7 +17,7 @@ BACKGROUND = (('background_r', 'Red', 69), ('background_g', 'Green', 86), ('back
 
 
 class TurtleFrame:
-    """The node behind the turtle window. All names are relative: a namespace moves turtles and services along."""
+    """The node behind the turtle window. All names are relative: a namespace moves them along."""
 
     def __init__(self) -> None:
         self.node = CppNode('turtlesim')
@@ -45,7 +45,7 @@ class TurtleFrame:
             description='If true, then turtles will be holonomic'))
 
     def update(self) -> None:
-        """One tick of all turtles; the very first only notes that time has begun (it has not while the clock reads 0)."""
+        """One tick of all turtles. The first only notes that time has begun: not while the clock reads 0."""
         now_ns: int = self._clock.now().nanoseconds
         if not self._started:
             self._started = now_ns != 0
@@ -56,7 +56,8 @@ class TurtleFrame:
     def _welcome(self, turtle: Turtle) -> None:
         self._ports[turtle.name] = TurtlePorts(self.node, turtle)
         self._order()
-        self._log.info(f'Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]')
+        place = f'x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]'
+        self._log.info(f'Spawning turtle [{turtle.name}] at {place}')
 
     def _order(self) -> None:
         self._in_order = [self._ports[turtle.name] for turtle in self._world.turtles]

@@ -17,7 +17,7 @@ DEPTH = 7
 
 
 class TurtlePorts:
-    """Connects a turtle of the world with ROS. Its names start with the turtle's, relative to the node's namespace."""
+    """Connects a turtle of the world with ROS, under names that start with the turtle's and are relative."""
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
         self.turtle = turtle
@@ -51,7 +51,7 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
 
-        The messages are made once and written into without the fields' checks: publishing takes a snapshot, and the
+        The messages are made once and written into past the fields' checks: publishing takes a snapshot, and the
         world's numbers are what the fields want.
         """
         turtle = self.turtle
@@ -77,7 +77,8 @@ class TurtlePorts:
             color._r, color._g, color._b = self._last_color = turtle.color
         self._colors.publish(self._color)
         if self._debug:
-            self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
+            self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} '
+                            f'theta: {turtle.theta:f}')
 
     def _on_command(self, twist: Any) -> None:
         holonomic = self._node.get_parameter('holonomic').value

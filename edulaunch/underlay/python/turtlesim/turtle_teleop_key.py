@@ -13,10 +13,13 @@ from turtlesim.action import RotateAbsolute
 
 KEY_PERIOD_S = 0.5  # given text is typed at this rate, so that a command has time to act
 ESCAPE = '\x1b'
-ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}  # up, down, right, left: linear, angular
-HEADINGS = {'g': 0.0, 't': 0.7854, 'r': 1.5708, 'e': 2.3562, 'd': 3.1416, 'c': -2.3562, 'v': -1.5708, 'b': -0.7854}
+# linear and angular of the arrows up, down, right, left
+ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}
+HEADINGS = {
+    'g': 0.0, 't': 0.7854, 'r': 1.5708, 'e': 2.3562, 'd': 3.1416, 'c': -2.3562, 'v': -1.5708, 'b': -0.7854}
 WELCOME = ('Reading from keyboard', '-' * 27, 'Use arrow keys to move the turtle.',
-           "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.", "'Q' to quit.")
+           "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
+           "'Q' to quit.")
 
 
 class TeleopTurtle(CppNode):

@@ -11,8 +11,7 @@ from . import hints
 class Entity(ABC):
     """One element: its name, its attributes and the elements inside it.
 
-    Attributes and children that nobody asked for are errors (:meth:`assert_entity_completely_parsed`): as a rule
-    they are misspelt.
+    Attributes and children that no parse function asks for are errors: as a rule they are misspelt.
     """
 
     __slots__ = ('asked',)

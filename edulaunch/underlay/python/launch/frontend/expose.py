@@ -40,7 +40,7 @@ def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorator: make an action available as the element `name`; its `parse` gets the entity and the parser."""
+    """Decorator: make an action available as the element `name`; its `parse` gets entity and parser."""
     return __expose_impl(name, action_parse_methods, 'action')
 
 
@@ -59,8 +59,8 @@ def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
 def _same_code(known: ParseMethod, new: ParseMethod) -> bool:
     """Whether both come from one definition.
 
-    A launch file that exposes its own element may be executed many times in one interpreter; upstream, each run is a
-    new one. Cells of a notebook count as one definition, whatever was edited in them.
+    A launch file that exposes its own element may be executed many times in one interpreter; upstream each
+    run has a new one. Cells of a notebook count as one definition, whatever was edited in them.
     """
     return _place(known) == _place(new)
 

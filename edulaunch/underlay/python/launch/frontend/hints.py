@@ -19,7 +19,8 @@ ROS_1_ATTRIBUTES = {
     ('node', 'type'): 'exec', ('node', 'ns'): 'namespace', ('node', 'required'): 'on_exit',
     ('node', 'executable'): 'exec', ('node', 'package'): 'pkg', ('node', 'parameters'): 'param',
     ('node', 'arguments'): 'args', ('node', 'remappings'): 'remap',
-    ('group', 'ns'): '<push_ros_namespace namespace="..."/>', ('include', 'ns'): '<push_ros_namespace> in a <group>',
+    ('group', 'ns'): '<push_ros_namespace namespace="..."/>',
+    ('include', 'ns'): '<push_ros_namespace namespace="..."/> in a <group>',
     ('arg', 'doc'): 'description', ('arg', 'value'): 'default', ('push_ros_namespace', 'ns'): 'namespace',
 }
 ROS_1_CALLS = {'arg': '$(var ...)', 'find': '$(find-pkg-share ...)', 'optenv': '$(env NAME DEFAULT)',
@@ -42,15 +43,15 @@ def at(error: Error, entity: Entity, hint: str | None) -> Error:
 
 
 def complete(error: BaseException, file: str, entity: Entity) -> None:
-    """Called while `error` is on its way out of `entity`: add what is still missing. The innermost element wins."""
+    """For an `error` on its way out of `entity`: add what is still missing; the innermost element wins."""
     known: Any = error
     if hasattr(error, 'edulaunch_help'):
         return
     if not hasattr(error, 'edulaunch_line'):
         at(error, entity, getattr(error, 'edulaunch_hint', None))
     known.edulaunch_file = file
-    place = f'{file or "<string>"}:{known.edulaunch_line}'
-    known.edulaunch_help = f'{place}: {getattr(error, "edulaunch_hint", None) or "in " + known.edulaunch_shown}'
+    hint = getattr(error, 'edulaunch_hint', None) or f'in {known.edulaunch_shown}'
+    known.edulaunch_help = f'{file or "<string>"}:{known.edulaunch_line}: {hint}'
 
 
 def about_element(entity: Entity) -> str:
@@ -67,8 +68,7 @@ def about_element(entity: Entity) -> str:
 
 def about_name(name: str, entity: Entity) -> str:
     """For an attribute or child that the element does not have."""
-    element = str(entity.type_name).replace('-', '_')
-    instead = ROS_1_ATTRIBUTES.get((element, name)) or ROS_1_ATTRIBUTES.get((element.replace('executable', 'node'), name))
+    instead = ROS_1_ATTRIBUTES.get((str(entity.type_name).replace('-', '_'), name))
     near = instead or _nearest(str(name), entity.asked)
     shown = near if near is None or near.startswith('<') else f"'{near}'"
     return f"{entity.shown} knows no '{name}'" + (f'; did you mean {shown}?' if shown else '')
@@ -79,7 +79,7 @@ def about_call(name: str) -> str | None:
     if name in ROS_1_CALLS:
         return f'write {ROS_1_CALLS[name]} instead of $({name} ...)'
     if name in substitution_parse_methods:
-        return f'look at the arguments of $({name} ...): one space before each, quotes around what contains spaces'
+        return f'look at the arguments of $({name} ...): one space before each, quotes where it has spaces'
     near = _nearest(name, substitution_parse_methods)
     return f'$({name} ...) is no substitution' + (f'; did you mean $({near} ...)?' if near else '')
 
@@ -90,7 +90,7 @@ def _nearest(name: str, names: Any) -> str | None:
 
 
 def complete_unreadable(error: Any, file: str) -> None:
-    """For an error of a text that is not in its format: add the place and, when nothing better is known, the problem."""
+    """For the error of a text that is not in its format: add the place and the problem."""
     mark = getattr(error, 'problem_mark', None)
     line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else 0)
     problem = getattr(error, 'edulaunch_hint', None) or getattr(error, 'problem', None) or str(error)

@@ -1,7 +1,7 @@
 """Reading a launch file in any format other than Python."""
 from __future__ import annotations
 
-from abc import ABC
+import os
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -30,7 +30,7 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
 
 
-class Parser(ABC):
+class Parser:
     """Makes a launch description from the elements of a file; each format has a subclass that reads the text.
 
     :cvar extensions_loaded: whether launch extensions of installed packages were looked for.
@@ -104,7 +104,7 @@ class Parser(ABC):
     # The file
 
     @classmethod
-    def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
+    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """The root element of a file (its path, or an open text stream) and the parser for it.
 
         Formats that claim the file's name are tried first, then all others.
@@ -112,7 +112,7 @@ class Parser(ABC):
         :raises InvalidFrontendLaunchFileError: when no format reads it.
         :raises FileNotFoundError: when there is no such file.
         """
-        if isinstance(file, str) or not hasattr(file, 'read'):
+        if isinstance(file, (str, os.PathLike)):
             with open(file, encoding='utf-8') as stream:
                 return cls._load_stream(stream)
         return cls._load_stream(file)
@@ -185,7 +185,7 @@ class Parser(ABC):
     @classmethod
     def get_file_extensions_from_parsers(cls) -> list[str]:
         """The extensions of all formats."""
-        return [extension for parser in cls._all_parsers() for extension in sorted(parser.get_file_extensions())]
+        return [name for parser in cls._all_parsers() for name in sorted(parser.get_file_extensions())]
 
     @classmethod
     def is_filename_valid(cls, filename: str) -> bool:

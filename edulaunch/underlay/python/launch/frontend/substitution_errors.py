@@ -32,11 +32,11 @@ class UnexpectedCharacters(UnexpectedInput):
     """
 
     def __init__(self, text: str, position: int, expected: str) -> None:
-        line = text.count('\n', 0, position) + 1
-        column = position - text.rfind('\n', 0, position)
-        super().__init__(
-            f"No terminal matches '{text[position]}' in the current parser context, at line {line} col {column}\n\n"
-            f'{_pointing_at(text, position)}Expected one of: \n\t* {expected}\n', text, position)
+        super().__init__('', text, position)
+        place = f'at line {self.line} col {self.column}'
+        message = (f"No terminal matches '{text[position]}' in the current parser context, {place}\n\n"
+                   f'{_pointing_at(text, position)}Expected one of: \n\t* {expected}\n')
+        self.args = (message,)
 
 
 class UnexpectedEOF(UnexpectedInput):

@@ -2,10 +2,10 @@ r"""The grammar of `$(...)`: from a text to literal pieces and calls.
 
 ::
 
-    text       = (call | literal)*                        $ without ( is literal, \ takes the next character as it is
-    call       = '$(' name (' ' argument)* ')'            name: LETTER (LETTER | DIGIT | _ | -)*
+    text       = (call | literal)*                 $ without ( is literal; \ takes the next character as it is
+    call       = '$(' name (' ' argument)* ')'     name: LETTER (LETTER | DIGIT | _ | -)*
     argument   = (call | bare)+ | "'" quoted* "'" | '"' quoted* '"'
-    bare       = no space ' " \ $ ( )                     quoted: anything but its own quote
+    bare       = no space ' " \ $ ( )              quoted: anything but its own quote
 
 Exactly one space stands before an argument and none before the closing parenthesis, as upstream.
 """
@@ -88,7 +88,7 @@ class _Reader:
         """One `$(...)`, starting at its dollar sign."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
-            raise SubstitutionSyntaxError(f'More than {MAX_DEPTH} substitutions $(...) stand inside each other.')
+            raise SubstitutionSyntaxError(f'more than {MAX_DEPTH} substitutions stand inside each other')
         self.position += 2
         name = _NAME.match(self.text, self.position)
         if name is None:

@@ -14,7 +14,7 @@ Keywords = Callable[[list[Argument]], dict[str, Any]]
 
 
 def _takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
-    """Keyword arguments by position: at least `minimum` and at most all of `names`; else `error` with `text`."""
+    """Keyword arguments by position, from `minimum` up to all of `names`; else `error` with `text`."""
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):
             raise error(text)
@@ -27,8 +27,11 @@ def _takes_all(arguments: list[Argument]) -> dict[str, Any]:
     return {'args': arguments}
 
 
+_EXPRESSION = _takes('eval substitution expects 1 or 2 arguments', 1, 'expression', 'python_modules')
+
+
 def _takes_expression(arguments: list[Argument]) -> dict[str, Any]:
-    kwargs = _takes('eval substitution expects 1 or 2 arguments', 1, 'expression', 'python_modules')(arguments)
+    kwargs = _EXPRESSION(arguments)
     if 'python_modules' in kwargs:
         kwargs['python_modules'] = _module_names(kwargs['python_modules'])
     return kwargs
@@ -76,7 +79,8 @@ BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
     'equals': _makes('EqualsSubstitution', 'equals_substitution', _LEFT_RIGHT),
     'not-equals': _makes('NotEqualsSubstitution', 'not_equals_substitution', _LEFT_RIGHT),
     'if': _makes('IfElseSubstitution', 'if_else_substitution',
-                 _takes('if substitution expects 2 or 3 arguments', 2, 'condition', 'if_value', 'else_value')),
+                 _takes('if substitution expects 2 or 3 arguments', 2,
+                        'condition', 'if_value', 'else_value')),
     'file-content': _makes('FileContent', 'file_content',
                            _takes('file-content substitution expects 1 argument', 1, 'path',
                                   error=AttributeError)),
@@ -87,8 +91,8 @@ BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
                                   _takes('find-pkg-prefix substitution expects 1 argument', 1, 'package',
                                          error=AttributeError)),
     'exec-in-pkg': _makes_ros('ExecutableInPackage', 'executable_in_package',
-                              _takes('exec-in-pkg substitution expects 2 arguments', 2, 'executable', 'package',
-                                     error=AttributeError)),
+                              _takes('exec-in-pkg substitution expects 2 arguments', 2,
+                                     'executable', 'package', error=AttributeError)),
     'param': _makes_ros('Parameter', 'parameter',
                         _takes('param substitution expects 1 or 2 arguments', 1, 'name', 'default')),
 }

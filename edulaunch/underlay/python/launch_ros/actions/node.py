@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import launch.logging
@@ -182,7 +181,7 @@ class Node(ExecuteProcess):
     def __expand_parameters(self, context: LaunchContext) -> None:
         """Global parameters first, so that the node's own can overwrite them."""
         node_key = self.node_name if self.is_node_name_fully_specified() else '/**'
-        arguments = self.__parameter_arguments = ParameterArguments(node_key, self.origin)
+        arguments = self.__parameter_arguments = ParameterArguments(self.node_name, node_key, self.origin)
         arguments.add_global(context.launch_configurations.get('global_params', ()))
         if self.__parameters is not None:
             arguments.add_own(context, self.__parameters)

@@ -4,7 +4,8 @@ from launch_ros.actions import Node
 
 
 def broadcaster(name, turtle):
-    return Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name=name, parameters=[{'turtlename': turtle}])
+    return Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name=name,
+                parameters=[{'turtlename': turtle}])
 
 
 def generate_launch_description():
@@ -12,5 +13,6 @@ def generate_launch_description():
         Node(package='turtlesim', executable='turtlesim_node', name='sim', output='screen'),
         broadcaster('broadcaster1', 'turtle1'),
         broadcaster('broadcaster2', 'turtle3'),
-        Node(package='turtle_tf2_py', executable='turtle_tf2_message_broadcaster', name='message_broadcaster'),
+        Node(package='turtle_tf2_py', executable='turtle_tf2_message_broadcaster',
+             name='message_broadcaster'),
     ])

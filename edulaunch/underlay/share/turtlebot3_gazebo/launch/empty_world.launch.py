@@ -8,7 +8,8 @@ from launch.launch_description_sources import PythonLaunchDescriptionSource
 
 
 def generate_launch_description():
-    spawn = os.path.join(get_package_share_directory('turtlebot3_gazebo'), 'launch', 'spawn_turtlebot3.launch.py')
+    share = get_package_share_directory('turtlebot3_gazebo')
+    spawn = os.path.join(share, 'launch', 'spawn_turtlebot3.launch.py')
     return LaunchDescription([
         DeclareLaunchArgument('x_pose', default_value='0.0', description='Starting X-position of the robot'),
         DeclareLaunchArgument('y_pose', default_value='0.0', description='Starting Y-position of the robot'),

@@ -12,8 +12,8 @@ Word = list[Substitution]
 def words_of(text: str, parser: Parser) -> list[Word]:
     """The words of a command line; each is a list of substitutions.
 
-    Substitutions are found first, then the literal pieces between them are split as a shell would. A substitution
-    that touches a piece of text stays in one word with it; what comes out of a substitution is never split.
+    Substitutions are found first, then the literal pieces between them are split as a shell would. What
+    touches a substitution stays in one word with it, and what comes out of a substitution is never split.
 
     :raises ValueError: when a quote is not closed within one literal piece.
     """

@@ -1,4 +1,4 @@
-"""`<executable cmd= ...><env name= value=/></executable>`: a program; and the attributes nodes share with it."""
+"""`<executable cmd= ...><env name= value=/></executable>`: a program; nodes have its attributes too."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -6,7 +6,6 @@ from typing import Any
 
 from launch.actions.execute_process import ExecuteProcess
 from launch.actions.shutdown_action import Shutdown
-from launch.substitutions.text_substitution import TextSubstitution
 
 from ..entity import Entity
 from ..late_parse import Parsed
@@ -58,9 +57,8 @@ def process_attributes(entity: Entity, parser: Parser,
 def _add_output(kwargs: dict[str, Any], entity: Entity, parser: Parser) -> None:
     output = entity.get_attr('output', optional=True)
     if output is not None:
-        parsed = parser.parse_substitution(output)
-        literal = len(parsed) == 1 and isinstance(parsed[0], TextSubstitution)
-        kwargs['output'] = parsed[0].text if literal else parsed
+        # A plain text stays one: the action can tell at once whether it knows such an output.
+        kwargs['output'] = parser.parse_if_substitutions(output)
 
 
 def _add_on_exit(kwargs: dict[str, Any], entity: Entity) -> None:

@@ -1,4 +1,4 @@
-"""`<param name= value= type=/>`, nested `<param name=><param .../></param>` and `<param from= allow_substs=/>`."""
+"""`<param name= value= type=/>`, `<param from= allow_substs=/>`, and `<param name=>` with others inside."""
 from __future__ import annotations
 
 from typing import Any
@@ -17,7 +17,7 @@ _TYPES: dict[str, Any] = {
 
 
 def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
-    """The argument `parameters` of a node: files in order, then, as upstream, all named parameters in one dict.
+    """The argument `parameters` of a node: the files; then, as upstream, all named parameters in one dict.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
     """

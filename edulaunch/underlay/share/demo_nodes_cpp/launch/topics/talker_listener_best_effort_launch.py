@@ -5,5 +5,6 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        Node(package='demo_nodes_cpp', executable=program, output='screen') for program in ('talker', 'listener_best_effort')
+        Node(package='demo_nodes_cpp', executable=program, output='screen')
+        for program in ('talker', 'listener_best_effort')
     ])

@@ -1,0 +1,83 @@
+"""A node with a managed life cycle."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List, Optional
+
+import launch.logging
+from launch.event_handler import EventHandler
+from launch.some_substitutions_type import SomeSubstitutionsType
+
+from .._service_calls import call_service
+from ..events.lifecycle.change_state import ChangeState
+from ..events.lifecycle.state_transition import StateTransition
+from ..ros_adapters import get_ros_node
+from .node import Node
+
+if TYPE_CHECKING:
+    from launch.action import Action
+    from launch.event import Event
+    from launch.launch_context import LaunchContext
+
+
+class LifecycleNode(Node):
+    """A Node whose state launch can follow and change.
+
+    Its transitions arrive as :class:`launch_ros.events.lifecycle.StateTransition`; a
+    :class:`launch_ros.events.lifecycle.ChangeState` event makes it change. Both work through the node's topic
+    `transition_event` and service `change_state`.
+
+    :raises RuntimeError: on execution, when name or namespace are not known to the launch file.
+    """
+
+    def __init__(self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(name=name, namespace=namespace, **kwargs)
+        self.__subscription: Any = None
+        self.__current_state: Optional[int] = None
+
+    @property
+    def is_lifecycle(self) -> bool:
+        """True."""
+        return True
+
+    def execute(self, context: LaunchContext) -> Optional[List[Action]]:
+        """Start the node, listen to its transitions, and be ready for ChangeState events."""
+        self._perform_substitutions(context)
+        if not self.is_node_name_fully_specified():
+            raise RuntimeError('node_name unexpectedly incomplete for lifecycle node')
+        from lifecycle_msgs.msg import TransitionEvent
+
+        def on_transition(msg: Any) -> None:
+            self.__current_state = msg.goal_state.id
+            context.emit_event_sync(StateTransition(action=self, msg=msg))
+
+        self.__subscription = get_ros_node(context).create_subscription(
+            TransitionEvent, f'{self.node_name}/transition_event', on_transition, 10)
+        context.register_event_handler(EventHandler(
+            matcher=lambda event: isinstance(event, ChangeState) and event.lifecycle_node_matcher(self),
+            entities=[_change_state_action(self)]))
+        return super().execute(context)
+
+
+def _change_state_action(node: LifecycleNode) -> Action:
+    """An action that sends the ChangeState event that is handled just now."""
+    from launch.actions.opaque_function import OpaqueFunction
+
+    def send(context: LaunchContext) -> None:
+        event: Event = context.locals.event
+        context.add_completion_future(context.asyncio_loop.create_task(_change_state(context, node, event)))
+
+    return OpaqueFunction(function=send)
+
+
+async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any) -> None:
+    from lifecycle_msgs.srv import ChangeState as ChangeStateService
+    logger = launch.logging.get_logger(node.name)
+    request: Any = ChangeStateService.Request()
+    request.transition.id = event.transition_id
+    service = f'{node.node_name}/change_state'
+    response = await call_service(context, ChangeStateService, service, request)
+    if response is None:
+        logger.warning(f"Abandoning wait for the '{service}' service response, due to shutdown.")
+    elif not response.success:
+        logger.error(f"Failed to make transition '{ChangeState.valid_transitions[event.transition_id]}' "
+                     f"for LifecycleNode '{node.node_name}'")

@@ -1,0 +1,34 @@
+"""Where nodes write their log files."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, List
+
+from launch.action import Action
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+
+class SetROSLogDir(Action):
+    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder is put below the current one."""
+
+    def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__log_dir = normalize_to_list_of_substitutions(new_log_dir)
+
+    @property
+    def log_dir(self) -> List[Substitution]:
+        """The folder, to be evaluated."""
+        return self.__log_dir
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the environment variable."""
+        from launch.substitutions import LaunchLogDir
+        new = perform_substitutions(context, self.__log_dir)
+        current = context.environment.get('ROS_LOG_DIR') or LaunchLogDir().perform(context)
+        context.environment['ROS_LOG_DIR'] = os.path.join(current, new)

@@ -1,0 +1,103 @@
+"""Launch's own ROS node, for actions that call services or listen to topics."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, List, Optional
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+    from rclpy.node import Node
+
+_KEY = 'ros_adapter'
+
+
+class ROSAdapter:
+    """A private rclpy context with one node, `launch_ros_<pid>`, spun in a thread.
+
+    :param argv: command line arguments for rclpy.
+    :param autostart: call :meth:`start` at once.
+    """
+
+    def __init__(self, *, argv: Optional[List[str]] = None, autostart: bool = True) -> None:
+        self.__argv = [] if argv is None else argv
+        self.__ros_context: Any = None
+        self.__ros_node: Any = None
+        self.__ros_executor: Any = None
+        self.__thread: Any = None
+        if autostart:
+            self.start()
+
+    def start(self) -> None:
+        """Make the node and begin to spin it.
+
+        :raises RuntimeError: when it was started already.
+        """
+        if self.__ros_context is not None:
+            raise RuntimeError('Cannot start a ROS adapter that is already running')
+        import rclpy
+        from edulaunch.processes import current_process
+        from rclpy.executors import SingleThreadedExecutor
+        process = current_process()
+        self.__ros_context = rclpy.context.Context()
+        rclpy.init(args=self.__argv, context=self.__ros_context)
+        self.__ros_node = rclpy.create_node(f'launch_ros_{process.pid}', context=self.__ros_context)
+        self.__ros_executor = SingleThreadedExecutor(context=self.__ros_context)
+        self.__ros_executor.add_node(self.__ros_node)
+        self.__thread = process.start_thread(self._run, 'launch_ros', daemon=True)
+
+    def _run(self) -> None:
+        from rclpy.executors import ExternalShutdownException
+        try:
+            self.__ros_executor.spin()
+        except (ExternalShutdownException, KeyboardInterrupt):
+            return  # launch is shutting down
+
+    def shutdown(self) -> None:
+        """Stop spinning and destroy the node.
+
+        :raises RuntimeError: when it does not run.
+        """
+        if self.__ros_context is None:
+            raise RuntimeError('Cannot shutdown a ROS adapter that is not running')
+        import rclpy
+        self.__ros_executor.shutdown(0)
+        self.__ros_node.destroy_node()
+        rclpy.shutdown(context=self.__ros_context)
+        self.__ros_context = None
+
+    @property
+    def argv(self) -> List[str]:
+        """The arguments."""
+        return self.__argv
+
+    @property
+    def ros_context(self) -> Any:
+        """The rclpy context."""
+        return self.__ros_context
+
+    @property
+    def ros_node(self) -> Node:
+        """The node."""
+        node: Node = self.__ros_node
+        return node
+
+    @property
+    def ros_executor(self) -> Any:
+        """The executor."""
+        return self.__ros_executor
+
+
+def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
+    """The adapter of a launch, made at first use and shut down with launch."""
+    if _KEY not in context.get_locals_as_dict():
+        from launch.event_handlers import OnShutdown
+        adapter = ROSAdapter(argv=list(context.argv or ()))
+        context.extend_globals({_KEY: adapter})
+        context.register_event_handler(OnShutdown(on_shutdown=lambda *_: adapter.shutdown()))
+    found: ROSAdapter = getattr(context.locals, _KEY)
+    return found
+
+
+def get_ros_node(context: LaunchContext) -> Node:
+    """The node of :func:`get_ros_adapter`."""
+    return get_ros_adapter(context).ros_node

@@ -1,0 +1,217 @@
+"""The base of executors: nodes, tasks, executing and spinning."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import current_task
+from rclpy.execution.exceptions import ConditionReachedException, ShutdownException, TimeoutException
+from rclpy.execution.waiting import Item, Waiting, never
+from rclpy.readiness import Entity
+from rclpy.task import Future, Task
+from rclpy.utilities import timeout_sec_to_nsec
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+
+class TimeoutObject:
+    """A timeout that may be shortened while it is used."""
+
+    def __init__(self, timeout: float) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float:
+        """Seconds."""
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float) -> None:
+        self._timeout = timeout
+
+
+class Executor(Waiting):
+    """Base of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
+    subscriptions, guard conditions, clients and services; the next wait comes when all of that was executed.
+
+    An executor can be used as a context manager, which shuts it down.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        self._nodes: list[Node] = []
+        self._context._executors.append(self)
+
+    @property
+    def context(self) -> Context:
+        """The context that ends the executor with it."""
+        return self._context
+
+    def __enter__(self) -> Executor:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.shutdown()
+
+    def add_node(self, node: Node) -> bool:
+        """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
+        if self._is_shutdown:
+            raise ShutdownException()
+        if node in self._nodes:
+            return False
+        self._nodes.append(node)
+        node.executor = self
+        ready_list = node._rclpy.ready_list
+        ready_list.executor = self
+        self._lists.append(ready_list)
+        self.wake()
+        return True
+
+    def remove_node(self, node: Node) -> None:
+        """Execute this node's callbacks no more."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+            ready_list = node._rclpy.ready_list
+            self._lists.remove(ready_list)
+            if ready_list.executor is self:
+                ready_list.executor = None
+            self.wake()
+
+    def get_nodes(self) -> list[Node]:
+        """The nodes, in the order in which they came."""
+        return list(self._nodes)
+
+    def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
+        """Run a function or coroutine in the next turn."""
+        task = Task(callback, args, kwargs, executor=self)
+        self._tasks.append(task)
+        self._new_tasks = True
+        for waiting in self._waiting:
+            waiting.wake()
+        return task
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Execute nothing more; a wait ends."""
+        self._is_shutdown = True
+        self.wake()
+        for node in self.get_nodes():
+            self.remove_node(node)
+        if self in self._context._executors:
+            self._context._executors.remove(self)
+        return True
+
+    def wait_for_ready_callbacks(self, timeout_sec: float | TimeoutObject | None = None, nodes: list[Node] | None = None,
+                                 condition: Callable[[], bool] = never) -> tuple[Task, Any, Any]:
+        """For executors of one's own: the next (task, entity, node); call the task to execute it.
+
+        :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
+        """
+        item = self._take_item(_nanoseconds(timeout_sec), condition)
+        if isinstance(item, Task):
+            return item, None, None
+        node = next((node for node in self._nodes if node._rclpy.ready_list is item._ready_list), None)
+        return Task(lambda: self._run_entity(item), executor=self), item, node
+
+    def _take_item(self, timeout_ns: int, condition: Callable[[], bool]) -> Item:
+        deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
+        return self._next_item((timeout_ns, condition), deadline, timeout_ns == 0, condition)
+
+    def _execute(self, item: Item) -> None:
+        """Execute one item in place. Raises what its callback raises."""
+        if isinstance(item, Task):
+            item()
+            if item._exception is not None:
+                item.result()
+        else:
+            self._run_entity(item)
+
+    def _run_entity(self, entity: Entity) -> None:
+        if entity.callback_group.beginning_execution(entity):
+            self._run_begun(entity)
+        else:
+            self._put_back([entity])
+
+    def _run_begun(self, entity: Entity) -> None:
+        """Execute an entity whose group has let it begin."""
+        coroutine = None
+        try:
+            coroutine = entity._run(self)
+        finally:
+            if coroutine is None or not entity.is_async:
+                entity.callback_group.ending_execution(entity)
+        if coroutine is not None and entity.is_async:
+            self._run_coroutine(entity, coroutine)
+
+    def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
+        """Run a callback's coroutine as far as it goes; when it waits it goes on as a task, with its group held."""
+        async def guarded() -> None:
+            try:
+                await coroutine
+            finally:
+                entity.callback_group.ending_execution(entity)
+
+        task = Task(guarded, executor=self)
+        task()
+        if task._done:
+            task.result()
+        else:
+            self._tasks.append(task)
+
+    def _cannot_serve(self, entity: Entity) -> bool:
+        """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""
+        return self._spinner is current_task()
+
+    def spin(self) -> None:
+        """Execute callbacks until ROS 2 or the executor is shut down."""
+        while self._context._ok and not self._is_shutdown:
+            self.spin_once()
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        if not timeout_ns:
+            current_task().poll()
+        self._execute_next(lambda: self._take_item(timeout_ns, never))
+
+    def _execute_next(self, take: Callable[[], Item]) -> None:
+        outer, self._spinner = self._spinner, current_task()
+        try:
+            self._execute(take())
+        except (ShutdownException, TimeoutException, ConditionReachedException):
+            return
+        finally:
+            self._spinner = outer
+
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        future.add_done_callback(lambda _: self.wake())
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
+
+        def over() -> bool:
+            return future._done or not self._context._ok
+
+        while self._context._ok and not future._done and not self._is_shutdown:
+            self._execute_next(lambda: self._next_item(over, deadline, timeout_ns == 0, over))
+            if deadline is not None and self._sim.now_ns >= deadline:
+                return
+
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
+        """Execute one callback, unless the future is done before."""
+        future.add_done_callback(lambda _: self.wake())
+        self._execute_next(lambda: self._take_item(
+            _nanoseconds(timeout_sec), lambda: future._done or not self._context._ok))
+
+    def _spin_some(self) -> None:
+        """Execute everything that is ready now, each entity once, without waiting (rclcpp's spin_some)."""
+        for task in self._tasks_to_run():
+            self._execute(task)
+        for entity in self._collect():
+            if not entity._destroyed:
+                self._execute(entity)
+
+
+def _nanoseconds(timeout_sec: float | TimeoutObject | None) -> int:
+    return timeout_sec_to_nsec(timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec)

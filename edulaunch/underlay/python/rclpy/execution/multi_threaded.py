@@ -1,0 +1,91 @@
+"""The executor for callbacks that block."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+from warnings import warn
+
+from edulaunch.processes.current import current_process
+from edulaunch.sim.task import Task as SimTask
+from edulaunch.sim.task import current_task
+from rclpy.execution.executor import Executor
+from rclpy.execution.waiting import Item
+from rclpy.readiness import Entity
+from rclpy.task import Task
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
+DEFAULT_THREADS = 8
+"""Fixed, not the machine's number of processors, so that a program behaves the same everywhere."""
+
+
+class MultiThreadedExecutor(Executor):
+    """Executes callbacks in up to `num_threads` threads: one that blocks lets those of other groups go on.
+
+    Threads are simulated: nothing is preempted, and the order is the same in every run.
+    """
+
+    __module__ = 'rclpy.executors'
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        if num_threads == 1:
+            warn('MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.', stacklevel=2)
+        self._num_threads = DEFAULT_THREADS if num_threads is None else num_threads
+        self._jobs: deque[Callable[[], None]] = deque()
+        self._idle: list[SimTask] = []
+        self._threads: list[SimTask] = []
+        self._running: dict[SimTask, Entity] = {}
+        self._failures: list[Exception] = []
+
+    def _execute(self, item: Item) -> None:
+        """Hand an item to a thread. Raises what a callback raised before (as rclpy: at the next item, not at once)."""
+        if isinstance(item, Task):
+            self._submit(item)
+        elif item.callback_group.beginning_execution(item):
+            item._queued = True
+            self._submit(lambda: self._run_in_thread(item))
+        else:
+            self._put_back([item])
+        if self._failures:
+            raise self._failures.pop(0)
+
+    def _run_in_thread(self, entity: Entity) -> None:
+        thread = current_task()
+        self._running[thread] = entity
+        try:
+            self._run_begun(entity)
+        finally:
+            del self._running[thread]
+            self.wake()
+
+    def _submit(self, job: Callable[[], None]) -> None:
+        self._jobs.append(job)
+        if self._idle:
+            self._idle.pop(0).wake()
+        elif len(self._threads) < self._num_threads:
+            name = f'executor-{len(self._threads)}'
+            self._threads.append(current_process().start_thread(self._work_off, name, True))
+
+    def _work_off(self) -> None:
+        """What each thread does: take jobs, park when there are none."""
+        thread = current_task()
+        while True:
+            while self._jobs:
+                job = self._jobs.popleft()
+                try:
+                    job()
+                    if isinstance(job, Task) and job._exception is not None:
+                        job.result()
+                except Exception as error:
+                    self._failures.append(error)
+            self._idle.append(thread)
+            while thread in self._idle:
+                thread.park()
+
+    def _cannot_serve(self, entity: Entity) -> bool:
+        running = self._running.get(current_task())
+        return running is not None and running.callback_group is entity.callback_group \
+            and not entity.callback_group.can_execute(entity)

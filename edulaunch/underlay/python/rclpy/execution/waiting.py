@@ -1,0 +1,191 @@
+"""The waiting half of an executor: which entities are ready, in which order, and parking until there are any."""
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import Task as SimTask
+from edulaunch.sim.task import current_task
+from rclpy.execution.exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+)
+from rclpy.readiness import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
+from rclpy.task import Task
+from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
+Item = Any
+"""What an executor executes: a Task or an Entity."""
+
+TURNS_BEFORE_TIME_PASSES = 1000
+PAUSE_NS = 1_000_000
+_order_of = attrgetter('_order')
+
+
+def never() -> bool:
+    """The condition of a wait that only something ready ends."""
+    return False
+
+
+class Waiting:
+    """Base of executors: collects ready entities and parks.
+
+    :ivar _lists: the ready lists of the executor's nodes, in the order in which they came.
+    :ivar _waiting: the simulated threads that are parked here.
+    :ivar _spinner: the simulated thread that executes callbacks now.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        self._context = context or get_default_context()
+        self._sim = current_task().sim
+        self._lists: list[ReadyList] = []
+        self._tasks: list[Task] = []
+        self._new_tasks = False
+        self._woken = False
+        self._waiting: list[SimTask] = []
+        self._spinner: SimTask | None = None
+        self._is_shutdown = False
+        self._work: Generator[Item, None, None] | None = None
+        self._work_key: Any = None
+        self._turns = 0
+        self._seen_ns = 0
+
+    def wake(self) -> None:
+        """Let a wait end, so that it looks again."""
+        self._woken = True
+        for waiting in self._waiting:
+            waiting.wake()
+
+    def _collect(self) -> list[Entity]:
+        """The entities that are ready now and may begin, in the order of one wait."""
+        now = self._sim.now_ns
+        batch: list[Entity] = []
+        for ready_list in self._lists:
+            start = len(batch)
+            for timer in ready_list.timers:
+                if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer):
+                    batch.append(timer)
+            entities = ready_list.entities
+            if entities:
+                blocked = [entity for entity in entities if not entity.callback_group.can_execute(entity)]
+                batch += [entity for entity in entities if entity not in blocked] if blocked else entities
+                ready_list.entities = blocked
+            if len(batch) - start > 1:
+                batch[start:] = sorted(batch[start:], key=_order_of)
+        if len(self._lists) > 1:
+            batch.sort(key=lambda entity: entity.category != WAITABLE)
+        return batch
+
+    @staticmethod
+    def _put_back(entities: Iterable[Entity]) -> None:
+        """Let entities that were collected but not executed stand on their lists again."""
+        for entity in entities:
+            if entity.category != TIMER and entity._queued:
+                entity._ready_list.entities.append(entity)
+
+    def _wait(self, deadline_ns: int | None) -> None:
+        """Park until something may be ready, a timer is due, or the deadline.
+
+        :raises ShutdownException: when the executor was shut down meanwhile.
+        :raises ExternalShutdownException: when the context was.
+        """
+        due = NEVER_NS if deadline_ns is None else deadline_ns
+        for ready_list in self._lists:
+            for timer in ready_list.timers:
+                if timer._due_ns < due and not timer._queued and timer.callback_group.can_execute(timer):
+                    due = timer._due_ns
+        if not self._woken:
+            task = current_task()
+            self._waiting.append(task)
+            try:
+                task.park(due if due < NEVER_NS else None)
+            finally:
+                self._waiting.remove(task)
+        self._woken = False
+        if self._is_shutdown:
+            raise ShutdownException()
+        if not self._context._ok:
+            raise ExternalShutdownException()
+
+    def _let_time_pass(self) -> None:
+        """Move simulated time on when callbacks keep each other busy without waiting: a real computer needs time for them."""
+        now = self._sim.now_ns
+        if now != self._seen_ns:
+            self._seen_ns = now
+            self._turns = 0
+        else:
+            self._turns += 1
+            if self._turns > TURNS_BEFORE_TIME_PASSES:
+                current_task().sleep_until(now + PAUSE_NS)
+
+    def _tasks_to_run(self) -> list[Task]:
+        """The tasks that can go on, newest first; those that are done are forgotten."""
+        self._new_tasks = False
+        self._tasks = [task for task in self._tasks if not task._done]
+        return [task for task in reversed(self._tasks) if not task._executing]
+
+    def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
+        """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.
+
+        :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
+        :raises ConditionReachedException: when `condition()` holds.
+        """
+        yielded = False
+        while not yielded and not self._is_shutdown and not condition():
+            self._let_time_pass()
+            for task in self._tasks_to_run():
+                yielded = True
+                yield task
+            batch = self._collect()
+            if not batch and not self._new_tasks and not poll:
+                self._wait(deadline_ns)
+                batch = self._collect()
+            elif not self._context._ok:
+                raise ExternalShutdownException()
+            for item in self._give_out(batch):
+                yielded = True
+                yield item
+            if poll or (deadline_ns is not None and not yielded and self._sim.now_ns >= deadline_ns):
+                raise TimeoutException()
+        if self._is_shutdown:
+            raise ShutdownException()
+        if condition():
+            raise ConditionReachedException()
+
+    def _give_out(self, batch: list[Entity]) -> Generator[Entity, None, None]:
+        """The entities that can still be executed when their turn comes; what is left when this ends is put back."""
+        batch.reverse()
+        try:
+            while batch:
+                entity = batch[-1]
+                if entity._destroyed:
+                    batch.pop()
+                elif entity.callback_group.can_execute(entity):
+                    yield batch.pop()
+                else:
+                    self._put_back([batch.pop()])
+        finally:
+            self._put_back(reversed(batch))
+
+    def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
+        """The next item; what one wait collected is given out over successive calls with the same `key`."""
+        while True:
+            if self._work is None or self._work_key != key:
+                self._forget_work()
+                self._work_key = key
+                self._work = self._ready_items(deadline_ns, poll, condition)
+            try:
+                return next(self._work)
+            except StopIteration:
+                self._work = None
+
+    def _forget_work(self) -> None:
+        work, self._work = self._work, None
+        if work is not None and not work.gi_running:
+            work.close()

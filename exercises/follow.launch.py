@@ -1,0 +1,32 @@
+"""turtle2 follows turtle1 through tf: ros2 launch follow.launch.py move:=true
+
+broadcaster1 tells tf where turtle1 is: the frame turtle1 in the frame world. The node turtle_tf2_listener spawns turtle2,
+asks tf once a second where the frame `target_frame` is as seen from the frame turtle2, and drives turtle2 there. It needs
+both frames. The grader launches this file twice: turtle1 stands still, and (move:=true) turtle1 drives a square.
+The square is there already.
+
+Fill the two gaps. Grade with: edugrade exercises/follow.launch.py   Hint: edugrade exercises/follow.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('move', default_value='false', description='Whether turtle1 drives a square.'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        Node(package='turtlesim', executable='draw_square', condition=IfCondition(LaunchConfiguration('move'))),
+        Node(
+            package='turtle_tf2_py',
+            executable='turtle_tf2_broadcaster',
+            name='broadcaster1',
+            parameters=[{'turtlename': 'turtle1'}],
+        ),
+        # TODO 1: the same for turtle2: a node named broadcaster2 that broadcasts the frame turtle2
+
+        # TODO 2: start turtle_tf2_listener of turtle_tf2_py, with the parameter target_frame set to turtle1
+
+    ])

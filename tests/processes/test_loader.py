@@ -1,0 +1,90 @@
+"""Private modules."""
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+
+def test_two_copies_of_a_program_do_not_share_globals(world: Any) -> None:
+    world.write('lib/counter.py', 'count = 0\ndef up():\n    global count\n    count += 1\n    return count\n')
+    script = world.write('p.py', 'import counter\nprint(counter.up(), counter.up())')
+    world.start(script, 'a')
+    world.start(script, 'b')
+    world.sim.run()
+    assert [text for *_, text in world.log] == ['1 2\n', '1 2\n']
+
+
+def test_packages_submodules_and_relative_imports_work(world: Any) -> None:
+    world.write('lib/robot/__init__.py', 'from . import parts\nfrom .parts import ARM\n')
+    world.write('lib/robot/parts.py', 'ARM = "arm"\n')
+    world.write('lib/robot/deep/__init__.py', '')
+    world.write('lib/robot/deep/inner.py', 'from ..parts import ARM\nfrom .. import parts as p\nNAME = ARM + p.ARM\n')
+    assert world.run("""
+        import robot, robot.deep.inner as inner
+        from robot.deep import inner as again
+        from robot import *
+        print(robot.ARM, inner.NAME, again is inner, robot.parts.ARM)
+        """) == 'arm armarm True arm\n'
+
+
+def test_the_scripts_folder_comes_first_on_its_path(world: Any) -> None:
+    world.write('sibling.py', 'NAME = "beside the script"\n')
+    world.write('lib/sibling.py', 'NAME = "in the workspace"\n')
+    assert world.run('import sibling\nprint(sibling.NAME)') == 'beside the script\n'
+
+
+def test_folders_put_on_sys_path_are_searched(world: Any) -> None:
+    world.write('elsewhere/found.py', 'NAME = "found"\n')
+    assert world.run(f'import sys\nsys.path.insert(0, {str(world.folder / "elsewhere")!r})\nimport found\nprint(found.NAME)') == 'found\n'
+
+
+@pytest.mark.parametrize(('text', 'error'), [
+    ('import no_such_module', "ModuleNotFoundError: No module named 'no_such_module'"),
+    ('import robot.no_such', "ModuleNotFoundError: No module named 'robot.no_such'"),
+    ('from robot import no_such', "ImportError: cannot import name 'no_such' from 'robot'"),
+    ('from .x import y', 'ImportError: attempted relative import with no known parent package'),
+])
+def test_import_errors_are_pythons(world: Any, text: str, error: str) -> None:
+    world.write('lib/robot/__init__.py', '')
+    assert error in world.run(text).splitlines()[-1]
+
+
+def test_dataclasses_with_string_annotations_find_their_module(world: Any) -> None:
+    world.write('lib/shapes.py', """
+        from __future__ import annotations
+        from dataclasses import dataclass, field
+        from typing import ClassVar
+        @dataclass
+        class Box:
+            size: float = 1.0
+            names: list[str] = field(default_factory=list)
+            kind: ClassVar[str] = 'box'
+        """)
+    assert world.run('from shapes import Box\nprint(Box(2.0), Box.kind)') == 'Box(size=2.0, names=[]) box\n'
+
+
+def test_the_standard_library_is_shared_and_nothing_is_left_behind(world: Any) -> None:
+    import sys
+    before = set(sys.modules)
+    world.write('lib/mine.py', 'import json\nTEXT = json.dumps([1])\n')
+    assert world.run('import mine, json\nprint(mine.TEXT, mine.json is json)') == '[1] True\n'
+    assert 'mine' not in set(sys.modules) - before
+
+
+def test_a_module_that_fails_can_be_imported_again(world: Any) -> None:
+    world.write('lib/shaky.py', 'import time\nif time.time() < 1_700_000_001:\n    raise RuntimeError("too early")\nNAME = "now"\n')
+    assert world.run("""
+        import time
+        try:
+            import shaky
+        except RuntimeError as error:
+            print(error)
+        time.sleep(2)
+        import shaky
+        print(shaky.NAME)
+        """) == 'too early\nnow\n'
+
+
+def test_main_is_main_and_knows_its_file(world: Any) -> None:
+    assert world.run("if __name__ == '__main__':\n    print(__file__.rsplit('/')[-1])") == 'program-1.py\n'
