@@ -26,7 +26,8 @@ def deserialize(data: bytes, cls: type[AnyMessage]) -> AnyMessage:
 
     :raises InterfaceError: when the bytes are no CDR of that type.
     """
-    return cls.from_wire(decode(cls, data))
+    message: AnyMessage = cls.from_wire(decode(cls, data))
+    return message
 
 
 def encode(cls: type[Message], wire: tuple[Any, ...]) -> bytes:

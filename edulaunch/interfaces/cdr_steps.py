@@ -206,7 +206,7 @@ def make_codec(cls: type[Message]) -> Codec:
 def _parts(cls: type[Message]) -> Iterator[Kind | None | Step]:
     if not cls._FIELDS:
         yield None
-    for name, rule in cls._RULES.items():
+    for rule in cls._RULES.values():
         field_type, nested = rule.type, rule.message
         if nested is not None and not field_type.array:
             yield from _parts(nested)

@@ -53,7 +53,7 @@ class FieldRule:
             words = self.kind.range_words or f'string value not longer than {self.type.string_bound}'
             article = 'an ' if words[0] in 'iu' else 'a ' if self.kind.range_words else ''
             self._refuse(f'must be {article}{words}', value)
-        # A subclass (numpy.float64, an IntEnum, bool as a number) is stored as the plain value that a wire tuple needs.
+        # Subclasses (numpy.float64, IntEnum, bool as a number) become the plain values that wires need.
         return self.kind.python(value)
 
     def _one_words(self) -> str:

@@ -11,11 +11,14 @@ from edulaunch.interfaces.registry import KINDS_OF_INTERFACE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from importlib.abc import Loader
 
     from edulaunch.interfaces.registry import Registry
+else:
+    Loader = object     # importlib.abc costs more to import than this whole module
 
 
-class InterfaceFinder:
+class InterfaceFinder(Loader):
     """A finder for `sys.meta_path`: provides `<package>.msg|srv|action` and, unless Python finds a real one,
     `<package>` itself.
 

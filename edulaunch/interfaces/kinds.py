@@ -11,7 +11,7 @@ class Kind:
     number in a type description.
     """
 
-    # A plain class here and in `layout`: each NamedTuple would add half a millisecond to the start of every program.
+    # Plain classes here and in `layout`: each NamedTuple would add half a millisecond to every start.
     __slots__ = ('name', 'python', 'code', 'size', 'low', 'high', 'ros', 'type_id')
 
     def __init__(
@@ -51,7 +51,7 @@ def _integer(name: str, code: str, size: int, type_id: int) -> Kind:
     return Kind(name, int, code, size, low, high, name, type_id)
 
 
-# `char` is left out on purpose: ROS 2 turns it into uint8 before anything else sees it, and so does `primitive_name`.
+# No `char`: ROS 2 turns it into uint8 before anything else sees it, and so does `primitive_name`.
 KINDS: dict[str, Kind] = {
     kind.name: kind
     for kind in (

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 from edulaunch.interfaces.naming import did_you_mean
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
-
     from edulaunch.interfaces.layout import Layout
     from edulaunch.interfaces.spec import MessageSpec
 
@@ -36,7 +34,7 @@ class Message:
     from one.
     """
 
-    __slots__ = ()
+    __slots__: tuple[str, ...] = ()
     TYPE: ClassVar[str]
     LAYOUT: ClassVar[Layout]
     SLOT_TYPES: ClassVar[tuple[Any, ...]]
@@ -45,13 +43,10 @@ class Message:
     _RULES: ClassVar[dict[str, Any]]
     _CODEC: ClassVar[Any]
     to_wire: ClassVar[Callable[[Any], tuple[Any, ...]]]
+    from_wire: ClassVar[Callable[[Any], Any]]
     if TYPE_CHECKING:
 
         def __init__(self, **kwargs: Any) -> None: ...
-
-        @staticmethod
-        def from_wire(wire: tuple[Any, ...]) -> Self:
-            """A new message with the values of a wire tuple."""
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:

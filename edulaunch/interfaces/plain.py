@@ -7,7 +7,6 @@ that no real message could have produced.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from struct import Struct
 from typing import Any, NoReturn
@@ -16,13 +15,11 @@ from edulaunch.errors import InterfaceError
 from edulaunch.interfaces.layout import is_byte_like
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.spec import FieldType
+from edulaunch.interfaces.type_text import split_type
 
 Form = Sequence[Sequence[str]]
 """(path, type text) of each entry of a wire tuple; survives JSON."""
 
-_TEXT = re.compile(
-    r'(?P<base>[\w/]+)(?:<=(?P<string>\d+))?(?P<array>\[(?P<upper><=)?(?P<size>\d+)?\])?$', re.ASCII
-)
 _ROUND = Struct('<f')
 
 
@@ -116,12 +113,12 @@ class Forms:
         return several
 
 
-def _single(where: str, field_type: FieldType, value: Any) -> Any:
+def _single(where: str, field_type: FieldType, given: Any) -> Any:
     kind = field_type.kind
-    assert kind is not None
-    if kind.python is bytes:
-        value = _bytes(where, value)
-    if type(value) is not kind.python:
+    if kind is None:    # a damaged form: nested messages have no entry of their own
+        _refuse(where, field_type, given)
+    value: Any = _bytes(where, given) if kind.python is bytes else given
+    if not _has_type(value, kind.python):
         _refuse(where, field_type, value)
     if kind.python is bytes:
         legal = len(value) == 1
@@ -129,11 +126,15 @@ def _single(where: str, field_type: FieldType, value: Any) -> Any:
         legal = field_type.string_bound is None or len(value) <= field_type.string_bound
     else:
         legal = kind.low <= value <= kind.high or (
-            kind.python is float and (value != value or value - value != 0)
+            kind.python is float and (value != value or abs(value) == float('inf'))
         )
     if not legal:
         _refuse(where, field_type, value)
     return _ROUND.unpack(_ROUND.pack(value))[0] if kind.name == 'float32' else value
+
+
+def _has_type(value: Any, wanted: type) -> bool:
+    return type(value) is wanted    # True is no int, and 1 no float
 
 
 def _bytes(where: str, value: Any) -> bytes:
@@ -148,21 +149,10 @@ def _refuse(where: str, field_type: FieldType, value: Any) -> NoReturn:
 
 
 def _type_of(text: str) -> FieldType:
-    match = _TEXT.match(text)
-    if match is None:
+    written = split_type(text)
+    if written is None:
         raise InterfaceError(f"'{text}' is no type of a wire form")
-    array = (
-        ''
-        if match['array'] is None
-        else 'bounded'
-        if match['upper']
-        else 'fixed'
-        if match['size']
-        else 'unbounded'
-    )
-    return FieldType(
-        match['base'], int(match['string']) if match['string'] else None, array, int(match['size'] or 0)
-    )
+    return written
 
 
 def _brief(value: Any) -> str:

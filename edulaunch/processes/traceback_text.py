@@ -14,11 +14,15 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody.
+    The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
     """
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if not _is_engine(frame.filename)]
-    shown = traceback.StackSummary.from_list(own or frames)
-    lines = ['Traceback (most recent call last):\n', *shown.format()] if shown else []
+    lines = ['Traceback (most recent call last):\n'] if frames else []
+    for frame in own or frames:
+        lines.append(f'  File "{frame.filename}", line {frame.lineno}, in {frame.name}\n')
+        if frame.line:
+            lines.append(f'    {frame.line}\n')
     lines += traceback.format_exception_only(type(error), error)
     last = own[-1] if own else None
     return ''.join(lines), Origin(last.filename, last.lineno or 0) if last else None

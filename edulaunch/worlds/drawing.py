@@ -81,11 +81,11 @@ class DrawingLayer:
             x0, y0, x1, y1 = visible
         dx = x1 - x0
         dy = y1 - y0
-        longer = abs(dx) if abs(dx) > abs(dy) else abs(dy)
-        steps = int(2.0 * longer / width) + 1  # half a width apart: no notches
+        apart = 0.5 * width
         if x0 != pen.last_x or y0 != pen.last_y:
             self._stamp(pen, x0, y0)
-        if steps > 1:
+        if not (-apart < dx < apart and -apart < dy < apart):
+            steps = int(max(abs(dx), abs(dy)) / apart) + 1
             for step in range(1, steps):
                 self._stamp(pen, x0 + dx * step / steps, y0 + dy * step / steps)
         self._stamp(pen, x1, y1)

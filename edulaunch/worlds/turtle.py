@@ -14,11 +14,11 @@ COMMAND_LASTS_NS = 1_000_000_000
 class Turtle:
     """A turtle on the canvas.
 
-    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta` is
-    in radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
+    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge); `theta`
+    is in radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
 
-    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down) outside
-    the canvas it was stopped at (None: no wall), and `turned` whether a rotation goal was reached.
+    After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down)
+    outside the canvas it was stopped at (None: no wall), and `turned` whether a rotation goal was reached.
     """
 
     __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns',
@@ -96,7 +96,8 @@ class Turtle:
         if self.speed or self.turning or self.sideways or self._moved:
             self._move(now_ns)
         elif self._seen != self._layer.version:
-            self._look()
+            self.color = self._layer.color_at(self.x, self.down)
+            self._seen = self._layer.version
 
     def _move(self, now_ns: int) -> None:
         speed = self.speed
@@ -105,9 +106,11 @@ class Turtle:
             theta = normalize(theta)
         old_x, old_down = self.x, self.down
         c, s = cos(theta), sin(theta)
-        side = self.sideways
-        x = old_x + (c * speed * STEP_S - s * side * STEP_S)
-        down = old_down - (c * side * STEP_S + s * speed * STEP_S)
+        x = old_x + c * speed * STEP_S
+        down = old_down - s * speed * STEP_S
+        if self.sideways:
+            x = old_x + (c * speed * STEP_S - s * self.sideways * STEP_S)
+            down = old_down - (c * self.sideways * STEP_S + s * speed * STEP_S)
         self.wall_hit = None
         if x < 0.0 or x > SIDE or down < 0.0 or down > SIDE:
             self.wall_hit = (x, down)
@@ -118,14 +121,12 @@ class Turtle:
         self.theta = theta
         self.x = x
         self.down = down
-        if moved or self._seen != self._layer.version:
-            self._look()
+        layer = self._layer
+        if moved or self._seen != layer.version:
+            self.color = layer.color_at(x, down)
+            self._seen = layer.version
         if moved and self.pen.on:
-            self._layer.draw(self.pen, old_x, old_down, x, down, now_ns)
-
-    def _look(self) -> None:
-        self.color = self._layer.color_at(self.x, self.down)
-        self._seen = self._layer.version
+            layer.draw(self.pen, old_x, old_down, x, down, now_ns)
 
     def _rotate(self, goal: RotationGoal, now_ns: int) -> None:
         self.speed = self.sideways = 0.0

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from edulaunch.errors import EdulaunchError, UnusableInput
+from edulaunch.errors import UnusableInput
 
 from .catalogue import exercises, find_rubric
 from .limits import Limits
@@ -36,8 +36,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
-    except EdulaunchError as error:
-        print(f'edugrade: the grader broke: {error}', file=sys.stderr)
+    except Exception as error:      # also a rubric that cannot be loaded: our fault, said in words
+        print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         print('edugrade: stopped; nothing was written', file=sys.stderr)

@@ -1,4 +1,4 @@
-"""The hints of an exercise: three levels, kept in the course.toml beside the exercises."""
+"""The hints of an exercise: three levels, kept in the manifest of the course, course.toml."""
 from __future__ import annotations
 
 import os
@@ -6,10 +6,11 @@ from typing import Any
 
 from edulaunch.errors import UnusableInput
 
-from .submission import Submission
+from .submission import Submission, exercise_of
 
 LEVELS = 3
 MANIFEST = 'course.toml'
+_HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def read_course(path: str) -> list[dict[str, Any]]:
@@ -28,16 +29,24 @@ def read_course(path: str) -> list[dict[str, Any]]:
         raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
 
 
+def find_course(folder: str) -> str:
+    """The manifest: beside the launch file, else the one that came with edugrade."""
+    places = [folder, _HERE, os.path.join(_HERE, '..', '..', 'exercises')]
+    for place in places:
+        path = os.path.join(place, MANIFEST)
+        if os.path.isfile(path):
+            return path
+    raise UnusableInput(f'there is no {MANIFEST} with hints', help='hints come with the files of the folder exercises/')
+
+
 def find_hint(submission: Submission, level: int) -> str:
     """A hint for the exercise that this file belongs to.
 
-    :raises UnusableInput: when there is no manifest beside the file, or the file is not in it.
+    :raises UnusableInput: when there is no manifest, or no such exercise in it.
     """
-    path = os.path.join(submission.folder, MANIFEST)
-    if not os.path.isfile(path):
-        raise UnusableInput(f'there are no hints beside {submission.given}: no {MANIFEST} in its folder',
-                            help='hints come with the files of the folder exercises/')
-    for exercise in read_course(path):
-        if exercise['file'] == submission.name:
+    known = read_course(find_course(submission.folder))
+    for exercise in known:
+        if exercise_of(exercise['file']) == submission.exercise:
             return f'{exercise["title"]}, hint {level} of {LEVELS}: {exercise["hints"][level - 1]}'
-    raise UnusableInput(f'{path} has no exercise {submission.name}')
+    raise UnusableInput(f'there is no exercise {submission.exercise}',
+                        help='exercises: ' + ', '.join(exercise['file'] for exercise in known))

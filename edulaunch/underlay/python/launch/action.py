@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from ._origin import Origin, caller_outside_launch, note_origin, origin_of
 from .condition import Condition
-from .conditions.if_condition import IfCondition
-from .conditions.unless_condition import UnlessCondition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
 
@@ -43,16 +41,8 @@ class Action(LaunchDescriptionEntity):
 
         :raises RuntimeError: when both are given.
         """
-        if_text = entity.get_attr('if', optional=True)
-        unless_text = entity.get_attr('unless', optional=True)
-        if if_text is not None and unless_text is not None:
-            raise RuntimeError("if and unless conditions can't be used simultaneously")
-        kwargs: dict[str, Any] = {}
-        if if_text is not None:
-            kwargs['condition'] = IfCondition(predicate_expression=parser.parse_substitution(if_text))
-        if unless_text is not None:
-            kwargs['condition'] = UnlessCondition(predicate_expression=parser.parse_substitution(unless_text))
-        return Action, kwargs
+        from .frontend.action_parsers.condition import condition_of
+        return Action, condition_of(entity, parser)
 
     @property
     def condition(self) -> Optional[Condition]:

@@ -1,6 +1,6 @@
 """From XML text to elements that know their line.
 
-Launch files come from strangers: nothing outside the text is ever read, no entity can be declared (so none can
+Launch files come from strangers: nothing outside the text is ever read, no entity can be declared (none can
 be multiplied), and nesting has a limit.
 """
 from __future__ import annotations
@@ -51,8 +51,9 @@ class _Reading:
         return self.roots[0]
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
-        if '}' in tag:
-            tag = f'{{{tag}'
+        if '}' in tag or '}' in ''.join(attributes):
+            tag = _qualified(tag)
+            attributes = {_qualified(name): value for name, value in attributes.items()}
         element = Element(tag, attributes, self.expat.CurrentLineNumber)
         opened = self.open
         if opened:
@@ -82,3 +83,8 @@ class _Reading:
         if self.open and ('mismatched' in message or 'no element' in message):
             error.edulaunch_hint = f'<{self.open[-1].tag}> of line {self.open[-1].line} is not closed'
         return error  # type: ignore[no-any-return]
+
+
+def _qualified(name: str) -> str:
+    """`{namespace}name`, as the standard library writes it; expat leaves the first brace out."""
+    return f'{{{name}' if '}' in name else name

@@ -51,8 +51,8 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
 
-        The messages are made once and written into past the fields' checks: publishing takes a snapshot, and the
-        world's numbers are what the fields want.
+        The messages are made once and written into past the fields' checks: publishing takes a snapshot,
+        and the world's numbers are what the fields want.
         """
         turtle = self.turtle
         rotation = self._rotation

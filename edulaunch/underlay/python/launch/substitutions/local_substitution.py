@@ -1,7 +1,9 @@
 """A value of the context's locals."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from functools import lru_cache
+from types import CodeType
+from typing import TYPE_CHECKING, Optional
 
 from ..substitution import Substitution
 
@@ -12,6 +14,7 @@ if TYPE_CHECKING:
 class LocalSubstitution(Substitution):
     """`context.locals.<expression>`; mostly `event.<something>` inside an event handler.
 
+    :param expression: a name, and what may follow it in Python: `.attribute`, `['key']`.
     :param description: for people, instead of the expression.
     :raises AttributeError: on evaluation, when there is no such local.
     """
@@ -25,13 +28,21 @@ class LocalSubstitution(Substitution):
         """The dotted name."""
         return self.__expression
 
+    @property
+    def expression(self) -> str:
+        """The Python expression behind `context.locals.`."""
+        return self.__expression
+
     def describe(self) -> str:
         """`LocalVar('event.reason')`."""
         return f"LocalVar('{self.__expression if self.__description is None else self.__description}')"
 
     def perform(self, context: LaunchContext) -> str:
         """The value, which need not be a text."""
-        value: Any = context.locals
-        for name in self.__expression.split('.'):
-            value = getattr(value, name)
-        return value  # type: ignore[no-any-return]
+        value: str = eval(_compiled(self.__expression), {}, {'context': context})
+        return value
+
+
+@lru_cache(maxsize=256)
+def _compiled(expression: str) -> CodeType:
+    return compile('context.locals.' + expression, '<string>', 'eval')

@@ -1,0 +1,69 @@
+"""Adding to an environment variable."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Union
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from ..utilities.type_utils import is_substitution, normalize_typed_substitution, perform_typed_substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class AppendEnvironmentVariable(Action):
+    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is not there.
+
+    :param prepend: add at the beginning; a boolean, or substitutions that give one.
+    :param separator: between the values, by default that of search paths.
+    """
+
+    parse = parsed_as_action('append_env')
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType,
+                 prepend: Union[bool, SomeSubstitutionsType] = False,
+                 separator: SomeSubstitutionsType = os.pathsep, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+        as_text = isinstance(prepend, str) or is_substitution(prepend)
+        self.__prepend: Any = (
+            normalize_to_list_of_substitutions(prepend) if as_text  # type: ignore[arg-type]
+            else normalize_typed_substitution(prepend, bool))
+        self.__separator = normalize_to_list_of_substitutions(separator)
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The value, as substitutions."""
+        return self.__value
+
+    @property
+    def prepend(self) -> Union[bool, list[Substitution]]:
+        """Whether the value goes to the beginning."""
+        prepend: Union[bool, list[Substitution]] = self.__prepend
+        return prepend
+
+    @property
+    def separator(self) -> list[Substitution]:
+        """What stands between the values, as substitutions."""
+        return self.__separator
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it."""
+        name = perform_substitutions(context, self.__name)
+        value = perform_substitutions(context, self.__value)
+        if name in context.environment:
+            old = context.environment[name]
+            parts = [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
+            value = perform_substitutions(context, self.__separator).join(parts)
+        context.environment[name] = value

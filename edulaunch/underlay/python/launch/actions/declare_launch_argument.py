@@ -1,0 +1,101 @@
+"""Declaring a launch argument."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, ClassVar, Optional
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class DeclareLaunchArgument(Action):
+    """Say that the launch file has an argument: `ros2 launch ... name:=value`, or `launch_arguments` of an include.
+
+    Its value is the launch configuration of that name. One that is set already stays; else it gets the default.
+
+    :param name: a plain text.
+    :param default_value: a text or substitutions (so '3', not 3); without one the argument must be given.
+    :param description: for `ros2 launch -s`.
+    :param choices: the only values allowed.
+    :raises RuntimeError: for empty `choices`, or a literal default that is none of them.
+    """
+
+    _search_role: ClassVar[str] = 'argument'
+    parse = parsed_as_action('arg')
+
+    def __init__(self, name: str, *, default_value: Optional[SomeSubstitutionsType] = None,
+                 description: Optional[str] = None, choices: Optional[Iterable[str]] = None, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = name
+        self.__choices = None if choices is None else list(choices)
+        if self.__choices is not None:
+            _check_choices(self.__choices, default_value)
+        self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
+        self.__description = _describe(description, self.__choices)
+        self._conditionally_included = False
+
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self.__name
+
+    @property
+    def default_value(self) -> Optional[list[Substitution]]:
+        """The default, as substitutions, or None."""
+        return self.__default_value
+
+    @property
+    def description(self) -> str:
+        """For people; names the choices."""
+        return self.__description
+
+    @property
+    def choices(self) -> Optional[list[str]]:
+        """The only values allowed, or None."""
+        return self.__choices
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the launch configuration to the default unless it is set; check the choices.
+
+        :raises RuntimeError: when there is neither a value nor a default, or the value is not allowed.
+        """
+        values = context.launch_configurations
+        if self.__name not in values:
+            if self.__default_value is None:
+                self.__log_error(f'Required launch argument "{self.__name}" (description: "{self.__description}") '
+                                 'was not provided')
+                raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
+            values[self.__name] = perform_substitutions(context, self.__default_value)
+        if self.__choices is not None and values[self.__name] not in self.__choices:
+            message = (f'Argument "{self.__name}" provided value "{values[self.__name]}" is not valid. '
+                       f'Valid options are: {self.__choices}')
+            self.__log_error(message)
+            raise RuntimeError(message)
+
+    @staticmethod
+    def __log_error(message: str) -> None:
+        from ..logging import get_logger
+        get_logger(__name__).error(message)
+
+
+def _check_choices(choices: list[str], default_value: object) -> None:
+    if not choices:
+        raise RuntimeError('Provided choices arg is empty. Use None to ignore the choice list.')
+    if isinstance(default_value, str) and default_value not in choices:
+        raise RuntimeError(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
+
+
+def _describe(description: Optional[str], choices: Optional[list[str]]) -> str:
+    if description is None:
+        return 'no description given' if choices is None else f'One of: {choices}'
+    if choices is None:
+        return description
+    stop = '' if description.endswith('.') else '.'
+    return f'{description}{stop} Valid choices are: {choices}'

@@ -1,0 +1,101 @@
+"""Including another launch file."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, ClassVar, Optional, Union
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..launch_description_source import LaunchDescriptionSource
+from ..launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+from .set_launch_configuration import SetLaunchConfiguration
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+    from ..launch_description import LaunchDescription
+
+LaunchArguments = Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]]
+
+
+class IncludeLaunchDescription(Action):
+    """Visit another launch description here.
+
+    It is not scoped: its arguments, and all it sets, are seen by what follows (put it into a `GroupAction` to prevent that).
+
+    :param launch_description_source: a source, or the path of a launch file of any format.
+    :param launch_arguments: (name, value) pairs, such as `{'name': 'value'}.items()`; set before the description is visited.
+    """
+
+    _search_role: ClassVar[str] = 'include'
+    parse = parsed_as_action('include')
+
+    def __init__(self, launch_description_source: Union[LaunchDescriptionSource, SomeSubstitutionsType], *,
+                 launch_arguments: Optional[LaunchArguments] = None, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__source = (
+            launch_description_source if isinstance(launch_description_source, LaunchDescriptionSource)
+            else AnyLaunchDescriptionSource(launch_description_source))
+        self.__launch_arguments = () if launch_arguments is None else tuple(launch_arguments)
+
+    @property
+    def launch_description_source(self) -> LaunchDescriptionSource:
+        """Where the description comes from."""
+        return self.__source
+
+    @property
+    def launch_arguments(self) -> tuple[tuple[SomeSubstitutionsType, SomeSubstitutionsType], ...]:
+        """The (name, value) pairs."""
+        return self.__launch_arguments
+
+    def describe(self) -> str:
+        """`IncludeLaunchDescription(/path/to/the.launch.py)`."""
+        return f'IncludeLaunchDescription({self.__source.location})'
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """The description, when its file can be found and loaded without a running launch."""
+        description = self.__source.try_get_launch_description_without_context()
+        return [description] if description is not None else []
+
+    def _try_get_arguments_names_without_context(self) -> list[str]:
+        """The names of the launch arguments, as far as they are known without a running launch."""
+        from ..launch_context import LaunchContext
+        try:
+            return self.__argument_names(LaunchContext())
+        except Exception:
+            return []
+
+    def __argument_names(self, context: LaunchContext) -> list[str]:
+        return [perform_substitutions(context, normalize_to_list_of_substitutions(name))
+                for name, _ in self.__launch_arguments]
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """Load it; first set the arguments, then visit it.
+
+        :raises RuntimeError: when an argument without default is missing.
+        """
+        description = self.__source.get_launch_description(context)
+        location = os.path.abspath(self.__source.location)
+        context.extend_locals({
+            'current_launch_file_path': location,
+            'current_launch_file_directory': os.path.dirname(location)})
+        self.__check_required_arguments(description, context)
+        sets = [SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments]
+        return [*sets, description]
+
+    def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:
+        given = self.__argument_names(context)
+        declared = description.get_launch_arguments_with_include_launch_description_actions()
+        for argument, includes in declared:
+            if argument._conditionally_included or argument.default_value is not None:
+                continue
+            for include in includes or ():
+                given.extend(include._try_get_arguments_names_without_context())
+            if argument.name not in given:
+                raise RuntimeError(
+                    f"Included launch description missing required argument '{argument.name}' "
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]")

@@ -1,0 +1,34 @@
+"""Writing a line to the log."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class LogInfo(Action):
+    """Write a message: `[INFO] [launch.user]: ...`."""
+
+    parse = parsed_as_action('log')
+
+    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__msg = normalize_to_list_of_substitutions(msg)
+
+    @property
+    def msg(self) -> list[Substitution]:
+        """The message, as substitutions."""
+        return self.__msg
+
+    def execute(self, context: LaunchContext) -> None:
+        """Write it."""
+        from ..logging import get_logger
+        get_logger('launch.user').info(perform_substitutions(context, self.__msg))

@@ -1,0 +1,43 @@
+"""Forgetting all launch configurations."""
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar, Optional
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class ResetLaunchConfigurations(Action):
+    """Forget all launch configurations, then set the given ones.
+
+    :param launch_configurations: name -> value, both texts or substitutions; evaluated before anything is forgotten.
+    """
+
+    _search_role: ClassVar[str] = 'reset'
+    parse = parsed_as_action('reset')
+
+    def __init__(self, launch_configurations: Optional[Mapping[SomeSubstitutionsType, SomeSubstitutionsType]] = None,
+                 **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
+
+    @property
+    def launch_configurations(self) -> dict[SomeSubstitutionsType, SomeSubstitutionsType]:
+        """The ones that are set afterwards."""
+        return self.__launch_configurations
+
+    def execute(self, context: LaunchContext) -> None:
+        """Forget, then set."""
+        kept = {
+            perform_substitutions(context, normalize_to_list_of_substitutions(name)):
+            perform_substitutions(context, normalize_to_list_of_substitutions(value))
+            for name, value in self.__launch_configurations.items()}
+        context.launch_configurations.clear()
+        context.launch_configurations.update(kept)

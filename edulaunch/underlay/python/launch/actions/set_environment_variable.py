@@ -1,0 +1,40 @@
+"""Setting an environment variable."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._parsed_by import parsed_as_action
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class SetEnvironmentVariable(Action):
+    """Set an environment variable of launch's process, which later processes inherit."""
+
+    parse = parsed_as_action('set_env')
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The value, as substitutions."""
+        return self.__value
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set it."""
+        name = perform_substitutions(context, self.__name)
+        context.environment[name] = perform_substitutions(context, self.__value)

@@ -1,0 +1,30 @@
+"""Forgetting a launch configuration."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..action import Action
+from ..some_substitutions_type import SomeSubstitutionsType
+from ..substitution import Substitution
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ..utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class UnsetLaunchConfiguration(Action):
+    """Forget a launch configuration; nothing happens when there is none of that name."""
+
+    def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name, as substitutions."""
+        return self.__name
+
+    def execute(self, context: LaunchContext) -> None:
+        """Forget it."""
+        context.launch_configurations.pop(perform_substitutions(context, self.__name), None)

@@ -1,0 +1,117 @@
+"""A list of entities: what a launch file returns."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Optional
+
+from .launch_description_entity import LaunchDescriptionEntity
+
+if TYPE_CHECKING:
+    from .action import Action
+    from .actions.declare_launch_argument import DeclareLaunchArgument
+    from .actions.include_launch_description import IncludeLaunchDescription
+    from .launch_context import LaunchContext
+
+FoundArguments = list[tuple['DeclareLaunchArgument', Optional[list['IncludeLaunchDescription']]]]
+
+
+class LaunchDescription(LaunchDescriptionEntity):
+    """What a launch file describes. Visiting it visits its entities in order.
+
+    :param initial_entities: actions and other entities; more can be added.
+    :param deprecated_reason: when given, a visit logs a warning.
+    """
+
+    def __init__(self, initial_entities: Optional[Iterable[LaunchDescriptionEntity]] = None, *,
+                 deprecated_reason: Optional[str] = None) -> None:
+        self.__entities = list(initial_entities) if initial_entities is not None else []
+        self.__deprecated_reason = deprecated_reason
+        self._file: Optional[str] = None
+
+    @property
+    def entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities, live."""
+        return self.__entities
+
+    @property
+    def deprecated(self) -> bool:
+        """Whether there is a reason not to use it any more."""
+        return self.__deprecated_reason is not None
+
+    @property
+    def deprecated_reason(self) -> Optional[str]:
+        """The reason not to use it any more, or None."""
+        return self.__deprecated_reason
+
+    def add_entity(self, entity: LaunchDescriptionEntity) -> None:
+        """Add an entity at the end."""
+        self.__entities.append(entity)
+
+    def add_action(self, action: Action) -> None:
+        """Add an action at the end."""
+        self.add_entity(action)
+
+    def describe(self) -> str:
+        """What people read."""
+        return repr(self)
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities."""
+        return self.__entities
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """The entities; a deprecated description first logs a warning."""
+        if self.__deprecated_reason is not None:
+            from .logging import get_logger
+            here = context.get_locals_as_dict().get('current_launch_file_path')
+            what = 'deprecated launch description' if here is None else f'launch file [{here}] is deprecated'
+            get_logger().warning(f'{what}: {self.__deprecated_reason}')
+        return self.__entities
+
+    def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
+        """The launch arguments declared here and in included files, as far as they can be found without launching.
+
+        :param conditional_inclusion: whether this description itself is included only under a condition.
+        """
+        found = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
+        return [argument for argument, _ in found]
+
+    def get_launch_arguments_with_include_launch_description_actions(
+            self, conditional_inclusion: bool = False) -> FoundArguments:
+        """As :meth:`get_launch_arguments`, each with the include actions that lead to it (None for none).
+
+        The first declaration of a name counts. Files whose path is not known before launching, or which cannot be loaded,
+        are passed over. Nothing is seen after a `ResetLaunchConfigurations`, nor inside an `OpaqueFunction`.
+        """
+        search = _ArgumentSearch()
+        search.look_through(self.__entities, conditional_inclusion, None)
+        return search.found
+
+
+class _ArgumentSearch:
+    """The static search for launch arguments."""
+
+    def __init__(self) -> None:
+        self.found: FoundArguments = []
+        self._names: set[str] = set()
+
+    def look_through(self, entities: Iterable[LaunchDescriptionEntity], conditional: bool,
+                     includes: Optional[list[IncludeLaunchDescription]]) -> None:
+        for entity in entities:
+            role = entity._search_role
+            if role == 'reset':
+                return
+            if role == 'argument':
+                self._note(entity, conditional, includes)
+            self._look_below(entity, [*(includes or ()), entity] if role == 'include' else includes)
+
+    def _look_below(self, entity: Any, includes: Optional[list[IncludeLaunchDescription]]) -> None:
+        self.look_through(entity.describe_sub_entities(), False, includes)
+        for _, entities in entity.describe_conditional_sub_entities():
+            self.look_through(entities, True, includes)
+
+    def _note(self, argument: Any, conditional: bool, includes: Optional[list[IncludeLaunchDescription]]) -> None:
+        if argument.name not in self._names:
+            self._names.add(argument.name)
+            argument._conditionally_included = conditional or argument.condition is not None
+            self.found.append((argument, includes))

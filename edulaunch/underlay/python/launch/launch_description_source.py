@@ -1,0 +1,75 @@
+"""Where a launch description comes from."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+from ._static_loads import load_once
+from .launch_context import LaunchContext
+from .some_substitutions_type import SomeSubstitutionsType
+from .utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from .utilities.perform_substitutions_impl import perform_substitutions
+
+if TYPE_CHECKING:
+    from .launch_description import LaunchDescription
+
+
+class LaunchDescriptionSource:
+    """A launch description, or a launch file to load it from.
+
+    :param launch_description: when it is known already.
+    :param location: path of the file; texts or substitutions. Relative paths start at the working directory.
+    :param method: how it is loaded, in words.
+    """
+
+    def __init__(self, launch_description: Optional[LaunchDescription] = None,
+                 location: SomeSubstitutionsType = '<string>',
+                 method: str = 'unspecified mechanism from a script') -> None:
+        self.__launch_description = launch_description
+        self.__location = normalize_to_list_of_substitutions(location)
+        self.__method = method
+        self.__expanded_location: Optional[str] = None
+
+    @property
+    def location(self) -> str:
+        """The path; before it is known, the substitutions in words."""
+        if self.__expanded_location is None:
+            return ' + '.join(part.describe() for part in self.__location)
+        return self.__expanded_location
+
+    @property
+    def method(self) -> str:
+        """How it is loaded, in words."""
+        return self.__method
+
+    def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
+        """The description, loaded at the first call.
+
+        :raises Exception: whatever loading it raises.
+        """
+        if self.__expanded_location is None:
+            self.__expanded_location = perform_substitutions(context, self.__location)
+        if self.__launch_description is None:
+            self.__launch_description = self._get_launch_description(self.__expanded_location)
+            if self.__launch_description is not None:
+                self.__launch_description._file = self.__expanded_location
+        return self.__launch_description
+
+    def try_get_launch_description_without_context(self) -> Optional[LaunchDescription]:
+        """The description if its path is known without a running launch and it can be loaded; else None.
+
+        As upstream the file is executed for this, but only once as long as nothing changes that it could depend on.
+        """
+        if self.__launch_description is not None:
+            return self.__launch_description
+        try:
+            location = perform_substitutions(LaunchContext(), self.__location)
+        except Exception:
+            return None
+        return load_once(self, location, lambda: self._get_launch_description(location))
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        """Load the file. To be overridden.
+
+        :raises Exception: when that fails.
+        """
+        raise FileNotFoundError(f"no launch description, and no way to load one from '{location}'")

@@ -1,0 +1,38 @@
+"""Loading launch files of any format."""
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from ..invalid_launch_file_error import InvalidLaunchFileError
+from .python_launch_file_utilities import get_launch_description_from_python_launch_file
+
+if TYPE_CHECKING:
+    from ..launch_description import LaunchDescription
+
+__all__ = ['InvalidLaunchFileError', 'get_launch_description_from_any_launch_file']
+
+
+def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
+    """The description in the file: `.py` files are tried as Python first, others last.
+
+    :raises InvalidLaunchFileError: when nobody can read it, with what each loader said.
+    """
+    extension = os.path.splitext(launch_file_path)[1].lower().lstrip('.')
+    loaders: list[Callable[[str], LaunchDescription]] = [
+        _load_with_frontends, get_launch_description_from_python_launch_file]
+    if extension == 'py':
+        loaders.reverse()
+    errors: list[Exception] = []
+    for load in loaders:
+        try:
+            return load(launch_file_path)
+        except Exception as error:
+            errors.append(error)
+    raise InvalidLaunchFileError(extension, likely_errors=errors)
+
+
+def _load_with_frontends(path: str) -> LaunchDescription:
+    from .frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file
+    return get_launch_description_from_frontend_launch_file(path)

@@ -1,0 +1,27 @@
+"""A launch file in a format with a parser."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional
+
+from ..launch_description_source import LaunchDescriptionSource
+from ..some_substitutions_type import SomeSubstitutionsType
+from .frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file
+
+if TYPE_CHECKING:
+    from ..frontend import Parser
+    from ..launch_description import LaunchDescription
+
+
+class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
+    """A launch file written in XML, YAML or another format.
+
+    :param parser: of the format; without one all are tried.
+    """
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType, *, method: str = 'interpreted frontend launch file',
+                 parser: Optional[type[Parser]] = None) -> None:
+        super().__init__(None, launch_file_path, method)
+        self.__parser = parser
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        return get_launch_description_from_frontend_launch_file(location, parser=self.__parser)

@@ -1,0 +1,153 @@
+"""Calling services."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.current import current_process
+from edulaunch.sim.task import current_task
+from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.readiness import CLIENT, Entity, ReadyList
+from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from edulaunch.graph.services import ServiceClient
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.qos import QoSProfile
+    from rclpy.service_introspection import ServiceIntrospectionState
+
+POLL_NS = 250_000_000
+"""How often `wait_for_service` looks, as rclpy: each 0.25 s."""
+
+
+class Client(Entity):
+    """Made by `Node.create_client`."""
+
+    category = CLIENT
+
+    def __init__(self, context: Context, ready_list: ReadyList, srv_type: Any, srv_name: str, qos_profile: QoSProfile,
+                 callback_group: CallbackGroup, number: int) -> None:
+        super().__init__(ready_list, callback_group, number)
+        self.context = context
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.qos_profile = qos_profile
+        self._pending_requests: dict[int, Future] = {}
+        self._introspection: Any = None
+        self._impl: ServiceClient
+
+    def _connect(self, impl: ServiceClient) -> None:
+        self._impl = impl
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
+
+        :raises TypeError: for a request of another class.
+        :raises TimeoutError: when `timeout_sec` simulated seconds are over.
+        """
+        self._check_request(request)
+        self._note_deadlock()
+        future = self.call_async(request)
+        task = current_task()
+        future.add_done_callback(lambda _: task.wake())
+        deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
+        while not future._done:
+            if not task.park(deadline) and not future._done:
+                self.remove_pending_request(future)
+                raise TimeoutError()
+        return future.result()
+
+    def _note_deadlock(self) -> None:
+        executor = self._ready_list.executor
+        if executor is not None and executor._cannot_serve(self):
+            current_process().note('deadlock', (
+                f"client.call() of '{self._impl.service_name}' inside a callback waits for ever: the reply can only be taken "
+                'when this callback has ended. Use call_async() with add_done_callback() or await, or give the client '
+                'another callback group and spin with a MultiThreadedExecutor.'))
+
+    def call_async(self, request: Any) -> Future:
+        """Send a request; the future gets the reply. Without a server the request is lost.
+
+        :raises TypeError: for a request of another class.
+        """
+        self._check_request(request)
+        if self._destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        sequence = self._impl.send(self.srv_type.Request.to_wire(request))
+        future = Future()
+        self._pending_requests[sequence] = future
+        future.add_done_callback(self.remove_pending_request)
+        if self._introspection is not None:
+            self._introspection.request_sent(sequence, request)
+        return future
+
+    def _check_request(self, request: Any) -> None:
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError()
+
+    def _run(self, executor: Executor) -> Any:
+        self._queued = False
+        taken = self._impl.take()
+        if taken is None:
+            return None
+        if self._impl.queue:
+            self._signal()
+        sequence, wire = taken
+        response = self.srv_type.Response.from_wire(wire)
+        if self._introspection is not None:
+            self._introspection.response_received(sequence, response)
+        future = self._pending_requests.get(sequence)
+        if future is not None:
+            future._set_executor(executor)
+            future.set_result(response)
+        return None
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Forget a request: its reply, if one comes, is dropped."""
+        for sequence, pending in self._pending_requests.items():
+            if pending is future:
+                del self._pending_requests[sequence]
+                break
+
+    def service_is_ready(self) -> bool:
+        """Whether a server is there now."""
+        current_task().poll()
+        return self._impl.server_is_ready()
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+        task = current_task()
+        while self.context._ok and not self._impl.server_is_ready() and left > 0.0:
+            task.sleep_until(task.sim.now_ns + POLL_NS)
+            left -= POLL_NS / 1e9
+        return self.service_is_ready()
+
+    @property
+    def service_name(self) -> str:
+        """The service's absolute name, after remapping."""
+        return self._impl.service_name
+
+    @property
+    def handle(self) -> ServiceClient:
+        """The endpoint in the graph."""
+        return self._impl
+
+    def configure_introspection(self, clock: Clock, service_event_qos_profile: QoSProfile,
+                                introspection_state: ServiceIntrospectionState) -> None:
+        """Publish what is sent and received on `<service>/_service_event`."""
+        from rclpy.service_introspection import Introspection
+        self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
+
+    def destroy(self) -> None:
+        """Leave the service. `Node.destroy_client` is the better way."""
+        self._destroyed = True
+        self._impl.destroy()
+
+    def __enter__(self) -> Client:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.destroy()

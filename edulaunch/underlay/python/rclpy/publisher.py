@@ -1,0 +1,88 @@
+"""Publishing messages."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+
+if TYPE_CHECKING:
+    from edulaunch.graph.topics import Publisher as GraphPublisher
+    from rclpy.context import Context
+    from rclpy.duration import Duration
+    from rclpy.qos import QoSProfile
+
+
+class Publisher:
+    """Made by `Node.create_publisher`. Messages are copied when they are published."""
+
+    def __init__(self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context) -> None:
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.event_handlers: list[Any] = []
+        self._impl = publisher_impl
+        self._context = context
+        self._to_wire = msg_type.to_wire
+        self._send = publisher_impl.publish
+
+    def publish(self, msg: Any) -> None:
+        """Send a message, or the bytes of a serialized one, to everybody who listens now.
+
+        :raises TypeError: for a message of another class.
+        :raises RCLError: after shutdown.
+        """
+        if msg.__class__ is self.msg_type and self._context._ok:
+            self._send(self._to_wire(msg))
+        else:
+            self._publish_other(msg)
+
+    def _publish_other(self, msg: Any) -> None:
+        if not (isinstance(msg, (self.msg_type, bytes))):
+            raise TypeError('Expected {}, got {}'.format(self.msg_type, type(msg)))
+        if self._impl.destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        if not self._context._ok:
+            raise RCLError("Failed to publish: publisher's context is invalid\n  help: ROS 2 has been shut down already "
+                           '(by rclpy.shutdown() or Ctrl-C)')
+        if isinstance(msg, bytes):
+            from edulaunch.interfaces.cdr import decode
+            self._send(decode(self.msg_type, msg))
+        else:
+            self._send(self._to_wire(msg))
+
+    def get_subscription_count(self) -> int:
+        """How many subscriptions get the messages."""
+        return self._impl.subscription_count
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's absolute name, after remapping."""
+        return self._impl.topic_name
+
+    @property
+    def handle(self) -> GraphPublisher:
+        """The endpoint in the graph."""
+        return self._impl
+
+    def assert_liveliness(self) -> None:
+        """Show that the publisher is alive. It always counts as alive while it exists."""
+
+    def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:
+        """Whether all messages were received: delivery takes no time, so always True."""
+        return True
+
+    def destroy(self) -> None:
+        """Leave the topic. `Node.destroy_publisher` is the better way."""
+        for handler in self.event_handlers:
+            handler.destroy()
+        self._impl.destroy()
+        self._send = self._refuse
+
+    def _refuse(self, _: Any) -> None:
+        raise InvalidHandle('cannot use Destroyable because destruction was requested')
+
+    def __enter__(self) -> Publisher:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.destroy()

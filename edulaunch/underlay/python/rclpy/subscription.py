@@ -1,0 +1,134 @@
+"""Receiving messages."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
+from rclpy.task import is_coroutine_function
+
+if TYPE_CHECKING:
+    from edulaunch.graph.topics import Subscription as GraphSubscription
+    from edulaunch.graph.topics import Taken
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+    from rclpy.qos import QoSProfile
+
+
+class Subscription(Entity):
+    """Made by `Node.create_subscription`. Each message is a new object of its own."""
+
+    category = SUBSCRIPTION
+
+    class CallbackType(Enum):
+        """What the callback takes."""
+
+        MessageOnly = 0
+        WithMessageInfo = 1
+
+    def __init__(self, ready_list: ReadyList, msg_type: Any, topic: str, callback: Callable[..., Any],
+                 callback_group: CallbackGroup, qos_profile: QoSProfile, raw: bool, number: int) -> None:
+        super().__init__(ready_list, callback_group, number)
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.raw = raw
+        self.event_handlers: list[Any] = []
+        self.callback = callback
+        self._from_wire = self._to_bytes if raw else msg_type.from_wire
+        self._impl: GraphSubscription
+
+    def _connect(self, impl: GraphSubscription) -> None:
+        self._impl = impl
+
+    @property
+    def callback(self) -> Callable[..., Any]:
+        """What is called with each message."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, value: Callable[..., Any]) -> None:
+        self._callback = value
+        self._callback_type = callback_type(value)
+        self._simple = self._callback_type is Subscription.CallbackType.MessageOnly
+        self.is_async = is_coroutine_function(value)
+
+    def _run(self, executor: Executor) -> Any:
+        self._queued = False
+        queue = self._impl.queue
+        if not queue:
+            return None
+        taken = queue.popleft()
+        if queue:
+            self._signal()
+        if self._simple:
+            return self._callback(self._from_wire(taken[0]))
+        return self._callback(self._from_wire(taken[0]), self._info(taken))
+
+    def _info(self, taken: Taken) -> dict[str, Any]:
+        return {'source_timestamp': taken[1], 'received_timestamp': taken[1],
+                'publication_sequence_number': None, 'reception_sequence_number': None}
+
+    def _to_bytes(self, wire: Any) -> bytes:
+        from edulaunch.interfaces.cdr import encode
+        return encode(self.msg_type, wire)
+
+    def get_publisher_count(self) -> int:
+        """How many publishers are heard."""
+        return self._impl.publisher_count
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's absolute name, after remapping."""
+        return self._impl.topic_name
+
+    @property
+    def handle(self) -> GraphSubscription:
+        """The endpoint in the graph."""
+        return self._impl
+
+    def destroy(self) -> None:
+        """Leave the topic. `Node.destroy_subscription` is the better way."""
+        self._destroyed = True
+        for handler in self.event_handlers:
+            handler.destroy()
+        self._impl.destroy()
+
+    def __enter__(self) -> Subscription:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.destroy()
+
+
+def callback_type(callback: Any) -> Subscription.CallbackType:
+    """Whether a callback takes the message only, or the message and its info.
+
+    :raises RuntimeError: when it takes neither.
+    """
+    if _accepts(callback, 1):
+        return Subscription.CallbackType.MessageOnly
+    if _accepts(callback, 2):
+        return Subscription.CallbackType.WithMessageInfo
+    raise RuntimeError('Subscription.__init__(): Callback should be either be callable with one argument'
+                       '(to get only the message) or two (to get message and message info)')
+
+
+_VARIADIC = 0x04
+
+
+def _accepts(callback: Any, count: int) -> bool:
+    """Whether `callback` can be called with `count` positional arguments."""
+    function = getattr(callback, '__func__', callback)
+    code = getattr(function, '__code__', None)
+    if code is not None and not hasattr(function, '__wrapped__') and not code.co_kwonlyargcount:
+        count += function is not callback
+        least = code.co_argcount - len(function.__defaults__ or ())
+        return least <= count and (count <= code.co_argcount or bool(code.co_flags & _VARIADIC))
+    from inspect import signature
+    try:
+        signature(callback).bind(*[None] * count)
+    except (TypeError, ValueError):
+        return False
+    return True

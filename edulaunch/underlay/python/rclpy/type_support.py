@@ -1,0 +1,47 @@
+"""Whether a class is a message, a service or an action."""
+from __future__ import annotations
+
+from typing import Any
+
+
+def check_for_type_support(msg_or_srv_type: Any) -> None:
+    """Raise AttributeError, with ROS 2's hint, for anything that is no interface class."""
+    if not isinstance(getattr(msg_or_srv_type, 'TYPE', None), str):
+        kind = 'type object' if isinstance(msg_or_srv_type, type) else 'object'
+        name = getattr(msg_or_srv_type, '__name__', type(msg_or_srv_type).__name__)
+        raise AttributeError(
+            f"{kind} '{name}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should be a ROS 2 "
+            'message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
+
+
+def check_is_valid_msg_type(msg_type: Any) -> None:
+    """Raise unless it is a message class.
+
+    :raises RuntimeError: for a service or action class.
+    :raises AttributeError: for anything else.
+    """
+    check_for_type_support(msg_type)
+    if not hasattr(msg_type, 'to_wire'):
+        raise RuntimeError(f'The message type provided is not valid ({msg_type}), this might be a service or action')
+
+
+def check_is_valid_srv_type(srv_type: Any) -> None:
+    """Raise unless it is a service class.
+
+    :raises RuntimeError: for a message or action class.
+    :raises AttributeError: for anything else.
+    """
+    check_for_type_support(srv_type)
+    if not (hasattr(srv_type, 'Request') and hasattr(srv_type, 'Response')):
+        raise RuntimeError(f'The service type provided is not valid ({srv_type}), this might be a message or action')
+
+
+def check_is_valid_action_type(action_type: Any) -> None:
+    """Raise unless it is an action class.
+
+    :raises RuntimeError: for a message or service class.
+    :raises AttributeError: for anything else.
+    """
+    check_for_type_support(action_type)
+    if not (hasattr(action_type, 'Goal') and hasattr(action_type, 'Impl')):
+        raise RuntimeError(f'The action type provided is not valid ({action_type}), this might be a message or service')

@@ -1,0 +1,1 @@
+"""Tools that look at tf2 from outside."""

@@ -1,0 +1,80 @@
+"""Small recordings made by hand, for rubrics: only what a check asks for."""
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import cos, sin
+from typing import Any
+
+from edugrade import Evidence, Scenario
+from edugrade.catalogue import find_rubric
+from edugrade.judging import judge
+from edugrade.outcome import Outcome
+from edugrade.source import Source
+from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
+
+FILE = '/student/a.launch.py'
+TEXT = 'def generate_launch_description():\n    return LaunchDescription([\n    ])\n'
+Track = list[tuple[float, float, float]]
+
+
+@dataclass
+class FakeRecording:
+    """What the rubrics read of a recording."""
+
+    launch: LaunchRecord = LaunchRecord(file=FILE)
+    processes: list[ProcessRecord] = field(default_factory=list)
+    nodes: list[NodeRecord] = field(default_factory=list)
+    tracks: dict[str, Track] = field(default_factory=dict)
+    radius: Any = None
+    frames: dict[str, Frame] = field(default_factory=dict)
+    duration_s: float = 20.0
+
+    @property
+    def includes(self) -> list[str]:
+        return self.launch.includes
+
+    @property
+    def topics(self) -> dict[str, Any]:
+        return dict.fromkeys(self.tracks)
+
+    def series(self, topic: str, *fields: str) -> Track:
+        return self.tracks.get(topic, [])
+
+    def parameters(self, node: str) -> dict[str, Parameter]:
+        return {} if self.radius is None else {'radius': Parameter(self.radius, 'launch argument')}
+
+    def frames_at(self, time_s: float) -> dict[str, Frame]:
+        return self.frames
+
+
+def process(package: str, executable: str, **changes: Any) -> ProcessRecord:
+    return ProcessRecord(f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {}, 0.0)._replace(**changes)
+
+
+def arc(radius: float, duration_s: float = 20.0, speed: float = 0.1) -> Track:
+    """Where a robot is that drives a circle at `speed` metres per second, ten times a second."""
+    times = [step / 10 for step in range(int(duration_s * 10))]
+    return [(t, radius * sin(speed * t / radius), radius * (1 - cos(speed * t / radius))) for t in times]
+
+
+def circle_run(radius: float, **changes: Any) -> FakeRecording:
+    """A run of a correct circle.launch.py."""
+    argument = DeclaredArgument('circle_radius', '1.0', 'a radius', None, FILE, 3)
+    return FakeRecording(**{
+        'launch': LaunchRecord(file=FILE, declared=[argument]),
+        'processes': [process('part3_beyond_basics', 'param_circle.py')],
+        'nodes': [NodeRecord('/circle', 'param_circle.py-1', 0.0, None, [], [], [], [])],
+        'tracks': {'/odom': arc(radius)}, 'radius': radius, **changes})
+
+
+def graded(exercise: str, run: Callable[[Scenario], FakeRecording], seed: int = 0) -> Mapping[str, Any]:
+    """The results of a rubric over made-up runs, by name of the check."""
+    rubric = find_rubric(exercise)[1]
+    outcomes: Sequence[Any] = [Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)]  # type: ignore[arg-type]
+    return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, TEXT))}
+
+
+def evidence(**runs: Any) -> Evidence:
+    """Evidence of one run per name."""
+    return Evidence({name: Scenario(name) for name in runs}, runs, Source(FILE, TEXT))

@@ -1,0 +1,96 @@
+"""What the circle's rubric says of small made-up runs."""
+from __future__ import annotations
+
+from typing import Any
+
+from edugrade import Scenario
+from fake_recording import FakeRecording, arc, circle_run, graded, process
+
+from edulaunch.recording.records import DeclaredArgument, LaunchRecord
+
+
+def radius(scenario: Scenario) -> float:
+    return float(scenario.arguments['circle_radius'])
+
+
+def statuses(results: Any) -> dict[str, str]:
+    return {name: result.status for name, result in results.items() if result.status != 'passed'}
+
+
+def test_a_correct_launch_passes_everything() -> None:
+    results = graded('circle', lambda scenario: circle_run(radius(scenario)))
+    assert statuses(results) == {}
+    assert sum(result.earned for result in results.values()) == 12
+
+
+def test_two_different_radii_are_asked_for_and_an_edit_changes_them() -> None:
+    asked: list[float] = []
+    for seed in (1, 2):
+        graded('circle', lambda scenario: asked.append(radius(scenario)) or circle_run(1.0), seed)  # type: ignore[func-returns-value]
+    assert asked[0] < asked[1] - 0.2
+    assert asked[:2] != asked[2:]
+
+
+def test_a_fixed_radius_fails_in_parameter_and_movement() -> None:
+    results = graded('circle', lambda scenario: circle_run(0.5))
+    assert statuses(results) == {'radius_is_passed': 'failed', 'circle_is_driven': 'failed'}
+    assert results['radius_is_passed'].seen == '0.5 and 0.5, whatever the argument is'
+    assert results['circle_is_driven'].seen == '0.50 m and 0.50 m'
+    assert results['circle_is_driven'].where == ('/student/a.launch.py', 7)
+
+
+def test_a_parameter_that_the_robot_does_not_drive_earns_nothing_for_the_movement() -> None:
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), tracks={'/odom': arc(0.5)}))
+    assert statuses(results) == {'circle_is_driven': 'failed'}
+
+
+def test_without_a_world_the_movement_is_not_judged() -> None:
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), tracks={}))
+    assert statuses(results) == {'world_is_there': 'failed', 'circle_is_driven': 'not_run'}
+    assert results['world_is_there'].where == ('/student/a.launch.py', 2)
+
+
+def test_a_robot_that_stands_is_told_from_one_on_a_line() -> None:
+    standing = [(t / 10, 0.0, 0.0) for t in range(200)]
+    line = [(t / 10, t / 100, 0.0) for t in range(200)]
+    reasons = [graded('circle', lambda scenario, track=track: circle_run(radius(scenario), tracks={'/odom': track}))  # type: ignore[misc]
+               ['circle_is_driven'].reason for track in (standing, line)]
+    assert reasons == ['the robot does not move', 'the robot moves, but not on a circle']
+
+
+def test_a_misspelt_argument_is_recognised() -> None:
+    argument = DeclaredArgument('circle_radious', '1.0', '', None, '/student/a.launch.py', 3)
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+    assert 'did you mean "circle_radius" where you wrote "circle_radious"?' in results['argument_is_declared'].try_
+
+
+def test_an_argument_needs_a_default() -> None:
+    argument = DeclaredArgument('circle_radius', None, '', None, '/student/a.launch.py', 3)
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+    assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
+
+
+def test_another_node_is_named() -> None:
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')]))
+    assert results['node_is_started'].try_.startswith('did you mean "param_circle.py" where you wrote "param_cirle.py"?')
+
+
+def test_a_node_that_died_shows_its_exception() -> None:
+    error = {'type': 'ValueError', 'message': 'bad radius', 'file': '/ws/param_circle.py', 'line': 9}
+    dead = process('part3_beyond_basics', 'param_circle.py', ended_s=0.5, returncode=1, exception=error)
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[dead]))
+    assert results['node_stays_alive'].seen == 'ValueError: bad radius'
+    assert results['node_stays_alive'].where == ('/ws/param_circle.py', 9)
+    assert statuses(results) == {'node_stays_alive': 'failed', 'radius_is_passed': 'not_run', 'circle_is_driven': 'not_run'}
+
+
+def test_a_node_started_by_ros2_run_counts() -> None:
+    typed = process('', '', package=None, executable=None, argv=['ros2', 'run', 'part3_beyond_basics', 'param_circle.py'])
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[typed._replace(name='param_circle.py-1')]))
+    assert statuses(results) == {}
+
+
+def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:
+    from edulaunch.recording import Recording
+    names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')]
+    assert [name for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics'] if not hasattr(Recording, name)] == []

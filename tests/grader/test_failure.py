@@ -1,0 +1,25 @@
+"""What failures say."""
+from __future__ import annotations
+
+from edugrade import Failure, Mismatch, Missing
+
+
+def test_missing_offers_the_nearest_name() -> None:
+    failure = Missing('the argument "circle_radius"', name='circle_radius', among=['circle_radious', 'x'], try_='declare it')
+    assert failure.rationale == 'the argument "circle_radius" is missing'
+    assert failure.seen == 'circle_radious, x'
+    assert failure.try_ == 'did you mean "circle_radius" where you wrote "circle_radious"? Otherwise: declare it'
+
+
+def test_missing_without_anything_near_says_what_to_try() -> None:
+    failure = Missing('the node a', name='alpha', among=[], try_='start it')
+    assert (failure.seen, failure.try_) == ('nothing of the kind', 'start it')
+
+
+def test_mismatch_shows_both_values_in_full() -> None:
+    failure = Mismatch('the radius', 0.5, 'x' * 100, where=('a.launch.py', 3))
+    assert (failure.expected, failure.seen, failure.where) == ('0.5', 'x' * 100, ('a.launch.py', 3))
+
+
+def test_a_missing_value_stays_absent() -> None:
+    assert Failure('no').expected is None

@@ -1,0 +1,71 @@
+"""What the follower's rubric says of small made-up runs."""
+from __future__ import annotations
+
+from typing import Any
+
+from edugrade import Scenario
+from fake_recording import FakeRecording, Track, graded, process
+
+from edulaunch.recording.records import Frame
+
+FRAME = Frame('world', (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), False, 20.0)
+TIMES = [t / 10 for t in range(200)]
+
+
+def leader(scenario: Scenario) -> Track:
+    speed = 0.5 if scenario.arguments else 0.0
+    return [(t, speed * t, 5.5) for t in TIMES]
+
+
+def run(scenario: Scenario, lag_m: float = 0.1, **changes: Any) -> FakeRecording:
+    first = leader(scenario)
+    second = [(t, x - lag_m, y) for t, x, y in first if t > 2]
+    return FakeRecording(**{
+        'processes': [process('turtlesim', 'turtlesim_node')], 'frames': {'turtle1': FRAME, 'turtle2': FRAME},
+        'tracks': {'/turtle1/pose': first, '/turtle2/pose': second}, **changes})
+
+
+def statuses(results: Any) -> dict[str, str]:
+    return {name: result.status for name, result in results.items() if result.status != 'passed'}
+
+
+def test_a_close_follower_passes_everything() -> None:
+    results = graded('follow', run)
+    assert statuses(results) == {}
+    assert sum(result.earned for result in results.values()) == 12
+
+
+def test_a_follower_that_stays_behind_fails_where_it_does() -> None:
+    assert statuses(graded('follow', lambda scenario: run(scenario, lag_m=1.0))) == {'standing_leader_is_reached': 'failed'}
+    results = graded('follow', lambda scenario: run(scenario, lag_m=3.0))
+    assert statuses(results) == {'standing_leader_is_reached': 'failed', 'moving_leader_is_followed': 'failed'}
+    assert results['moving_leader_is_followed'].expected == 'at most 2.5 m from 15 s on'
+
+
+def test_without_turtle2_its_frame_is_not_judged() -> None:
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': leader(scenario)}))
+    assert results['follower_exists'].seen == 'only turtle1'
+    assert results['moving_leader_is_followed'].root_cause == 'follower_exists'
+
+
+def test_a_missing_frame_names_those_that_are_there() -> None:
+    results = graded('follow', lambda scenario: run(scenario, frames={'turtle1': FRAME, 'turtel2': FRAME}))
+    assert results['follower_is_on_tf'].reason == 'the frame turtle2 is missing'
+    assert results['follower_is_on_tf'].seen == 'turtle1 in world, turtel2 in world'
+
+
+def test_a_frame_in_the_wrong_parent_is_no_frame_in_world() -> None:
+    frames = {'turtle1': FRAME, 'turtle2': FRAME._replace(parent='turtle1')}
+    results = graded('follow', lambda scenario: run(scenario, frames=frames))
+    assert (results['follower_is_on_tf'].expected, results['follower_is_on_tf'].seen) == ('world', 'turtle1')
+
+
+def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:
+    still = [(t, 5.5, 5.5) for t in TIMES]
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': still, '/turtle2/pose': still}))
+    assert statuses(results) == {'leader_moves_when_asked': 'failed', 'moving_leader_is_followed': 'not_run'}
+
+
+def test_a_turtlesim_in_a_namespace_is_missed() -> None:
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/a/turtle1/pose': leader(scenario)}))
+    assert results['turtlesim_is_started'].reason == 'the topic /turtle1/pose is missing'

@@ -1,0 +1,31 @@
+"""Where the grader points in a submission."""
+from __future__ import annotations
+
+from edugrade.source import Source
+
+TEXT = '''from launch import LaunchDescription
+
+
+def generate_launch_description():
+    # TODO 1: declare
+    return LaunchDescription([
+        Node(),  # TODO is mentioned
+        #TODO 2
+    ])
+'''
+
+
+def test_a_missing_action_belongs_into_the_launch_description() -> None:
+    assert Source('a', TEXT).place == ('a', 6)
+
+
+def test_without_a_launch_description_the_function_is_the_place() -> None:
+    assert Source('a', 'x = 1\ndef generate_launch_description():\n    pass\n').place == ('a', 2)
+
+
+def test_without_a_function_there_is_only_the_file() -> None:
+    assert Source('a', 'x = 1\n').place == ('a', None)
+
+
+def test_gaps_are_comments_that_start_with_todo() -> None:
+    assert Source('a', TEXT).gaps == [(5, '# TODO 1: declare'), (8, '#TODO 2')]

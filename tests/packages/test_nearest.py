@@ -1,0 +1,19 @@
+"""Did-you-mean."""
+from __future__ import annotations
+
+import pytest
+
+from edulaunch.packages import nearest
+
+NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
+
+
+@pytest.mark.parametrize(('name', 'expected'), [
+    ('turtelsim', 'turtlesim'), ('TurtleSim', 'turtlesim'), ('my-robot-bringup', 'my_robot_bringup'),
+    ('my_robot_discription', 'my_robot_description'), ('nav2', None), ('', None)])
+def test_the_nearest_name_is_the_one_that_was_meant(name: str, expected: str | None) -> None:
+    assert nearest(name, NAMES) == expected
+
+
+def test_ties_go_to_the_alphabet_whatever_the_order_of_the_names() -> None:
+    assert nearest('node_c', ['node_b', 'node_a']) == nearest('node_c', ['node_a', 'node_b'])

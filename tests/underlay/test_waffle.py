@@ -1,0 +1,49 @@
+"""The Waffle and the node that drives it in circles."""
+from __future__ import annotations
+
+from math import hypot
+from typing import Any
+
+import pytest
+from geometry_msgs.msg import Twist, TwistStamped, Vector3
+
+
+def position(message: Any) -> tuple[float, float]:
+    return message.pose.pose.position.x, message.pose.pose.position.y
+
+
+def test_odometry_starts_at_the_spawn_pose_and_comes_30_times_a_second(stage: Any) -> None:
+    stage.start('turtlebot3_gazebo', 'waffle_simulator', '--ros-args', '-p', 'x_pose:=1.0',
+                '-p', 'y_pose:=0.5')
+    stage.until(1000)
+    odometry = stage.messages('/odom')
+    assert (len(odometry), position(odometry[0])) == (30, (1.0, 0.5))
+    assert (odometry[0].header.frame_id, odometry[0].child_frame_id) == ('odom', 'base_footprint')
+    frames = [message.transforms[0].child_frame_id for message in stage.messages('/tf')]
+    assert frames == ['base_footprint'] * 30
+
+
+@pytest.mark.parametrize('message, warnings', [
+    (TwistStamped(twist=Twist(linear=Vector3(x=0.1))), 0), (Twist(linear=Vector3(x=0.1)), 1)])
+def test_both_kinds_of_twist_drive_it_and_are_kept(stage: Any, message: Any, warnings: int) -> None:
+    stage.start('turtlebot3_gazebo', 'waffle_simulator')
+    stage.until(500)
+    stage.publish('/cmd_vel', message)
+    stage.until(10_600)
+    assert position(stage.messages('/odom')[-1])[0] == pytest.approx(1.01, abs=0.005)
+    assert len(stage.texts()) == 1 + warnings
+
+
+def test_param_circle_drives_a_circle_of_its_radius(stage: Any) -> None:
+    stage.start('turtlebot3_gazebo', 'waffle_simulator')
+    stage.start('part3_beyond_basics', 'param_circle.py', '--ros-args', '-p', 'radius:=0.5')
+    stage.until(30_000)
+    distances = [hypot(x, y - 0.5) for x, y in map(position, stage.messages('/odom'))]
+    assert (min(distances), max(distances)) == pytest.approx((0.5, 0.5), abs=0.02)
+    assert stage.texts().count('Moving with radius: 0.50 [m].') == 30
+
+
+def test_param_circle_refuses_to_divide_by_zero(stage: Any) -> None:
+    stage.start('part3_beyond_basics', 'param_circle.py', '--ros-args', '-p', 'radius:=0.0')
+    stage.until(250)
+    assert [message.twist.angular.z for message in stage.messages('/cmd_vel')] == [0.0, 0.0]
