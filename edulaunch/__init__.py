@@ -11,9 +11,11 @@ Importing this package loads nothing else and changes nothing; each name is load
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
+    from typing import Any
+
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
     from edulaunch.plan import make_plan as plan
     from edulaunch.recording import Recording

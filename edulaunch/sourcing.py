@@ -14,8 +14,9 @@ def source() -> None:
 
     :raises ForeignRosError: when an `rclpy` that is not ours can be imported already; nothing is changed then.
     """
+    from edulaunch.interfaces.importer import installed_registry
     place = underlay_python()
-    if place in sys.path:
+    if place in sys.path and installed_registry() is not None:
         return
     foreign = _foreign_rclpy(place)
     if foreign is not None:
@@ -23,7 +24,8 @@ def source() -> None:
             f'a ROS 2 installation is on the Python path: rclpy at {foreign}. edulaunch does not shadow it.',
             help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment')
     from edulaunch.interfaces import install
-    sys.path.insert(0, place)
+    if place not in sys.path:
+        sys.path.insert(0, place)
     install()
 
 

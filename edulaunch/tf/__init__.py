@@ -1,8 +1,9 @@
 """Transforms and their time-ordered buffer: numbers only, no node, no topic, no message.
 
-Read `quaternions.py` and `transforms.py` (the maths), `history.py` (one frame over time), `path.py` (the usual lookup),
-`walk.py` (the lookup in all its detail) and `buffer.py` (what ties them together).
+Read `quaternions.py` and `transforms.py` (the maths), `history.py` (one frame over time), `path.py` (the
+usual lookup), `walk.py` (the lookup in all its detail) and `buffer.py` (what ties them together).
 """
+
 from __future__ import annotations
 
 from edulaunch.tf.buffer import TransformBuffer

@@ -1,8 +1,9 @@
 """The time-ordered buffer of transforms: what tf2's BufferCore knows and answers, in numbers only.
 
-Times are integer nanoseconds; 0 means "the latest common time". Frames are named by strings. The face `tf2_py` turns
-messages into these numbers and failures into tf2's exceptions.
+Times are integer nanoseconds; 0 means "the latest common time". Frames are named by strings. The face
+`tf2_py` turns messages into these numbers and failures into tf2's exceptions.
 """
+
 from __future__ import annotations
 
 from math import sqrt
@@ -29,14 +30,24 @@ class TransformBuffer:
 
     def __init__(self, cache_ns: int = DEFAULT_CACHE_NS) -> None:
         self.cache_ns = cache_ns
-        self._frames: dict[str, History | None] = {}  # in order of first mention; None for a frame without parent
-        self._paths: dict[tuple[str, str], Path] = {}  # valid until a parent changes
+        # in order of first mention; None for a frame without parent
+        self._frames: dict[str, History | None] = {}
+        # valid until a parent changes
+        self._paths: dict[tuple[str, str], Path] = {}
 
-    def set(self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str = 'default_authority',
-            static: bool = False) -> tuple[Rejection, ...]:
+    def set(
+        self,
+        parent: str,
+        child: str,
+        stamp_ns: int,
+        pose: Transform,
+        authority: str = 'default_authority',
+        static: bool = False,
+    ) -> tuple[Rejection, ...]:
         """Take one transform: `pose` of the child seen from the parent at a time.
 
-        :returns: what tf2 logs when it refuses the transform, as (severity, text); empty when it was accepted.
+        :returns: what tf2 logs when it refuses the transform, as (severity, text); empty when it was
+            accepted.
         """
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
@@ -50,8 +61,14 @@ class TransformBuffer:
             square = pose[6]
         check = square + x + y + z  # nan when any of them is
         history = self._frames.get(child)
-        if (history is None or history.static or static or not history.stamps or history.parents[-1] != parent
-                or check != check):
+        if (
+            history is None
+            or history.static
+            or static
+            or not history.stamps
+            or history.parents[-1] != parent
+            or check != check
+        ):
             return self._set_with_care(parent, child, stamp_ns, pose, authority, static)
         newest = history.stamps[-1]
         horizon = newest - self.cache_ns
@@ -68,8 +85,9 @@ class TransformBuffer:
         history.authority = authority
         return ACCEPTED
 
-    def _set_with_care(self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str,
-                       static: bool) -> tuple[Rejection, ...]:
+    def _set_with_care(
+        self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str, static: bool
+    ) -> tuple[Rejection, ...]:
         """All of :meth:`set` that is not usual: new frames, new parents, static transforms, bad input."""
         parent, child = parent.removeprefix('/'), child.removeprefix('/')
         rejections = reasons_against(parent, child, pose, authority)
@@ -117,9 +135,11 @@ class TransformBuffer:
                 return stamp_ns, transform
         return walk(self._frames, target, source, time_ns)
 
-    def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int,
-                    fixed: str) -> tuple[int, Transform]:
-        """The same between two times, over a frame that does not move meanwhile; the stamp is that of the target.
+    def lookup_full(
+        self, target: str, target_ns: int, source: str, source_ns: int, fixed: str
+    ) -> tuple[int, Transform]:
+        """The same between two times, over a frame that does not move meanwhile; the stamp is that of the
+        target.
 
         :raises TransformFailure: as :meth:`lookup`; all three names are checked.
         """
@@ -134,8 +154,9 @@ class TransformBuffer:
             return True, ''
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
-    def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int,
-                           fixed: str) -> tuple[bool, str]:
+    def can_transform_full(
+        self, target: str, target_ns: int, source: str, source_ns: int, fixed: str
+    ) -> tuple[bool, str]:
         """(whether :meth:`lookup_full` would succeed, why not)."""
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)

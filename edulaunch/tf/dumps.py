@@ -1,4 +1,5 @@
 """All frames of a buffer as text: tf2's plain list, its YAML and its graphviz form."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -26,8 +27,11 @@ def rate(history: History) -> float:
 
 def all_frames_as_string(frames: Mapping[str, History | None]) -> str:
     """One line for each frame that has or had a parent."""
-    return ''.join(f'Frame {name} exists with parent {history.parents[-1] if history.stamps else "NO_PARENT"}.\n'
-                   for name, history in frames.items() if history is not None)
+    return ''.join(
+        f'Frame {name} exists with parent {history.parents[-1] if history.stamps else "NO_PARENT"}.\n'
+        for name, history in frames.items()
+        if history is not None
+    )
 
 
 def all_frames_as_yaml(frames: Mapping[str, History | None], now_ns: int = 0) -> str:
@@ -46,12 +50,14 @@ def _with_data(frames: Mapping[str, History | None]) -> list[tuple[str, History]
 
 def _yaml_block(name: str, history: History, now_ns: int) -> str:
     newest, oldest = history.newest, history.oldest
-    lines = [f'{name}: ',
-             f"  parent: '{history.parents[-1]}'",
-             f"  broadcaster: '{history.authority}'",
-             f'  rate: {rate(history):.3f}',
-             f'  most_recent_transform: {seconds_text(newest)}',
-             f'  oldest_transform: {seconds_text(oldest)}']
+    lines = [
+        f'{name}: ',
+        f"  parent: '{history.parents[-1]}'",
+        f"  broadcaster: '{history.authority}'",
+        f'  rate: {rate(history):.3f}',
+        f'  most_recent_transform: {seconds_text(newest)}',
+        f'  oldest_transform: {seconds_text(oldest)}',
+    ]
     if now_ns:
         lines.append(f'  transform_delay: {seconds(now_ns - newest):.3f}')
     lines.append(f'  buffer_length: {seconds(newest - oldest):.3f}')
@@ -70,11 +76,15 @@ def all_frames_as_dot(frames: Mapping[str, History | None], now_ns: int = 0) -> 
 def _dot_edge(name: str, history: History, now_ns: int) -> str:
     newest, oldest = history.newest, history.oldest
     age = f'( {seconds(now_ns - newest):.3f} sec old)' if now_ns else ''
-    return (f'"{history.parents[-1]}" -> "{name}"[label="Broadcaster: {history.authority}\\n'
-            f'Average rate: {rate(history):.3f} Hz\\nMost recent transform: {seconds_text(newest)} {age}\\n'
-            f'Buffer length: {seconds(newest - oldest):.3f} sec\\n"];\n')
+    return (
+        f'"{history.parents[-1]}" -> "{name}"[label="Broadcaster: {history.authority}\\n'
+        f'Average rate: {rate(history):.3f} Hz\\nMost recent transform: {seconds_text(newest)} {age}\\n'
+        f'Buffer length: {seconds(newest - oldest):.3f} sec\\n"];\n'
+    )
 
 
 def _dot_legend(root: str, now_ns: int) -> str:
-    return ('edge [style=invis];\n subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";\n'
-            f'"Recorded at time: {seconds_text(now_ns)}"[ shape=plaintext ] ;\n}}->"{root}";\n')
+    return (
+        'edge [style=invis];\n subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";\n'
+        f'"Recorded at time: {seconds_text(now_ns)}"[ shape=plaintext ] ;\n}}->"{root}";\n'
+    )

@@ -1,4 +1,5 @@
 """What the buffer raises when it has no answer."""
+
 from __future__ import annotations
 
 LOOKUP = 'lookup'

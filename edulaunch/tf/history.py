@@ -1,4 +1,5 @@
 """What is known of one child frame: its samples in order of time."""
+
 from __future__ import annotations
 
 from bisect import bisect_right
@@ -11,8 +12,8 @@ COMPACT_AT = 64
 class History:
     """The samples of one child frame, oldest first: three parallel lists from index `first` on.
 
-    Old samples are dropped by moving `first`; the lists are cut when half of them is dead, so that an insert costs the
-    same however long the history is, and a look at any time costs a bisection.
+    Old samples are dropped by moving `first`; the lists are cut when half of them is dead, so that an insert
+    costs the same however long the history is, and a look at any time costs a bisection.
 
     :param name: the child frame.
     :param static: True for a frame of /tf_static: one sample, valid at all times.
@@ -24,10 +25,10 @@ class History:
         self.name = name
         self.static = static
         self.stamps: list[int] = []
-        self.poses: list[Transform] = []      # parent_from_child
+        self.poses: list[Transform] = []  # parent_from_child
         self.parents: list[str] = []
         self.first = 0
-        self.mixed = False                    # True while samples may name different parents
+        self.mixed = False  # True while samples may name different parents
         self.authority = ''
 
     @property
@@ -70,7 +71,9 @@ class History:
                 self.mixed = any(parent != self.parents[-1] for parent in self.parents)
 
     def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
-        """Put a sample in its place; among equal stamps it becomes the newest; one that is known already is ignored."""
+        """Put a sample in its place; among equal stamps it becomes the newest; one that is known already is
+        ignored.
+        """
         stamps = self.stamps
         if not stamps or stamp_ns > stamps[-1]:
             place = len(stamps)
@@ -90,8 +93,8 @@ class History:
     def pose_at(self, time_ns: int) -> Transform | None:
         """The pose at a time, 0 being the newest; None when it would have to be extrapolated.
 
-        Between two samples it is interpolated. Exactly at a stamp that several samples have, the last inserted one
-        counts, except among the oldest, where it is the first (as in tf2).
+        Between two samples it is interpolated. Exactly at a stamp that several samples have, the last
+        inserted one counts, except among the oldest, where it is the first (as in tf2).
         """
         stamps, first = self.stamps, self.first
         if stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static):

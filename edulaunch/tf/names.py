@@ -1,4 +1,5 @@
 """tf2's checks of the frame names that are passed to a lookup."""
+
 from __future__ import annotations
 
 from collections.abc import Container
@@ -23,13 +24,13 @@ def check_name(frames: Container[str], name: str, function: str) -> None:
 
 def check_names(frames: Container[str], *names: str) -> None:
     """:func:`check_name` for the arguments of lookupTransform: target, source and fixed frame."""
-    for name, argument in zip(names, ARGUMENTS):
+    for name, argument in zip(names, ARGUMENTS, strict=False):
         check_name(frames, name, f'lookupTransform argument {argument}')
 
 
 def problem(frames: Container[str], *names: str) -> str:
     """What canTransform says about its arguments; empty when all of them are known frames."""
-    for name, argument in zip(names, ARGUMENTS):
+    for name, argument in zip(names, ARGUMENTS, strict=False):
         if name not in frames:
             rule = _broken_rule(name) or 'frame does not exist'
             return f'Invalid frame ID "{name}" passed to canTransform argument {argument} - {rule}'

@@ -1,4 +1,5 @@
 """The remembered way between two frames, and the product of the transforms along it."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -75,11 +76,12 @@ def find_path(frames: Mapping[str, History | None], target: str, source: str) ->
             return None
         down.append(history)
         frame = history.parents[-1]
-    return Path(up[:place[frame]], down)
+    return Path(up[: place[frame]], down)
 
 
 def climb(histories: Sequence[History], time_ns: int) -> Transform | None:
-    """The product of the samples at `time_ns`, from the bottom to the top; None when one has to be extrapolated.
+    """The product of the samples at `time_ns`, from the bottom to the top; None when one has to be
+    extrapolated.
 
     The inner loop of every lookup, so the composition of transforms.py is written out here.
     """

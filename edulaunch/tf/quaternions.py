@@ -1,7 +1,9 @@
 """Rotations as unit quaternions: plain tuples (x, y, z, w), the order in which ROS messages list them.
 
-Angles are radians. Euler angles are tf2's roll, pitch, yaw about *fixed* axes: R = Rz(yaw) Ry(pitch) Rx(roll).
+Angles are radians. Euler angles are tf2's roll, pitch, yaw about *fixed* axes: R = Rz(yaw) Ry(pitch)
+Rx(roll).
 """
+
 from __future__ import annotations
 
 from math import acos, asin, atan2, copysign, cos, inf, nan, pi, sin, sqrt
@@ -19,10 +21,12 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
     """The Hamilton product: first rotate by `b`, then by `a`."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
-    return (aw * bx + ax * bw + ay * bz - az * by,
-            aw * by - ax * bz + ay * bw + az * bx,
-            aw * bz + ax * by - ay * bx + az * bw,
-            aw * bw - ax * bx - ay * by - az * bz)
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
 
 
 def conjugate(q: Quaternion) -> Quaternion:
@@ -35,17 +39,15 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
     qx, qy, qz, qw = q
     x, y, z = v
     ux, uy, uz = 2.0 * (qy * z - qz * y), 2.0 * (qz * x - qx * z), 2.0 * (qx * y - qy * x)
-    return (x + qw * ux + qy * uz - qz * uy,
-            y + qw * uy + qz * ux - qx * uz,
-            z + qw * uz + qx * uy - qy * ux)
+    return (x + qw * ux + qy * uz - qz * uy, y + qw * uy + qz * ux - qx * uz, z + qw * uz + qx * uy - qy * ux)
 
 
 def canonical(q: Quaternion) -> Quaternion:
     """The quaternion of length 1 that tf2 shows for the rotation `q`.
 
-    q and -q are the same rotation. tf2 sends every rotation through a matrix, which settles the choice: w is positive for
-    turns below 120 degrees (trace > 0), otherwise the largest of x, y, z is positive and w may be negative. A zero
-    quaternion, and one holding nan or infinity, becomes nan.
+    q and -q are the same rotation. tf2 sends every rotation through a matrix, which settles the choice: w is
+    positive for turns below 120 degrees (trace > 0), otherwise the largest of x, y, z is positive and w may
+    be negative. A zero quaternion, and one holding nan or infinity, becomes nan.
     """
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
@@ -53,18 +55,19 @@ def canonical(q: Quaternion) -> Quaternion:
         return from_matrix(to_matrix(q))
     scale = 1.0 / sqrt(square)
     w *= scale
-    if w * w > 0.25:
-        turned = w < 0.0
-    else:
-        turned = (x if y * y <= x * x >= z * z else y if y * y >= z * z else z) < 0.0
-    if turned:
+    decisive = w
+    if w * w <= 0.25:
+        decisive = x if y * y <= x * x >= z * z else y if y * y >= z * z else z
+    if decisive < 0.0:
         scale = -scale
         w = -w
     return (x * scale + 0.0, y * scale + 0.0, z * scale + 0.0, w + 0.0)  # + 0.0 turns -0.0 into 0.0
 
 
 def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
-    """The rotation `ratio` (0 to 1) of the way from `a` to `b` along the shorter arc; equal rotations give `a`."""
+    """The rotation `ratio` (0 to 1) of the way from `a` to `b` along the shorter arc; equal rotations give
+    `a`.
+    """
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     dot = ax * bx + ay * by + az * bz + aw * bw
@@ -87,9 +90,11 @@ def to_matrix(q: Quaternion) -> Matrix:
     wx, wy, wz = w * xs, w * ys, w * zs
     xx, xy, xz = x * xs, x * ys, x * zs
     yy, yz, zz = y * ys, y * zs, z * zs
-    return ((1.0 - (yy + zz), xy - wz, xz + wy),
-            (xy + wz, 1.0 - (xx + zz), yz - wx),
-            (xz - wy, yz + wx, 1.0 - (xx + yy)))
+    return (
+        (1.0 - (yy + zz), xy - wz, xz + wy),
+        (xy + wz, 1.0 - (xx + zz), yz - wx),
+        (xz - wy, yz + wx, 1.0 - (xx + yy)),
+    )
 
 
 def from_matrix(m: Matrix) -> Quaternion:
@@ -101,10 +106,8 @@ def from_matrix(m: Matrix) -> Quaternion:
         return ((m[2][1] - m[1][2]) * half, (m[0][2] - m[2][0]) * half, (m[1][0] - m[0][1]) * half, s * 0.5)
     if trace != trace:  # written with the sign that x86 hardware, and so real tf2, gives to 0 * infinity
         return (NEGATIVE_NAN, NEGATIVE_NAN, NEGATIVE_NAN, NEGATIVE_NAN)
-    if m[0][0] < m[1][1]:
-        i = 2 if m[1][1] < m[2][2] else 1
-    else:
-        i = 2 if m[0][0] < m[2][2] else 0
+    i = 1 if m[0][0] < m[1][1] else 0
+    i = 2 if m[i][i] < m[2][2] else i
     j, k = (i + 1) % 3, (i + 2) % 3
     s = sqrt(m[i][i] - m[j][j] - m[k][k] + 1.0)
     half = 0.5 / s
@@ -118,10 +121,12 @@ def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)
     cy, sy = cos(yaw / 2.0), sin(yaw / 2.0)
-    return (sr * cp * cy - cr * sp * sy,
-            cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy,
-            cr * cp * cy + sr * sp * sy)
+    return (
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    )
 
 
 def to_euler(q: Quaternion) -> Vector:

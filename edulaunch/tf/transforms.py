@@ -1,8 +1,9 @@
 """Rigid transforms as flat tuples (x, y, z, qx, qy, qz, qw): metres and a unit quaternion.
 
-A transform is named `target_from_source`: applied to coordinates given in *source* it yields coordinates in *target*.
-It is also the pose of the source frame seen from the target frame.
+A transform is named `target_from_source`: applied to coordinates given in *source* it yields coordinates in
+*target*. It is also the pose of the source frame seen from the target frame.
 """
+
 from __future__ import annotations
 
 from math import acos, sin
@@ -40,18 +41,22 @@ def inverse(b_from_a: Transform) -> Transform:
 
 
 def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:
-    """b_from_a, from where both are seen from a common frame: inverse(top_from_b) composed with top_from_a."""
+    """b_from_a, from where both are seen from a common frame: inverse(top_from_b) composed with
+    top_from_a.
+    """
     bx, by, bz, qx, qy, qz, qw = top_from_b
     ax, ay, az, rx, ry, rz, rw = top_from_a
     x, y, z = ax - bx, ay - by, az - bz
     ux, uy, uz = 2.0 * (qz * y - qy * z), 2.0 * (qx * z - qz * x), 2.0 * (qy * x - qx * y)
-    return (x + qw * ux - qy * uz + qz * uy,
-            y + qw * uy - qz * ux + qx * uz,
-            z + qw * uz - qx * uy + qy * ux,
-            qw * rx - qx * rw - qy * rz + qz * ry,
-            qw * ry + qx * rz - qy * rw - qz * rx,
-            qw * rz - qx * ry + qy * rx - qz * rw,
-            qw * rw + qx * rx + qy * ry + qz * rz)
+    return (
+        x + qw * ux - qy * uz + qz * uy,
+        y + qw * uy - qz * ux + qx * uz,
+        z + qw * uz - qx * uy + qy * ux,
+        qw * rx - qx * rw - qy * rz + qz * ry,
+        qw * ry + qx * rz - qy * rw - qz * rx,
+        qw * rz - qx * ry + qy * rx - qz * rw,
+        qw * rw + qx * rx + qy * ry + qz * rz,
+    )
 
 
 def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
@@ -63,7 +68,8 @@ def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
 def interpolate(older: Transform, newer: Transform, ratio: float) -> Transform:
     """The transform `ratio` of the way: translation on a straight line, rotation along the shorter arc.
 
-    Equals :func:`edulaunch.tf.quaternions.slerp`, written out because lookups in the past spend their time here.
+    Equals :func:`edulaunch.tf.quaternions.slerp`, written out because lookups in the past spend their time
+    here.
     """
     x, y, z, ax, ay, az, aw = older
     u, v, w, bx, by, bz, bw = newer

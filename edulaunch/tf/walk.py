@@ -1,7 +1,9 @@
 """Lookups step by step in tf2's own order, so that they fail with tf2's own words.
 
-`path.py` answers the usual lookups faster; this walk serves the rest: failures, and frames whose parent has changed.
+`path.py` answers the usual lookups faster; this walk serves the rest: failures, and frames whose parent has
+changed.
 """
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
@@ -35,8 +37,11 @@ def walk(frames: Frames, target: str, source: str, time_ns: int) -> tuple[int, T
     failed = source_failed if target_failed is None else target_failed
     if failed is None:
         raise _unconnected(target, source)
-    raise TransformFailure(EXTRAPOLATION, f'{_extrapolation(failed, time_ns)}, when looking up transform '
-                                          f'from frame [{source}] to frame [{target}]')
+    raise TransformFailure(
+        EXTRAPOLATION,
+        f'{_extrapolation(failed, time_ns)}, when looking up transform '
+        f'from frame [{source}] to frame [{target}]',
+    )
 
 
 def latest_common_time(frames: Frames, target: str, source: str) -> int:
@@ -73,7 +78,7 @@ def chain(frames: Frames, target: str, source: str, time_ns: int) -> list[str]:
     up = _ancestors(frames, source, time_ns)
     down = _ancestors(frames, target, time_ns)
     meeting = next(frame for frame in up if frame in down)
-    return up[:up.index(meeting) + 1] + down[:down.index(meeting)][::-1]
+    return up[: up.index(meeting) + 1] + down[: down.index(meeting)][::-1]
 
 
 def _ancestors(frames: Frames, frame: str, time_ns: int) -> list[str]:
@@ -86,7 +91,9 @@ def _ancestors(frames: Frames, frame: str, time_ns: int) -> list[str]:
     return found
 
 
-def _climb(frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
+def _climb(
+    frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int
+) -> tuple[Transform, str, History | None]:
     """(reached_from_start, frame reached, history that had no sample at that time or None)."""
     pose = IDENTITY
     steps = 0
@@ -125,17 +132,25 @@ def _extrapolation(history: History, time_ns: int) -> str:
     if history.count == 1:
         return f'Lookup would require extrapolation at time {wanted}, but only time {newest} is in the buffer'
     if time_ns > history.newest:
-        return ('Lookup would require extrapolation into the future.  '
-                f'Requested time {wanted} but the latest data is at time {newest}')
-    return ('Lookup would require extrapolation into the past.  '
-            f'Requested time {wanted} but the earliest data is at time {seconds_text(history.oldest)}')
+        return (
+            'Lookup would require extrapolation into the future.  '
+            f'Requested time {wanted} but the latest data is at time {newest}'
+        )
+    return (
+        'Lookup would require extrapolation into the past.  '
+        f'Requested time {wanted} but the earliest data is at time {seconds_text(history.oldest)}'
+    )
 
 
 def _unconnected(target: str, source: str) -> TransformFailure:
-    return TransformFailure(CONNECTIVITY, f"Could not find a connection between '{target}' and '{source}' because they "
-                                          'are not part of the same tree.Tf has two or more unconnected trees.')
+    return TransformFailure(
+        CONNECTIVITY,
+        f"Could not find a connection between '{target}' and '{source}' because they "
+        'are not part of the same tree.Tf has two or more unconnected trees.',
+    )
 
 
 def _loop(frames: Frames) -> TransformFailure:
-    return TransformFailure(LOOKUP, 'The tf tree is invalid because it contains a loop.\n'
-                                    f'{all_frames_as_string(frames)}\n')
+    return TransformFailure(
+        LOOKUP, f'The tf tree is invalid because it contains a loop.\n{all_frames_as_string(frames)}\n'
+    )

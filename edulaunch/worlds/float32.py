@@ -1,6 +1,7 @@
 """Single precision, as the fields of a turtlesim message have it."""
 from __future__ import annotations
 
+from math import copysign, inf
 from struct import Struct
 
 _single = Struct('f')
@@ -9,9 +10,9 @@ _unpack = _single.unpack
 
 
 def as_float32(value: float) -> float:
-    """Round `value` to the nearest 32-bit float, as storing it in a C `float` does.
-
-    :raises OverflowError: when the value is finite but too large for 32 bits.
-    """
-    rounded: float = _unpack(_pack(value))[0]
+    """Round `value` to the nearest 32-bit float, as a C `float` does; one too large becomes infinite."""
+    try:
+        rounded: float = _unpack(_pack(value))[0]
+    except OverflowError:
+        return copysign(inf, value)
     return rounded

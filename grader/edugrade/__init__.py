@@ -7,6 +7,7 @@ For the author of a rubric::
 In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked), `runner.py` with
 `child_run.py` and `child.py` (the runs), `judging.py` (the verdicts), `terminal.py` and `document.py` (the reports), `cli.py`.
 """
+
 from __future__ import annotations
 
 from .check import Check, check

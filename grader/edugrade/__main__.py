@@ -1,4 +1,5 @@
 """``python -m edugrade``, the same as the command."""
+
 from __future__ import annotations
 
 import sys

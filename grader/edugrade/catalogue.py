@@ -1,4 +1,5 @@
 """Finds the rubric of an exercise. Rubrics are trusted files of the course: they are run in this process."""
+
 from __future__ import annotations
 
 import os
@@ -38,15 +39,20 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
     if name in known:
         return name, _load(os.path.join(rubrics_folder(), f'{name}.py'))
     from edulaunch.packages.nearest import nearest
+
     close = nearest(name, known)
     hint = f'did you mean {close}? ' if close else ''
-    raise UnusableInput(f'there is no rubric for "{name}"; there are: {", ".join(known) or "none"}',
-                        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or --rubric FILE')
+    raise UnusableInput(
+        f'there is no rubric for "{name}"; there are: {", ".join(known) or "none"}',
+        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or --rubric FILE',
+    )
 
 
 def _load(path: str) -> Rubric:
     if not os.path.isfile(path):
-        raise UnusableInput(f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}')
+        raise UnusableInput(
+            f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}'
+        )
     name = f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}'
     spec = spec_from_loader(name, SourceFileLoader(name, path))
     if spec is None or spec.loader is None:
@@ -55,6 +61,8 @@ def _load(path: str) -> Rubric:
     spec.loader.exec_module(module)
     rubric = getattr(module, 'RUBRIC', None)
     if not isinstance(rubric, Rubric):
-        raise UnusableInput(f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)',
-                            help='docs/grading.md shows how to write one')
+        raise UnusableInput(
+            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)',
+            help='docs/grading.md shows how to write one',
+        )
     return rubric

@@ -1,4 +1,5 @@
 """What a check is: a function over the recorded runs, with points and with the checks it needs."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -34,12 +35,16 @@ def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFun
 
     :raises ValueError: the function has no docstring, or the points are negative.
     """
+
     def make(function: CheckFunction) -> Check:
         name = getattr(function, '__name__', 'check')
         text = (function.__doc__ or '').strip()
         if not text:
-            raise ValueError(f'the check {name}() has no docstring; its first line is the sentence the student reads')
+            raise ValueError(
+                f'the check {name}() has no docstring; its first line is the sentence the student reads'
+            )
         if points < 0:
             raise ValueError(f'the check {name}() has {points} points; points are never negative')
         return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))
+
     return make

@@ -12,6 +12,7 @@ S      JSON: the run was stopped (too long, too large, the program ended itself)
 B      JSON: edulaunch itself broke
 ====== ===========================================================================
 """
+
 from __future__ import annotations
 
 import json
@@ -55,6 +56,7 @@ def limit_resources(limits: dict[str, int]) -> None:
 
 def answer_before_the_deadline(job: dict[str, Any], channel: int) -> None:
     """When time is nearly up, say where the program was. (The runner kills what does not answer.)"""
+
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         report: dict[str, Any] = {'reason': 'timeout'}
         place = innermost(frame, job)
@@ -86,8 +88,13 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     except ImportError as error:
         return _broke(error)
     try:
-        recording = edulaunch.run(job['file'], arguments=job['arguments'], duration_s=job['duration_s'],
-                                  seed=job['seed'], workspaces=job['workspaces'])
+        recording = edulaunch.run(
+            job['file'],
+            arguments=job['arguments'],
+            duration_s=job['duration_s'],
+            seed=job['seed'],
+            workspaces=job['workspaces'],
+        )
         return b'R', recording.to_bytes()
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
@@ -114,6 +121,7 @@ def _ended_itself(error: SystemExit, job: dict[str, Any]) -> bytes:
 
 def _broke(error: BaseException) -> tuple[bytes, bytes]:
     import traceback
+
     text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))
     return b'B', json.dumps({'text': f'{type(error).__name__}: {error}', 'trace': text[-8000:]}).encode()
 
@@ -123,7 +131,7 @@ def send(channel: int, letter: bytes, content: bytes) -> None:
     for part in (letter + len(content).to_bytes(8, 'big'), content):
         view = memoryview(part)
         while view:
-            view = view[os.write(channel, view):]
+            view = view[os.write(channel, view) :]
 
 
 if __name__ == '__main__':

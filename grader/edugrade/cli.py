@@ -1,4 +1,5 @@
 """The command ``edugrade``: read, run, judge, show."""
+
 from __future__ import annotations
 
 import argparse
@@ -13,7 +14,7 @@ from .limits import Limits
 from .runner import Runner
 from .submission import Submission
 
-EPILOG = '''\
+EPILOG = """\
 examples:
   edugrade exercises/circle.launch.py                  grade a launch file; the rubric is found by its name
   edugrade circle.launch.py --json report.json         write the report as data too
@@ -25,7 +26,7 @@ exit codes:
   1  some failed or could not be run
   2  unusable input: no such file, no rubric for it, or a launch file that cannot be run at all
   3  the grader broke; that is never the student's fault and gives no mark
-'''
+"""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -36,7 +37,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
-    except Exception as error:      # also a rubric that cannot be loaded: our fault, said in words
+    except Exception as error:  # also a rubric that cannot be loaded: our fault, said in words
         print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
         return 3
     except KeyboardInterrupt:
@@ -46,14 +47,32 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog='edugrade', description='Grade a ROS 2 launch file by what it does when it is launched, in simulation.',
-        epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
+        prog='edugrade',
+        description='Grade a ROS 2 launch file by what it does when it is launched, in simulation.',
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument('path', metavar='PATH', help='the launch file')
     parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
-    parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
-    parser.add_argument('--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)")
-    parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
-    parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)')
+    parser.add_argument(
+        '--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises())
+    )
+    parser.add_argument(
+        '--seed',
+        type=int,
+        metavar='N',
+        help="choose the runs' values by this number (default: by the file's content)",
+    )
+    parser.add_argument(
+        '--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)'
+    )
+    parser.add_argument(
+        '--workspace',
+        action='append',
+        default=[],
+        metavar='DIR',
+        help='a folder with your own packages (repeatable)',
+    )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
     return parser
 
@@ -67,6 +86,7 @@ def _seconds(text: str) -> float:
 
 def _hint(options: argparse.Namespace) -> int:
     from .hints import find_hint
+
     print(find_hint(Submission(options.path), options.hint))
     return 0
 
@@ -76,16 +96,27 @@ def _grade(options: argparse.Namespace) -> int:
     name, rubric = find_rubric(submission.exercise, options.rubric)
     seed = submission.seed if options.seed is None else options.seed
     with Runner(submission, rubric.scenarios(seed), Limits(options.limit), options.workspace) as runner:
-        from .judging import judge      # loaded while the runs are under way
+        from .judging import judge  # loaded while the runs are under way
         from .results import Report
         from .terminal import render
+
         outcomes = runner.wait()
     results = judge(rubric.checks, outcomes, submission.source)
-    report = Report(submission.file, submission.given, submission.sha256, name, rubric.title, seed, tuple(outcomes),
-                    tuple(results), tuple(submission.source.gaps))
+    report = Report(
+        submission.file,
+        submission.given,
+        submission.sha256,
+        name,
+        rubric.title,
+        seed,
+        tuple(outcomes),
+        tuple(results),
+        tuple(submission.source.gaps),
+    )
     print(render(report, colour=_colour()), end='')
     if options.json is not None:
         from .document import write_document
+
         write_document(report, options.json)
     return report.exit_code
 

@@ -1,4 +1,5 @@
 """The JSON report. Its format is described in docs/grading.md; FORMAT grows when a reader of the old one could err."""
+
 from __future__ import annotations
 
 import json
@@ -44,23 +45,39 @@ def write_document(report: Report, path: str) -> None:
             file.write('\n')
         os.replace(temporary, path)
     except OSError as error:
-        raise UnusableInput(f'the report {path} cannot be written: {error.strerror or error}',
-                            help='give --json a file in a folder that exists and that you may write to') from None
+        raise UnusableInput(
+            f'the report {path} cannot be written: {error.strerror or error}',
+            help='give --json a file in a folder that exists and that you may write to',
+        ) from None
 
 
 def _scenario(outcome: Outcome, folder: str) -> dict[str, Any]:
     scenario = outcome.scenario
-    return {'name': scenario.name, 'arguments': dict(scenario.arguments), 'duration_s': scenario.duration_s, 'seed': scenario.seed,
-            'outcome': outcome.kind, 'text': relative(outcome.text, folder) or None}
+    return {
+        'name': scenario.name,
+        'arguments': dict(scenario.arguments),
+        'duration_s': scenario.duration_s,
+        'seed': scenario.seed,
+        'outcome': outcome.kind,
+        'text': relative(outcome.text, folder) or None,
+        'detail': outcome.detail or None,
+    }
 
 
 def _check(result: CheckResult, folder: str) -> dict[str, Any]:
     return {
-        'name': result.name, 'sentence': result.sentence, 'status': result.status,
-        'points': result.points, 'earned': result.earned, 'needs': list(result.needs),
-        'reason': relative(result.reason, folder) or None, 'expected': relative(result.expected, folder),
-        'seen': relative(result.seen, folder), 'where': _where(result.where, folder),
-        'try': relative(result.try_, folder), 'root_cause': result.root_cause,
+        'name': result.name,
+        'sentence': result.sentence,
+        'status': result.status,
+        'points': result.points,
+        'earned': result.earned,
+        'needs': list(result.needs),
+        'reason': relative(result.reason, folder) or None,
+        'expected': relative(result.expected, folder),
+        'seen': relative(result.seen, folder),
+        'where': _where(result.where, folder),
+        'try': relative(result.try_, folder),
+        'root_cause': result.root_cause,
     }
 
 

@@ -1,4 +1,5 @@
 """What a check looks at: the recordings of a rubric's scenarios, and the submission's text."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
@@ -17,7 +18,9 @@ class Evidence(Mapping[str, 'Recording']):
     :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
     """
 
-    def __init__(self, scenarios: Mapping[str, Scenario], recordings: Mapping[str, Recording], source: Source) -> None:
+    def __init__(
+        self, scenarios: Mapping[str, Scenario], recordings: Mapping[str, Recording], source: Source
+    ) -> None:
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
         self.source = source

@@ -6,6 +6,7 @@
     ├── Missing       something that should be there is not; names the nearest thing that is
     └── Mismatch      something is there, but is not what was asked for
 """
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -23,8 +24,15 @@ class Failure(Exception):
     :param try_: the first thing to try.
     """
 
-    def __init__(self, rationale: str, *, expected: object = None, seen: object = None,
-                 where: tuple[str, int | None] | None = None, try_: str | None = None) -> None:
+    def __init__(
+        self,
+        rationale: str,
+        *,
+        expected: object = None,
+        seen: object = None,
+        where: tuple[str, int | None] | None = None,
+        try_: str | None = None,
+    ) -> None:
         super().__init__(rationale)
         self.rationale = rationale
         self.expected = None if expected is None else str(expected)
@@ -41,28 +49,51 @@ class Missing(Failure):
     :param among: the names that are there.
     """
 
-    def __init__(self, thing: str, *, name: str | None = None, among: Iterable[str] = (),
-                 expected: object = None, seen: object = None,
-                 where: tuple[str, int | None] | None = None, try_: str | None = None) -> None:
+    def __init__(
+        self,
+        thing: str,
+        *,
+        name: str | None = None,
+        among: Iterable[str] = (),
+        expected: object = None,
+        seen: object = None,
+        where: tuple[str, int | None] | None = None,
+        try_: str | None = None,
+    ) -> None:
         known = list(among)
         if seen is None:
             seen = ', '.join(known) if known else 'nothing of the kind'
-        super().__init__(f'{thing} is missing', expected=expected or name, seen=seen, where=where,
-                         try_=_with_nearest(try_, name, known))
+        super().__init__(
+            f'{thing} is missing',
+            expected=expected or name,
+            seen=seen,
+            where=where,
+            try_=_with_nearest(try_, name, known),
+        )
 
 
 class Mismatch(Failure):
     """Something is there with another value; both values are shown in full, never shortened."""
 
-    def __init__(self, thing: str, expected: object, seen: object, *,
-                 where: tuple[str, int | None] | None = None, try_: str | None = None) -> None:
-        super().__init__(f'{thing} is not what was asked for', expected=expected, seen=seen, where=where, try_=try_)
+    def __init__(
+        self,
+        thing: str,
+        expected: object,
+        seen: object,
+        *,
+        where: tuple[str, int | None] | None = None,
+        try_: str | None = None,
+    ) -> None:
+        super().__init__(
+            f'{thing} is not what was asked for', expected=expected, seen=seen, where=where, try_=try_
+        )
 
 
 def _with_nearest(try_: str | None, name: str | None, known: list[str]) -> str | None:
     if name is None or name in known:
         return try_
     from edulaunch.packages.nearest import nearest
+
     close = nearest(name, known)
     if close is None:
         return try_

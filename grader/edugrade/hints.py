@@ -1,4 +1,5 @@
 """The hints of an exercise: three levels, kept in the manifest of the course, course.toml."""
+
 from __future__ import annotations
 
 import os
@@ -20,7 +21,7 @@ def read_course(path: str) -> list[dict[str, Any]]:
     """
     try:
         import tomllib
-    except ModuleNotFoundError:     # Python 3.10
+    except ModuleNotFoundError:  # Python 3.10
         import tomli as tomllib
     try:
         with open(path, 'rb') as file:
@@ -36,7 +37,9 @@ def find_course(folder: str) -> str:
         path = os.path.join(place, MANIFEST)
         if os.path.isfile(path):
             return path
-    raise UnusableInput(f'there is no {MANIFEST} with hints', help='hints come with the files of the folder exercises/')
+    raise UnusableInput(
+        f'there is no {MANIFEST} with hints', help='hints come with the files of the folder exercises/'
+    )
 
 
 def find_hint(submission: Submission, level: int) -> str:
@@ -48,5 +51,7 @@ def find_hint(submission: Submission, level: int) -> str:
     for exercise in known:
         if exercise_of(exercise['file']) == submission.exercise:
             return f'{exercise["title"]}, hint {level} of {LEVELS}: {exercise["hints"][level - 1]}'
-    raise UnusableInput(f'there is no exercise {submission.exercise}',
-                        help='exercises: ' + ', '.join(exercise['file'] for exercise in known))
+    raise UnusableInput(
+        f'there is no exercise {submission.exercise}',
+        help='exercises: ' + ', '.join(exercise['file'] for exercise in known),
+    )

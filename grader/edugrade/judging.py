@@ -1,4 +1,5 @@
 """Applies a rubric's checks to what the runs came to."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
@@ -9,6 +10,7 @@ from .failure import Failure
 from .outcome import Outcome
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult
 from .source import Source
+from .verdicts import REPORT_IT
 
 LAUNCHES = 'launches'
 LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
@@ -20,11 +22,15 @@ def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) 
     A check runs when all it needs has passed. Without a recording none runs, so that nothing passes for want of evidence.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
-    recordings = {outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording is not None}
+    recordings = {
+        outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording is not None
+    }
     evidence = Evidence({outcome.scenario.name: outcome.scenario for outcome in outcomes}, recordings, source)
     for check in checks:
         blocker = _blocker(check, results)
-        results[check.name] = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
+        results[check.name] = (
+            _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
+        )
     return list(results.values())
 
 
@@ -34,8 +40,15 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
         if bad:
             first = bad[0]
-            return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, status, reason=first.text, try_=first.try_, seen=_which(bad, outcomes),
-                               where=first.where)
+            return CheckResult(
+                LAUNCHES,
+                LAUNCHES_SENTENCE,
+                status,
+                reason=first.text,
+                try_=first.try_,
+                seen=_which(bad, outcomes),
+                where=first.where,
+            )
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
@@ -43,7 +56,9 @@ def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Which launches went wrong, when not all of them did."""
     if len(bad) == len(outcomes):
         return None
-    return 'only when launched with ' + ' and with '.join(outcome.scenario.command or 'no arguments' for outcome in bad)
+    return 'only when launched with ' + ' and with '.join(
+        outcome.scenario.command or 'no arguments' for outcome in bad
+    )
 
 
 def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | None:
@@ -55,19 +70,43 @@ def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | 
 
 def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResult]) -> CheckResult:
     root = results[blocker.root_cause] if blocker.root_cause is not None else blocker
-    return CheckResult(check.name, check.sentence, NOT_RUN, check.points, _names(check), root_cause=root.name,
-                       reason=f'because "{root.sentence}" {"broke" if root.status == GRADER_BROKE else "failed"}')
+    return CheckResult(
+        check.name,
+        check.sentence,
+        NOT_RUN,
+        check.points,
+        _names(check),
+        root_cause=root.name,
+        reason=f'because "{root.sentence}" {"broke" if root.status == GRADER_BROKE else "failed"}',
+    )
 
 
 def _result(check: Check, evidence: Evidence) -> CheckResult:
     try:
         check(evidence)
     except Failure as failure:
-        return CheckResult(check.name, check.sentence, FAILED, check.points, _names(check), failure.rationale, failure.expected,
-                           failure.seen, failure.where, failure.try_)
-    except Exception as error:      # whatever a check raises that is no Failure is a fault of the grader
-        return CheckResult(check.name, check.sentence, GRADER_BROKE, check.points, _names(check), reason=_words(error),
-                           try_='please report this with the launch file; it costs no marks')
+        return CheckResult(
+            check.name,
+            check.sentence,
+            FAILED,
+            check.points,
+            _names(check),
+            failure.rationale,
+            failure.expected,
+            failure.seen,
+            failure.where,
+            failure.try_,
+        )
+    except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
+        return CheckResult(
+            check.name,
+            check.sentence,
+            GRADER_BROKE,
+            check.points,
+            _names(check),
+            reason=_words(error),
+            try_=REPORT_IT,
+        )
     return CheckResult(check.name, check.sentence, PASSED, check.points, _names(check))
 
 

@@ -1,4 +1,5 @@
 """What one run of a submission may use."""
+
 from __future__ import annotations
 
 MEBI = 1 << 20
@@ -11,7 +12,9 @@ class Limits:
     :param memory_mib: address space; :param output_mib: what it may print; :param recording_mib: what it may send back.
     """
 
-    def __init__(self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128) -> None:
+    def __init__(
+        self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128
+    ) -> None:
         self.wall_s = wall_s
         self.memory_mib = memory_mib
         self.output_mib = output_mib
@@ -20,4 +23,10 @@ class Limits:
     @property
     def resources(self) -> dict[str, int]:
         """For setrlimit, by the name behind ``RLIMIT_``."""
-        return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}
+        return {
+            'CPU': int(self.wall_s) + 5,
+            'AS': self.memory_mib * MEBI,
+            'FSIZE': 64 * MEBI,
+            'NOFILE': 256,
+            'CORE': 0,
+        }

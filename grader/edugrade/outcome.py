@@ -1,4 +1,5 @@
 """What running one scenario came to."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -23,3 +24,4 @@ class Outcome(NamedTuple):
     text: str = ''
     try_: str | None = None
     where: Place | None = None
+    detail: str = ''  # for us, when the engine broke: its traceback

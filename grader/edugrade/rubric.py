@@ -1,4 +1,5 @@
 """What an exercise asks for: which runs, and which checks over them."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -18,8 +19,9 @@ class Rubric:
     :raises ValueError: two checks of one name, or a check before one that it needs.
     """
 
-    def __init__(self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]],
-                 checks: Sequence[Check]) -> None:
+    def __init__(
+        self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]], checks: Sequence[Check]
+    ) -> None:
         self.title = title
         self.checks = tuple(checks)
         self._scenarios = scenarios

@@ -1,4 +1,5 @@
 """Runs the scenarios of a rubric, each in a child process of its own, as many at once as there are processors."""
+
 from __future__ import annotations
 
 import os
@@ -21,8 +22,13 @@ class Runner:
     :param workspaces: folders with the student's packages.
     """
 
-    def __init__(self, submission: Submission, scenarios: Sequence[Scenario], limits: Limits | None = None,
-                 workspaces: Sequence[str] = ()) -> None:
+    def __init__(
+        self,
+        submission: Submission,
+        scenarios: Sequence[Scenario],
+        limits: Limits | None = None,
+        workspaces: Sequence[str] = (),
+    ) -> None:
         self._submission = submission
         self._scenarios = list(scenarios)
         self._limits = limits or Limits()
@@ -42,6 +48,7 @@ class Runner:
             run.end()
         self._selector.close()
         import shutil
+
         shutil.rmtree(self._home, ignore_errors=True)
 
     def wait(self) -> list[Outcome]:

@@ -1,4 +1,5 @@
 """One run that a rubric asks for."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping

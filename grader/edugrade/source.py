@@ -1,4 +1,5 @@
 """The submission as text: for pointing at lines, never for marks."""
+
 from __future__ import annotations
 
 import re
@@ -20,7 +21,9 @@ class Source:
     @property
     def place(self) -> Place:
         """Where a missing action belongs: the line of ``LaunchDescription(``, or of the function, or the file."""
-        return Place(self.file, self._line_of(_LIST, after=self._line_of(_FUNCTION) or 0) or self._line_of(_FUNCTION))
+        return Place(
+            self.file, self._line_of(_LIST, after=self._line_of(_FUNCTION) or 0) or self._line_of(_FUNCTION)
+        )
 
     @property
     def gaps(self) -> list[tuple[int, str]]:

@@ -1,4 +1,5 @@
 """The file to grade, read as bytes: nothing here runs it."""
+
 from __future__ import annotations
 
 import os
@@ -36,6 +37,7 @@ class Submission:
     def sha256(self) -> str:
         """Names the graded text in the report."""
         from hashlib import sha256
+
         return sha256(self.data).hexdigest()
 
 
@@ -43,7 +45,7 @@ def exercise_of(name: str) -> str:
     """The exercise that a file name stands for: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
     for ending in ENDINGS:
         if name.endswith(ending):
-            return name[:-len(ending)]
+            return name[: -len(ending)]
     return os.path.splitext(name)[0]
 
 
@@ -58,8 +60,10 @@ def _read(path: str) -> bytes:
     except OSError as error:
         raise UnusableInput(f'{path} cannot be read: {error.strerror or error}') from None
     if len(data) > LARGEST_BYTES:
-        raise UnusableInput(f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file',
-                            help='give the path of the launch file')
+        raise UnusableInput(
+            f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file',
+            help='give the path of the launch file',
+        )
     return data
 
 
@@ -79,6 +83,7 @@ def _files_in(folder: str) -> str:
 
 def _nearest_to(path: str) -> str:
     from edulaunch.packages.nearest import nearest
+
     folder, name = os.path.split(path)
     if folder and not os.path.isdir(folder):
         return f'the folder {folder} does not exist either; look where you are with pwd and ls'

@@ -1,4 +1,5 @@
 """The report for people. Marks are words; colour only repeats them."""
+
 from __future__ import annotations
 
 import os
@@ -41,8 +42,17 @@ def _check(result: CheckResult, colour: bool) -> Iterator[str]:
 
 def _explanation(result: CheckResult) -> Iterator[str]:
     yield from _wrapped('', result.reason)
-    place = None if result.where is None else result.where.file + (f':{result.where.line}' if result.where.line else '')
-    for label, text in (('expected', result.expected), ('seen', result.seen), ('where', place), ('try', result.try_)):
+    place = (
+        None
+        if result.where is None
+        else result.where.file + (f':{result.where.line}' if result.where.line else '')
+    )
+    for label, text in (
+        ('expected', result.expected),
+        ('seen', result.seen),
+        ('where', place),
+        ('try', result.try_),
+    ):
         if text:
             yield from _wrapped(f'{label}:', text)
 
@@ -50,14 +60,24 @@ def _explanation(result: CheckResult) -> Iterator[str]:
 def _wrapped(label: str, text: str) -> Iterator[str]:
     head = f'{label:<10}' if label else ''
     for paragraph in text.splitlines() or ['']:
-        yield from textwrap.wrap(paragraph, WIDTH, initial_indent=INDENT + head, subsequent_indent=INDENT + ' ' * len(head),
-                                 break_long_words=False, break_on_hyphens=False) or ['']
+        yield from textwrap.wrap(
+            paragraph,
+            WIDTH,
+            initial_indent=INDENT + head,
+            subsequent_indent=INDENT + ' ' * len(head),
+            break_long_words=False,
+            break_on_hyphens=False,
+        ) or ['']
         head = ' ' * len(head)
 
 
 def _points(report: Report) -> str:
     count = sum(result.status == PASSED for result in report.results)
-    points = 'no mark, because the grader broke' if report.earned is None else f'{report.earned} of {report.possible} points'
+    points = (
+        'no mark, because the grader broke'
+        if report.earned is None
+        else f'{report.earned} of {report.possible} points'
+    )
     return f'{count} of {len(report.results)} checks passed: {points}.'
 
 

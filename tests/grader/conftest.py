@@ -1,4 +1,5 @@
 """Lets the tests of this folder import `fake_recording`, which lies beside them."""
+
 from __future__ import annotations
 
 import sys

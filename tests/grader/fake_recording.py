@@ -1,4 +1,5 @@
 """Small recordings made by hand, for rubrics: only what a check asks for."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
@@ -11,7 +12,15 @@ from edugrade.catalogue import find_rubric
 from edugrade.judging import judge
 from edugrade.outcome import Outcome
 from edugrade.source import Source
-from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
+
+from edulaunch.recording.records import (
+    DeclaredArgument,
+    Frame,
+    LaunchRecord,
+    NodeRecord,
+    Parameter,
+    ProcessRecord,
+)
 
 FILE = '/student/a.launch.py'
 TEXT = 'def generate_launch_description():\n    return LaunchDescription([\n    ])\n'
@@ -49,7 +58,9 @@ class FakeRecording:
 
 
 def process(package: str, executable: str, **changes: Any) -> ProcessRecord:
-    return ProcessRecord(f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {}, 0.0)._replace(**changes)
+    return ProcessRecord(
+        f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {}, 0.0
+    )._replace(**changes)
 
 
 def arc(radius: float, duration_s: float = 20.0, speed: float = 0.1) -> Track:
@@ -61,17 +72,24 @@ def arc(radius: float, duration_s: float = 20.0, speed: float = 0.1) -> Track:
 def circle_run(radius: float, **changes: Any) -> FakeRecording:
     """A run of a correct circle.launch.py."""
     argument = DeclaredArgument('circle_radius', '1.0', 'a radius', None, FILE, 3)
-    return FakeRecording(**{
-        'launch': LaunchRecord(file=FILE, declared=[argument]),
-        'processes': [process('part3_beyond_basics', 'param_circle.py')],
-        'nodes': [NodeRecord('/circle', 'param_circle.py-1', 0.0, None, [], [], [], [])],
-        'tracks': {'/odom': arc(radius)}, 'radius': radius, **changes})
+    return FakeRecording(
+        **{
+            'launch': LaunchRecord(file=FILE, declared=[argument]),
+            'processes': [process('part3_beyond_basics', 'param_circle.py')],
+            'nodes': [NodeRecord('/circle', 'param_circle.py-1', 0.0, None, [], [], [], [])],
+            'tracks': {'/odom': arc(radius)},
+            'radius': radius,
+            **changes,
+        }
+    )
 
 
 def graded(exercise: str, run: Callable[[Scenario], FakeRecording], seed: int = 0) -> Mapping[str, Any]:
     """The results of a rubric over made-up runs, by name of the check."""
     rubric = find_rubric(exercise)[1]
-    outcomes: Sequence[Any] = [Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)]  # type: ignore[arg-type]
+    outcomes: Sequence[Any] = [
+        Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)
+    ]  # type: ignore[arg-type]
     return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, TEXT))}
 
 

@@ -1,4 +1,5 @@
 """What the circle's rubric says of small made-up runs."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -53,26 +54,41 @@ def test_without_a_world_the_movement_is_not_judged() -> None:
 def test_a_robot_that_stands_is_told_from_one_on_a_line() -> None:
     standing = [(t / 10, 0.0, 0.0) for t in range(200)]
     line = [(t / 10, t / 100, 0.0) for t in range(200)]
-    reasons = [graded('circle', lambda scenario, track=track: circle_run(radius(scenario), tracks={'/odom': track}))  # type: ignore[misc]
-               ['circle_is_driven'].reason for track in (standing, line)]
+    reasons = [
+        graded('circle', lambda scenario, track=track: circle_run(radius(scenario), tracks={'/odom': track}))[  # type: ignore[misc]
+            'circle_is_driven'
+        ].reason
+        for track in (standing, line)
+    ]
     assert reasons == ['the robot does not move', 'the robot moves, but not on a circle']
 
 
 def test_a_misspelt_argument_is_recognised() -> None:
     argument = DeclaredArgument('circle_radious', '1.0', '', None, '/student/a.launch.py', 3)
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
-    assert 'did you mean "circle_radius" where you wrote "circle_radious"?' in results['argument_is_declared'].try_
+    results = graded(
+        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
+    )
+    assert (
+        'did you mean "circle_radius" where you wrote "circle_radious"?'
+        in results['argument_is_declared'].try_
+    )
 
 
 def test_an_argument_needs_a_default() -> None:
     argument = DeclaredArgument('circle_radius', None, '', None, '/student/a.launch.py', 3)
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+    results = graded(
+        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
+    )
     assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
 
 
 def test_another_node_is_named() -> None:
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')]))
-    assert results['node_is_started'].try_.startswith('did you mean "param_circle.py" where you wrote "param_cirle.py"?')
+    results = graded(
+        'circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')])
+    )
+    assert results['node_is_started'].try_.startswith(
+        'did you mean "param_circle.py" where you wrote "param_cirle.py"?'
+    )
 
 
 def test_a_node_that_died_shows_its_exception() -> None:
@@ -81,16 +97,30 @@ def test_a_node_that_died_shows_its_exception() -> None:
     results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[dead]))
     assert results['node_stays_alive'].seen == 'ValueError: bad radius'
     assert results['node_stays_alive'].where == ('/ws/param_circle.py', 9)
-    assert statuses(results) == {'node_stays_alive': 'failed', 'radius_is_passed': 'not_run', 'circle_is_driven': 'not_run'}
+    assert statuses(results) == {
+        'node_stays_alive': 'failed',
+        'radius_is_passed': 'not_run',
+        'circle_is_driven': 'not_run',
+    }
 
 
 def test_a_node_started_by_ros2_run_counts() -> None:
-    typed = process('', '', package=None, executable=None, argv=['ros2', 'run', 'part3_beyond_basics', 'param_circle.py'])
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[typed._replace(name='param_circle.py-1')]))
+    typed = process('x', 'y')._replace(
+        package=None, executable=None, argv=['ros2', 'run', 'part3_beyond_basics', 'param_circle.py']
+    )
+    typed = typed._replace(name='param_circle.py-1')
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[typed]))
     assert statuses(results) == {}
 
 
 def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:
     from edulaunch.recording import Recording
-    names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')]
-    assert [name for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics'] if not hasattr(Recording, name)] == []
+
+    names = [
+        name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')
+    ]
+    assert [
+        name
+        for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics']
+        if not hasattr(Recording, name)
+    ] == []

@@ -1,4 +1,5 @@
 """Movements are measured from times and positions alone."""
+
 from __future__ import annotations
 
 from edugrade.library.movement import distances, farthest, length

@@ -1,4 +1,5 @@
 """A rubric's order, and its runs."""
+
 from __future__ import annotations
 
 from random import Random
@@ -22,7 +23,9 @@ def second(run: Evidence) -> None:
 
 
 def make(checks: list[Check]) -> Rubric:
-    return Rubric(title='t', scenarios=lambda random: [Scenario('a', {'x': str(random.random())})], checks=checks)
+    return Rubric(
+        title='t', scenarios=lambda random: [Scenario('a', {'x': str(random.random())})], checks=checks
+    )
 
 
 def test_a_check_stands_behind_what_it_needs() -> None:
@@ -42,7 +45,9 @@ def test_the_same_seed_gives_the_same_runs_and_another_seed_others() -> None:
     assert rubric.scenarios(1)[0].arguments['x'] == str(Random(1).random())
 
 
-@pytest.mark.parametrize('name', ['circle.launch.py', 'circle_launch.py', 'circle.launch.xml', 'circle.launch.yaml', 'circle.py'])
+@pytest.mark.parametrize(
+    'name', ['circle.launch.py', 'circle_launch.py', 'circle.launch.xml', 'circle.launch.yaml', 'circle.py']
+)
 def test_the_exercise_is_found_by_the_files_name(name: str) -> None:
     assert exercise_of(name) == 'circle'
 

@@ -1,9 +1,10 @@
 """Where the grader points in a submission."""
+
 from __future__ import annotations
 
 from edugrade.source import Source
 
-TEXT = '''from launch import LaunchDescription
+TEXT = """from launch import LaunchDescription
 
 
 def generate_launch_description():
@@ -12,7 +13,7 @@ def generate_launch_description():
         Node(),  # TODO is mentioned
         #TODO 2
     ])
-'''
+"""
 
 
 def test_a_missing_action_belongs_into_the_launch_description() -> None:

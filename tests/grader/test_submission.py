@@ -1,4 +1,5 @@
 """What is refused before anything runs."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -33,7 +34,10 @@ def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> No
 
 
 def test_a_directory_names_its_launch_files(folder: Path) -> None:
-    assert refusal('.') == ('. is a directory; edugrade grades one launch file', 'try one of: ./circle.launch.py')
+    assert refusal('.') == (
+        '. is a directory; edugrade grades one launch file',
+        'try one of: ./circle.launch.py',
+    )
 
 
 def test_a_huge_file_is_no_launch_file(folder: Path) -> None:

@@ -8,12 +8,17 @@ import pytest
 from edulaunch.graph.graph import Graph
 from edulaunch.graph.qos import QoS
 from edulaunch.graph.tracer import Tracer
+from edulaunch.interfaces import install
+from edulaunch.interfaces.importer import installed_registry
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.simulation import Simulation
 from edulaunch.underlay_place import underlay_prefix
+
+if installed_registry() is None:
+    install()
 
 MS = 1_000_000
 

@@ -1,4 +1,5 @@
 """The circle through points of the plane, by least squares. Plain Python: the grader starts faster without numpy."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -46,6 +47,6 @@ def _centre(centred: Sequence[tuple[float, float]]) -> tuple[float, float] | Non
         sxz += x * z
         syz += y * z
     determinant = sxx * syy - sxy * sxy
-    if determinant <= 1e-9 * (sxx + syy) ** 2:     # the points' spread has no second direction
+    if determinant <= 1e-9 * (sxx + syy) ** 2:  # the points' spread has no second direction
         return None
     return (sxz * syy - syz * sxy) / (2 * determinant), (syz * sxx - sxz * sxy) / (2 * determinant)

@@ -1,4 +1,5 @@
 """What a launch started, and in words what it started instead."""
+
 from __future__ import annotations
 
 import os
@@ -15,11 +16,17 @@ if TYPE_CHECKING:
 
 def find_processes(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
     """The processes of one executable, in order of their start; started by Node or by ``ros2 run``."""
-    return [process for process in recording.processes if (process.package, process.executable) == (package, executable)
-            or _words_of_run(process.argv) == [package, executable]]
+    return [
+        process
+        for process in recording.processes
+        if (process.package, process.executable) == (package, executable)
+        or _words_of_run(process.argv) == [package, executable]
+    ]
 
 
-def require_process(run: Evidence, package: str, executable: str, *, try_: str | None = None) -> ProcessRecord:
+def require_process(
+    run: Evidence, package: str, executable: str, *, try_: str | None = None
+) -> ProcessRecord:
     """The first process of an executable in the first scenario.
 
     :raises Missing: when none was started; names what was.
@@ -28,8 +35,14 @@ def require_process(run: Evidence, package: str, executable: str, *, try_: str |
     if found:
         return found[0]
     started = [process.executable or os.path.basename(process.argv[0]) for process in run.first.processes]
-    raise Missing(f'the node {executable} of the package {package}', name=executable, among=started,
-                  expected=f"Node(package='{package}', executable='{executable}')", where=run.source.place, try_=try_)
+    raise Missing(
+        f'the node {executable} of the package {package}',
+        name=executable,
+        among=started,
+        expected=f"Node(package='{package}', executable='{executable}')",
+        where=run.source.place,
+        try_=try_,
+    )
 
 
 def refuse_ended(run: Evidence, package: str, executable: str) -> None:
@@ -53,13 +66,19 @@ def _ended(process: ProcessRecord, command: str) -> Failure:
     with_ = f' when launched with {command}' if command else ''
     error = process.exception
     if error is None:
-        return Failure(f'{process.name} ended after {process.ended_s:.1f} s with exit code {process.returncode}{with_}',
-                       where=process.origin, try_='read what it printed before it ended')
+        return Failure(
+            f'{process.name} ended after {process.ended_s:.1f} s with exit code {process.returncode}{with_}',
+            where=process.origin,
+            try_='read what it printed before it ended',
+        )
     where = Place(error['file'], error['line']) if error.get('file') else process.origin
     started = '' if process.origin is None else f'; it was started at {process.origin[0]}:{process.origin[1]}'
-    return Failure(f'{process.name} was ended by an exception after {process.ended_s:.1f} s{with_}',
-                   seen=f'{error["type"]}: {error["message"]}', where=where,
-                   try_=f'look at the values that the launch file gives it{started}')
+    return Failure(
+        f'{process.name} was ended by an exception after {process.ended_s:.1f} s{with_}',
+        seen=f'{error["type"]}: {error["message"]}',
+        where=where,
+        try_=f'look at the values that the launch file gives it{started}',
+    )
 
 
 def _words_of_run(argv: list[str]) -> list[str]:

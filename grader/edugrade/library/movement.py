@@ -1,4 +1,5 @@
 """Measures how turtles and robots moved, from what was published about them."""
+
 from __future__ import annotations
 
 from bisect import bisect_right
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-Track = list[tuple[float, float, float]]      # (time in s, x in m, y in m)
+Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 
 
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:

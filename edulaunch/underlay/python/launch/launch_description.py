@@ -26,7 +26,6 @@ class LaunchDescription(LaunchDescriptionEntity):
                  deprecated_reason: Optional[str] = None) -> None:
         self.__entities = list(initial_entities) if initial_entities is not None else []
         self.__deprecated_reason = deprecated_reason
-        self._file: Optional[str] = None
 
     @property
     def entities(self) -> list[LaunchDescriptionEntity]:
@@ -98,15 +97,15 @@ class _ArgumentSearch:
     def look_through(self, entities: Iterable[LaunchDescriptionEntity], conditional: bool,
                      includes: Optional[list[IncludeLaunchDescription]]) -> None:
         for entity in entities:
-            role = entity._search_role
+            role = getattr(entity, '_search_role', '')
             if role == 'reset':
                 return
             if role == 'argument':
                 self._note(entity, conditional, includes)
-            self._look_below(entity, [*(includes or ()), entity] if role == 'include' else includes)
+            self._look_below(entity, conditional, [*(includes or ()), entity] if role == 'include' else includes)
 
-    def _look_below(self, entity: Any, includes: Optional[list[IncludeLaunchDescription]]) -> None:
-        self.look_through(entity.describe_sub_entities(), False, includes)
+    def _look_below(self, entity: Any, conditional: bool, includes: Optional[list[IncludeLaunchDescription]]) -> None:
+        self.look_through(entity.describe_sub_entities(), conditional, includes)
         for _, entities in entity.describe_conditional_sub_entities():
             self.look_through(entities, True, includes)
 

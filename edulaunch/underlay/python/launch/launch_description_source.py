@@ -50,8 +50,6 @@ class LaunchDescriptionSource:
             self.__expanded_location = perform_substitutions(context, self.__location)
         if self.__launch_description is None:
             self.__launch_description = self._get_launch_description(self.__expanded_location)
-            if self.__launch_description is not None:
-                self.__launch_description._file = self.__expanded_location
         return self.__launch_description
 
     def try_get_launch_description_without_context(self) -> Optional[LaunchDescription]:

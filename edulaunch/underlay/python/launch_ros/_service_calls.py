@@ -6,26 +6,36 @@ from typing import TYPE_CHECKING, Any
 from .ros_adapters import get_ros_node
 
 if TYPE_CHECKING:
-    from launch.launch_context import LaunchContext
+    import asyncio
 
-_POLL_S = 0.1
+    from launch.launch_context import LaunchContext
 
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
-    import asyncio
-    client = get_ros_node(context).create_client(service_type, name)
-    try:
-        while not client.service_is_ready():
-            if context.is_shutdown:
-                return None
-            await asyncio.sleep(_POLL_S)
+    from edulaunch.processes import current_process
+    from launch.event_handlers import OnShutdown
+    loop = context.asyncio_loop
+    node = get_ros_node(context)
+    client = node.create_client(service_type, name)
+    answer: asyncio.Future[Any] = loop.create_future()
+
+    def ask() -> None:
+        client.wait_for_service()
         future = client.call_async(request)
-        while not future.done():
-            if context.is_shutdown:
-                client.remove_pending_request(future)
-                return None
-            await asyncio.sleep(_POLL_S / 10)
-        return future.result()
+        future.add_done_callback(lambda done: loop.call_soon_threadsafe(_settle, answer, done.result()))
+
+    abandon = OnShutdown(on_shutdown=lambda *_: _settle(answer, None))
+    context.register_event_handler(abandon)
+    thread = current_process().start_thread(ask, name, daemon=True)
+    try:
+        return await answer
     finally:
-        get_ros_node(context).destroy_client(client)
+        thread.kill()
+        node.destroy_client(client)
+        context.unregister_event_handler(abandon)
+
+
+def _settle(answer: asyncio.Future[Any], value: Any) -> None:
+    if not answer.done():
+        answer.set_result(value)

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from launch.frontend import hints
 from launch.frontend.entity import Entities
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
@@ -80,9 +81,10 @@ class Entity(BaseEntity):
         try:
             return typed(value, data_type, can_be_str)
         except ValueError:
-            raise TypeError(
+            error = TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "
-                f'`{text}` can not be converted to one of those types') from None
+                f'`{text}` can not be converted to one of those types')
+            raise hints.at(error, self, None) from None
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError for child elements, then for attributes, that nobody asked for."""

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from launch.frontend import hints
 from launch.frontend.entity import Entities
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
@@ -84,15 +85,18 @@ class Entity(BaseEntity):
         if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
             return self._entities(name, value)
         if not is_instance_of(value, data_type, can_be_str=can_be_str):
-            raise TypeError(
+            error = TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
                 f"got '{_type_of(value)}'")
+            quoted = data_type is str and isinstance(value, (int, float))
+            raise hints.at(error, self, f"write the value of '{name}' in quotes" if quoted else None)
         return value
 
     def _entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):
-            raise TypeError(
+            error = TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
+            raise hints.at(error, self, f"begin each '{name}' with a dash: - {{...}}")
         return [Entity(item, name, parent=self, line=getattr(item, 'line', self._line)) for item in value]
 
     def assert_entity_completely_parsed(self) -> None:

@@ -1,11 +1,20 @@
 """Transforming geometry_msgs: the functions, and the table by which `Buffer.transform` finds them."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from geometry_msgs.msg import (Point32, PointStamped, PolygonStamped, Pose, PoseStamped, PoseWithCovarianceStamped,
-                               TransformStamped, Vector3Stamped)
+from geometry_msgs.msg import (
+    Point32,
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    TransformStamped,
+    Vector3Stamped,
+)
 from tf2_ros.registrations import provide
 
 from edulaunch.tf import quaternions, transforms
@@ -25,7 +34,8 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
     """The point in the transform's frame; the result has the transform's header."""
     result = PointStamped(header=transform.header)
     result.point.x, result.point.y, result.point.z = transforms.apply(
-        _numbers(transform), (point.point.x, point.point.y, point.point.z))
+        _numbers(transform), (point.point.x, point.point.y, point.point.z)
+    )
     return result
 
 
@@ -34,10 +44,13 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
     As upstream, it sets the translation of the transform that was passed in to zero.
     """
-    transform.transform.translation.x = transform.transform.translation.y = transform.transform.translation.z = 0.0
+    transform.transform.translation.x = transform.transform.translation.y = (
+        transform.transform.translation.z
+    ) = 0.0
     result = Vector3Stamped(header=transform.header)
     result.vector.x, result.vector.y, result.vector.z = quaternions.rotate(
-        _rotation(transform.transform.rotation), (vector3.vector.x, vector3.vector.y, vector3.vector.z))
+        _rotation(transform.transform.rotation), (vector3.vector.x, vector3.vector.y, vector3.vector.z)
+    )
     return result
 
 
@@ -59,8 +72,9 @@ def do_transform_pose_stamped(pose: PoseStamped, transform: TransformStamped) ->
     return PoseStamped(header=transform.header, pose=do_transform_pose(pose.pose, transform))
 
 
-def do_transform_pose_with_covariance_stamped(pose: PoseWithCovarianceStamped,
-                                              transform: TransformStamped) -> PoseWithCovarianceStamped:
+def do_transform_pose_with_covariance_stamped(
+    pose: PoseWithCovarianceStamped, transform: TransformStamped
+) -> PoseWithCovarianceStamped:
     """Pose and covariance in the transform's frame."""
     result = PoseWithCovarianceStamped(header=transform.header)
     result.pose.pose = do_transform_pose(pose.pose.pose, transform)
@@ -79,7 +93,9 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
 
 
 def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -> list[float]:
-    """A 6x6 covariance (row by row, 36 numbers) in the transform's frame: each 3x3 block B becomes R B R^T."""
+    """A 6x6 covariance (row by row, 36 numbers) in the transform's frame: each 3x3 block B becomes R B
+    R^T.
+    """
     r = quaternions.to_matrix(_rotation(transform.transform.rotation))
     result = [0.0] * 36
     for row in (0, 3):

@@ -1,9 +1,23 @@
 """tf2 for Python without nodes: the buffer core and the exceptions."""
+
 from __future__ import annotations
 
 from tf2_py.buffer_core import BufferCore
-from tf2_py.exceptions import (ConnectivityException, ExtrapolationException, InvalidArgumentException,
-                               LookupException, TimeoutException, TransformException)
+from tf2_py.exceptions import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
 
-__all__ = ['BufferCore', 'ConnectivityException', 'ExtrapolationException', 'InvalidArgumentException',
-           'LookupException', 'TimeoutException', 'TransformException']
+__all__ = [
+    'BufferCore',
+    'ConnectivityException',
+    'ExtrapolationException',
+    'InvalidArgumentException',
+    'LookupException',
+    'TimeoutException',
+    'TransformException',
+]

@@ -1,4 +1,5 @@
 """Times and durations as tf2 takes them: anything with `nanoseconds`, or with `sec` and `nanosec`."""
+
 from __future__ import annotations
 
 from typing import Any

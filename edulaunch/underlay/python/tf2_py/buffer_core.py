@@ -1,7 +1,7 @@
 """`BufferCore`: messages in, messages out. The buffer itself is `edulaunch.tf.TransformBuffer`."""
+
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
 from geometry_msgs.msg import TransformStamped
@@ -20,7 +20,8 @@ to_wire = TransformStamped.to_wire
 
 
 class BufferCore:
-    """Stores transforms and looks them up; knows no node and no topic. Mirrors tf2_py's class of the same name.
+    """Stores transforms and looks them up; knows no node and no topic. Mirrors tf2_py's class of the same
+    name.
 
     :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
     """
@@ -57,15 +58,17 @@ class BufferCore:
             raise exception_of(failure) from None
         return _message(target_frame, source_frame, stamp_ns, pose)
 
-    def lookup_transform_full_core(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                                   fixed_frame: str) -> TransformStamped:
+    def lookup_transform_full_core(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> TransformStamped:
         """The transform from the source frame at one time to the target frame at another, over a fixed frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
         try:
-            stamp_ns, pose = self._tf.lookup_full(target_frame, nanoseconds(target_time), source_frame,
-                                                  nanoseconds(source_time), fixed_frame)
+            stamp_ns, pose = self._tf.lookup_full(
+                target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
+            )
         except TransformFailure as failure:
             raise exception_of(failure) from None
         return _message(target_frame, source_frame, stamp_ns, pose)
@@ -75,34 +78,48 @@ class BufferCore:
         possible, reason = self._tf.can_transform(target_frame, source_frame, nanoseconds(time))
         return int(possible), reason
 
-    def can_transform_full_core(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                                fixed_frame: str) -> tuple[int, str]:
+    def can_transform_full_core(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> tuple[int, str]:
         """(1 or 0, the reason when it is 0)."""
-        possible, reason = self._tf.can_transform_full(target_frame, nanoseconds(target_time), source_frame,
-                                                       nanoseconds(source_time), fixed_frame)
+        possible, reason = self._tf.can_transform_full(
+            target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
+        )
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """The newest time for which the transform is known, as rclpy Time (system clock); 0 when all is static.
+        """The newest time for which the transform is known, as rclpy Time (system clock); 0 when all is
+        static.
 
         :raises TransformException: the frames are unknown or not connected.
         """
         from rclpy.time import Time
+
         try:
             return Time(nanoseconds=self._tf.latest_common_time(target_frame, source_frame))
         except TransformFailure as failure:
             unknown = 'passed to' in str(failure)
             raise (exception_of(failure) if unknown else TransformException(str(failure))) from None
 
-    def lookupVelocityCore(self, tracking_frame: str, observation_frame: str, time: Any,  # noqa: N802
-                           averaging_interval: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    def lookupVelocityCore(
+        self,
+        tracking_frame: str,
+        observation_frame: str,
+        time: Any,  # noqa: N802
+        averaging_interval: Any,
+    ) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Linear (m/s) and angular (rad/s) velocity of the tracking frame seen from the observation frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
         try:
-            return lookup_velocity(self._tf, tracking_frame, observation_frame, nanoseconds(time),
-                                   nanoseconds(averaging_interval, 'duration'))
+            return lookup_velocity(
+                self._tf,
+                tracking_frame,
+                observation_frame,
+                nanoseconds(time),
+                nanoseconds(averaging_interval, 'duration'),
+            )
         except TransformFailure as failure:
             raise exception_of(failure) from None
 
@@ -122,15 +139,17 @@ class BufferCore:
         """A graphviz graph of all frames; with a time it shows ages."""
         return self._tf.all_frames_as_dot(0 if time is None else nanoseconds(time))
 
-    def _chain(self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-               fixed_frame: str) -> list[str]:
+    def _chain(
+        self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> list[str]:
         """The frames between source and target.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
         try:
-            return self._tf.chain(target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time),
-                                  fixed_frame)
+            return self._tf.chain(
+                target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
+            )
         except TransformFailure as failure:
             raise exception_of(failure) from None
 

@@ -1,4 +1,5 @@
 """tf2's exceptions. They print with the module name `tf2`, as the real library's do."""
+
 from __future__ import annotations
 
 from edulaunch.tf import TransformFailure

@@ -1,4 +1,7 @@
-"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first used."""
+"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first
+used.
+"""
+
 from __future__ import annotations
 
 import sys
@@ -6,18 +9,44 @@ from importlib import import_module
 from typing import Any
 
 _EXPORTS = {
-    **dict.fromkeys(('BufferCore', 'ConnectivityException', 'ExtrapolationException', 'InvalidArgumentException',
-                     'LookupException', 'TimeoutException', 'TransformException'), 'tf2_py'),
-    **dict.fromkeys(('BufferInterface', 'ConvertRegistration', 'NotImplementedException', 'Stamped',
-                     'TransformRegistration', 'TypeException', 'convert'), 'tf2_ros.buffer_interface'),
+    **dict.fromkeys(
+        (
+            'BufferCore',
+            'ConnectivityException',
+            'ExtrapolationException',
+            'InvalidArgumentException',
+            'LookupException',
+            'TimeoutException',
+            'TransformException',
+        ),
+        'tf2_py',
+    ),
+    **dict.fromkeys(
+        (
+            'BufferInterface',
+            'ConvertRegistration',
+            'NotImplementedException',
+            'Stamped',
+            'TransformRegistration',
+            'TypeException',
+            'convert',
+        ),
+        'tf2_ros.buffer_interface',
+    ),
     'Buffer': 'tf2_ros.buffer',
     'BufferClient': 'tf2_ros.buffer_client',
     'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
     'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
     'TransformListener': 'tf2_ros.transform_listener',
 }
-_MODULES = ('buffer', 'buffer_client', 'buffer_interface', 'static_transform_broadcaster', 'transform_broadcaster',
-            'transform_listener')
+_MODULES = (
+    'buffer',
+    'buffer_client',
+    'buffer_interface',
+    'static_transform_broadcaster',
+    'transform_broadcaster',
+    'transform_listener',
+)
 
 __all__ = sorted(_EXPORTS)  # noqa: PLE0605
 

@@ -1,4 +1,5 @@
 """The buffer that nodes use: a buffer core that can wait."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -7,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from rclpy.duration import Duration
 from tf2_py import BufferCore
 from tf2_py._times import nanoseconds
-from tf2_ros.buffer_interface import BufferInterface
 
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
+from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
@@ -18,14 +19,15 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 POLL_S = 0.02
-NO_WAIT = Duration()
 
 
 class Buffer(BufferCore, BufferInterface):
-    """Stores transforms and looks them up, optionally waiting for them. Mirrors `tf2_ros.buffer.Buffer` of Jazzy.
+    """Stores transforms and looks them up, optionally waiting for them. Mirrors `tf2_ros.buffer.Buffer` of
+    Jazzy.
 
     :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
-    :param node: when given, the node offers the service `tf2_frames`, and its clock tells of jumps back in time.
+    :param node: when given, the node offers the service `tf2_frames`, and its clock tells of jumps back in
+        time.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
@@ -33,11 +35,15 @@ class Buffer(BufferCore, BufferInterface):
         BufferInterface.__init__(self)
         self._new_data_callbacks: list[Callable[[], None]] = []
         from rclpy.clock import Clock, JumpThreshold
+
         if node is not None:
             from tf2_msgs.srv import FrameGraph
+
             self.srv = node.create_service(FrameGraph, 'tf2_frames', self._answer_frames)
         self.clock = Clock() if node is None else node.get_clock()
-        threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
+        threshold = JumpThreshold(
+            min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True
+        )
         self.jump_handle = self.clock.create_jump_callback(threshold, post_callback=self.time_jump_callback)
 
     def _answer_frames(self, request: Any, response: Any) -> Any:
@@ -47,6 +53,7 @@ class Buffer(BufferCore, BufferInterface):
     def time_jump_callback(self, time_jump: Any) -> None:
         """Empty the buffer: its stamps mean nothing any more."""
         from rclpy.logging import get_logger
+
         get_logger('tf2_buffer').warning('Detected jump back in time. Clearing tf buffer.')
         self.clear()
 
@@ -66,36 +73,68 @@ class Buffer(BufferCore, BufferInterface):
         for callback in list(self._new_data_callbacks):
             callback()
 
-    def lookup_transform(self, target_frame: str, source_frame: str, time: Any,
-                         timeout: Duration = NO_WAIT) -> TransformStamped:
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> TransformStamped:
         """The transform that maps coordinates given in the source frame into the target frame.
 
-        :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames have data.
+        :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames
+            have data.
         :param timeout: how long to wait for it; the node's executor stands still meanwhile, as in ROS 2.
-        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException.
+        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException,
+            InvalidArgumentException.
         """
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
-    def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                              fixed_frame: str, timeout: Duration = NO_WAIT) -> TransformStamped:
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> TransformStamped:
         """The transform between frames at two different times, over a frame that does not move meanwhile."""
         if timeout is not NO_WAIT:
-            self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
-        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
+            self.can_transform_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
+            )
+        return self.lookup_transform_full_core(
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT,
-                      return_debug_tuple: bool = False) -> Any:
+    def can_transform(
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Any,
+        timeout: Duration = NO_WAIT,
+        return_debug_tuple: bool = False,
+    ) -> Any:
         """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         return answer if return_debug_tuple else answer[0]
 
-    def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                           fixed_frame: str, timeout: Duration = NO_WAIT, return_debug_tuple: bool = False) -> Any:
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+        return_debug_tuple: bool = False,
+    ) -> Any:
         """:meth:`can_transform` for :meth:`lookup_transform_full`."""
-        answer = self._wait_for(lambda: self.can_transform_full_core(
-            target_frame, target_time, source_frame, source_time, fixed_frame), timeout)
+        answer = self._wait_for(
+            lambda: self.can_transform_full_core(
+                target_frame, target_time, source_frame, source_time, fixed_frame
+            ),
+            timeout,
+        )
         return answer if return_debug_tuple else answer[0]
 
     def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
@@ -112,29 +151,41 @@ class Buffer(BufferCore, BufferInterface):
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
         """A future that is done, with the transform, as soon as the transform is there; it has no timeout."""
-        return self._future(lambda: self.can_transform_core(target_frame, source_frame, time),
-                            lambda: self.lookup_transform_core(target_frame, source_frame, time))
+        return self._future(
+            lambda: self.can_transform_core(target_frame, source_frame, time),
+            lambda: self.lookup_transform_core(target_frame, source_frame, time),
+        )
 
-    def wait_for_transform_full_async(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                                      fixed_frame: str) -> Future:
+    def wait_for_transform_full_async(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> Future:
         """:meth:`wait_for_transform_async` for :meth:`lookup_transform_full`."""
         times = (target_frame, target_time, source_frame, source_time, fixed_frame)
-        return self._future(lambda: self.can_transform_full_core(*times),
-                            lambda: self.lookup_transform_full_core(*times))
+        return self._future(
+            lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times)
+        )
 
-    async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
+    async def lookup_transform_async(
+        self, target_frame: str, source_frame: str, time: Any
+    ) -> TransformStamped:
         """:meth:`lookup_transform` for coroutines: awaits the transform."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
-    async def lookup_transform_full_async(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                                          fixed_frame: str) -> TransformStamped:
+    async def lookup_transform_full_async(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> TransformStamped:
         """:meth:`lookup_transform_full` for coroutines."""
-        await self.wait_for_transform_full_async(target_frame, target_time, source_frame, source_time, fixed_frame)
-        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
+        await self.wait_for_transform_full_async(
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
+        return self.lookup_transform_full_core(
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
 
     def _future(self, check: Callable[[], tuple[int, str]], lookup: Callable[[], TransformStamped]) -> Future:
         from rclpy.task import Future
+
         future = Future()
         if check()[0]:
             future.set_result(lookup())

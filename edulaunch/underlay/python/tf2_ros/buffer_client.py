@@ -1,4 +1,5 @@
 """Lookups in a buffer of another node, over an action."""
+
 from __future__ import annotations
 
 import warnings
@@ -9,16 +10,23 @@ from rclpy.duration import Duration
 from rclpy.time import Time
 from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TF2Error
-from tf2_py import (ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException,
-                    TimeoutException, TransformException)
-from tf2_ros.buffer_interface import BufferInterface
+from tf2_py import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
 
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
+from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
+PADDING = Duration(seconds=2.0)
 _EXCEPTIONS: dict[int, type[TransformException]] = {
     TF2Error.LOOKUP_ERROR: LookupException,
     TF2Error.CONNECTIVITY_ERROR: ConnectivityException,
@@ -36,32 +44,55 @@ class BufferClient(BufferInterface):
     :param timeout_padding: how much longer than the lookup's own timeout to wait for the answer.
     """
 
-    def __init__(self, node: Node, ns: str, *, check_frequency: float = 10.0,
-                 timeout_padding: Duration = Duration(seconds=2.0)) -> None:
+    def __init__(
+        self, node: Node, ns: str, *, check_frequency: float = 10.0, timeout_padding: Duration = PADDING
+    ) -> None:
         super().__init__()
         self.node = node
         self.action_client = ActionClient(node, LookupTransform, action_name=ns)
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
-    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> Any:
         """As :meth:`tf2_ros.Buffer.lookup_transform`.
 
         :raises TimeoutException: there is no server, or it did not answer in time.
         """
-        goal = LookupTransform.Goal(target_frame=target_frame, source_frame=source_frame, advanced=False,
-                                    source_time=_time_message(time), timeout=timeout.to_msg())
+        goal = LookupTransform.Goal(
+            target_frame=target_frame,
+            source_frame=source_frame,
+            advanced=False,
+            source_time=_time_message(time),
+            timeout=timeout.to_msg(),
+        )
         return self._ask(goal)
 
-    def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                              fixed_frame: str, timeout: Duration = Duration()) -> Any:
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
         """As :meth:`tf2_ros.Buffer.lookup_transform_full`."""
-        goal = LookupTransform.Goal(target_frame=target_frame, target_time=_time_message(target_time),
-                                    source_frame=source_frame, source_time=_time_message(source_time),
-                                    fixed_frame=fixed_frame, advanced=True, timeout=timeout.to_msg())
+        goal = LookupTransform.Goal(
+            target_frame=target_frame,
+            target_time=_time_message(target_time),
+            source_frame=source_frame,
+            source_time=_time_message(source_time),
+            fixed_frame=fixed_frame,
+            advanced=True,
+            timeout=timeout.to_msg(),
+        )
         return self._ask(goal)
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> bool:
+    def can_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> bool:
         """Whether :meth:`lookup_transform` succeeds."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
@@ -69,11 +100,20 @@ class BufferClient(BufferInterface):
             return False
         return True
 
-    def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                           fixed_frame: str, timeout: Duration = Duration()) -> bool:
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> bool:
         """Whether :meth:`lookup_transform_full` succeeds."""
         try:
-            self.lookup_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
+            self.lookup_transform_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
+            )
         except TransformException:
             return False
         return True
@@ -85,8 +125,10 @@ class BufferClient(BufferInterface):
         deadline_ns = current_task().sim.now_ns + wait_ns
         handle = self._result_of(self.action_client.send_goal_async(goal), deadline_ns)
         if not handle.accepted:
-            raise TimeoutException('The LookupTransform goal sent to the BufferServer did not come back with accepted '
-                                   'status. Something is wrong with the server.')
+            raise TimeoutException(
+                'The LookupTransform goal sent to the BufferServer did not come back with accepted '
+                'status. Something is wrong with the server.'
+            )
         result = self._result_of(handle.get_result_async(), deadline_ns).result
         if result.error.error != TF2Error.NO_ERROR:
             raise _EXCEPTIONS.get(result.error.error, TransformException)(result.error.error_string)
@@ -96,8 +138,10 @@ class BufferClient(BufferInterface):
         sim = current_task().sim
         while not future.done():
             if sim.now_ns >= deadline_ns:
-                raise TimeoutException('The LookupTransform goal sent to the BufferServer did not come back in the '
-                                       'specified time. Something is wrong with the server.')
+                raise TimeoutException(
+                    'The LookupTransform goal sent to the BufferServer did not come back in the '
+                    'specified time. Something is wrong with the server.'
+                )
             sleep(1.0 / self.check_frequency)
         return future.result()
 
@@ -106,7 +150,10 @@ def _time_message(time: Any) -> Any:
     if isinstance(time, Time):
         return time.to_msg()
     if hasattr(time, 'sec') and hasattr(time, 'nanosec'):
-        warnings.warn('Passing a builtin_interfaces Time message is deprecated; pass an rclpy.time.Time', UserWarning,
-                      stacklevel=3)
+        warnings.warn(
+            'Passing a builtin_interfaces Time message is deprecated; pass an rclpy.time.Time',
+            UserWarning,
+            stacklevel=3,
+        )
         return time
     raise TypeError('Must pass a rclpy.time.Time object')

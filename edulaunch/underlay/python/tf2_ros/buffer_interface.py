@@ -1,13 +1,24 @@
 """What all sources of transforms have in common, and the transforming of whole objects."""
+
 from __future__ import annotations
 
 from typing import Any
 
 from rclpy.duration import Duration
+
 from tf2_ros.registrations import ConvertRegistration, TransformRegistration, TypeException
 
-__all__ = ['BufferInterface', 'ConvertRegistration', 'NotImplementedException', 'Stamped', 'TransformRegistration',
-           'TypeException', 'convert']
+__all__ = [
+    'BufferInterface',
+    'ConvertRegistration',
+    'NotImplementedException',
+    'Stamped',
+    'TransformRegistration',
+    'TypeException',
+    'convert',
+]
+
+NO_WAIT = Duration()
 
 
 class NotImplementedException(Exception):
@@ -20,14 +31,16 @@ class NotImplementedException(Exception):
 class BufferInterface:
     """Transforms stamped objects by means of a subclass's lookups.
 
-    Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of geometry_msgs.
+    Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of
+    geometry_msgs.
     """
 
     def __init__(self) -> None:
         self.registration = TransformRegistration()
 
-    def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = Duration(),
-                  new_type: Any = None) -> Any:
+    def transform(
+        self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None
+    ) -> Any:
         """The object in another frame, at the time of its own stamp (0: the latest).
 
         :raises TypeException: nobody registered the object's type.
@@ -35,34 +48,64 @@ class BufferInterface:
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
-        result = do_transform(object_stamped,
-                              self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout))
+        result = do_transform(
+            object_stamped, self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
+        )
         return convert(result, new_type) if new_type else result
 
-    def transform_full(self, object_stamped: Any, target_frame: str, target_time: Any, fixed_frame: str,
-                       timeout: Duration = Duration(), new_type: Any = None) -> Any:
+    def transform_full(
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        target_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+        new_type: Any = None,
+    ) -> Any:
         """The object in another frame at another time, over a frame that does not move meanwhile."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
-        result = do_transform(object_stamped, self.lookup_transform_full(
-            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout))
+        result = do_transform(
+            object_stamped,
+            self.lookup_transform_full(
+                target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
+            ),
+        )
         return convert(result, new_type) if new_type else result
 
-    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
-    def lookup_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                              fixed_frame: str, timeout: Duration = Duration()) -> Any:
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
+    def can_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
-    def can_transform_full(self, target_frame: str, target_time: Any, source_frame: str, source_time: Any,
-                           fixed_frame: str, timeout: Duration = Duration()) -> Any:
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
@@ -70,6 +113,7 @@ class BufferInterface:
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
     """Give an object a header and return it."""
     from std_msgs.msg import Header
+
     obj.header = Header(frame_id=frame_id, stamp=stamp)
     return obj
 

@@ -1,4 +1,5 @@
 """The program buffer_server: a buffer that other nodes ask over the action tf2_buffer_server."""
+
 from __future__ import annotations
 
 import sys
@@ -10,8 +11,14 @@ from rclpy.action import ActionServer, CancelResponse
 from rclpy.duration import Duration
 from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TF2Error
-from tf2_py import (ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException,
-                    TransformException)
+from tf2_py import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TransformException,
+)
+
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
@@ -26,7 +33,9 @@ CHECK_S = 0.01
 
 
 class BufferServer(CppNode):
-    """Answers lookups; those that wait are looked at again every 10 ms until they succeed or their time is over."""
+    """Answers lookups; those that wait are looked at again every 10 ms until they succeed or their time is
+    over.
+    """
 
     def __init__(self) -> None:
         super().__init__('tf_buffer')
@@ -35,8 +44,14 @@ class BufferServer(CppNode):
         self.listener = TransformListener(self.buffer, self)
         self.waiting: list[tuple[Any, int]] = []  # goal handles with their deadlines in ns
         self.results: dict[bytes, Any] = {}
-        self.server = ActionServer(self, LookupTransform, 'tf2_buffer_server', self.give_result,
-                                   handle_accepted_callback=self.take, cancel_callback=lambda _: CancelResponse.ACCEPT)
+        self.server = ActionServer(
+            self,
+            LookupTransform,
+            'tf2_buffer_server',
+            self.give_result,
+            handle_accepted_callback=self.take,
+            cancel_callback=lambda _: CancelResponse.ACCEPT,
+        )
         self.create_timer(CHECK_S, self.check)
 
     def take(self, handle: Any) -> None:
@@ -83,10 +98,12 @@ class BufferServer(CppNode):
         try:
             if goal.advanced:
                 result.transform = self.buffer.lookup_transform_full_core(
-                    goal.target_frame, goal.target_time, goal.source_frame, goal.source_time, goal.fixed_frame)
+                    goal.target_frame, goal.target_time, goal.source_frame, goal.source_time, goal.fixed_frame
+                )
             else:
-                result.transform = self.buffer.lookup_transform_core(goal.target_frame, goal.source_frame,
-                                                                     goal.source_time)
+                result.transform = self.buffer.lookup_transform_core(
+                    goal.target_frame, goal.source_frame, goal.source_time
+                )
         except TransformException as error:
             result.error.error = next(code for kind, code in CODES if isinstance(error, kind))
             result.error.error_string = str(error)

@@ -1,8 +1,9 @@
 """Which function transforms or converts which type.
 
-Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes and provide theirs for all; what a
-program adds itself belongs to its process alone.
+Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes and provide theirs
+for all; what a program adds itself belongs to its process alone.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -11,7 +12,12 @@ from typing import Any
 from edulaunch.processes.current import current_process
 
 Key = Any
-_provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg': {}, 'from_msg': {}, 'convert': {}}
+_provided: dict[str, dict[Key, Callable[..., Any]]] = {
+    'transform': {},
+    'to_msg': {},
+    'from_msg': {},
+    'convert': {},
+}
 
 
 class TypeException(Exception):

@@ -1,4 +1,5 @@
 """The command line of static_transform_publisher: flags, or the old fixed order of numbers."""
+
 from __future__ import annotations
 
 import re
@@ -95,7 +96,7 @@ def _from_positions(words: list[str]) -> Request:
     if len(words) > 9:
         raise ArgumentError('Extra unparsed arguments on command-line')
     names = ('x', 'y', 'z', *(_QUATERNION if len(words) == 9 else _EULER[::-1]))
-    numbers = [_number(f'--{name}', text) for name, text in zip(names, words)]
+    numbers = [_number(f'--{name}', text) for name, text in zip(names, words, strict=False)]
     x, y, z = numbers[:3]
     if len(words) == 9:
         rotation = (numbers[3], numbers[4], numbers[5], numbers[6])

@@ -1,4 +1,5 @@
 """Sending transforms that hold for ever."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -6,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
+
 from tf2_ros.transform_broadcaster import as_list
 
 if TYPE_CHECKING:
@@ -14,7 +16,8 @@ if TYPE_CHECKING:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms on /tf_static, for late listeners too: each message repeats all frames sent so far.
+    """Publishes transforms on /tf_static, for late listeners too: each message repeats all frames sent so
+    far.
 
     As in Jazzy's Python version, a child frame that was sent before is not changed by sending it again.
 
@@ -23,7 +26,9 @@ class StaticTransformBroadcaster:
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         if qos is None:
-            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+            qos = QoSProfile(
+                depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+            )
         self.pub_tf = node.create_publisher(TFMessage, '/tf_static', qos)
         self._sent: dict[str, TransformStamped] = {}
 

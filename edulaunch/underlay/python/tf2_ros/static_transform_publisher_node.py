@@ -1,4 +1,7 @@
-"""The program static_transform_publisher: publishes one transform on /tf_static and stays alive for late listeners."""
+"""The program static_transform_publisher: publishes one transform on /tf_static and stays alive for late
+listeners.
+"""
+
 from __future__ import annotations
 
 import random
@@ -13,11 +16,19 @@ from rclcpp_like.errors import CppError
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.parameter import Parameter
 from rclpy.utilities import remove_ros_args
+
 from tf2_ros.static_transform_arguments import USAGE, ArgumentError, Request, parse
 from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
-NUMBERS = ('translation.x', 'translation.y', 'translation.z',
-           'rotation.x', 'rotation.y', 'rotation.z', 'rotation.w')
+NUMBERS = (
+    'translation.x',
+    'translation.y',
+    'translation.z',
+    'rotation.x',
+    'rotation.y',
+    'rotation.z',
+    'rotation.w',
+)
 
 
 class StaticTransformPublisher(CppNode):
@@ -25,14 +36,21 @@ class StaticTransformPublisher(CppNode):
 
     def __init__(self, request: Request) -> None:
         suffix = ''.join(random.choices(string.ascii_letters + string.digits, k=16))
-        asked = {**dict(zip(NUMBERS, request.transform)),
-                 'frame_id': request.frame_id, 'child_frame_id': request.child_frame_id}
-        super().__init__(f'static_transform_publisher_{suffix}',
-                         parameter_overrides=[Parameter(name, value=value) for name, value in asked.items()])
+        asked = {
+            **dict(zip(NUMBERS, request.transform, strict=True)),
+            'frame_id': request.frame_id,
+            'child_frame_id': request.child_frame_id,
+        }
+        super().__init__(
+            f'static_transform_publisher_{suffix}',
+            parameter_overrides=[Parameter(name, value=value) for name, value in asked.items()],
+        )
         message = self._declared()
         if message.header.frame_id == message.child_frame_id:
-            self.get_logger().error(f"cannot publish static transform from '{message.header.frame_id}' to "
-                                    f"'{message.child_frame_id}', exiting")
+            self.get_logger().error(
+                f"cannot publish static transform from '{message.header.frame_id}' to "
+                f"'{message.child_frame_id}', exiting"
+            )
             raise CppError('child_frame_id cannot equal frame_id')
         message.header.stamp = self.get_clock().now().to_msg()
         self.message = message
@@ -45,7 +63,9 @@ class StaticTransformPublisher(CppNode):
         for name in NUMBERS:
             part, axis = name.split('.')
             default = 1.0 if name == 'rotation.w' else 0.0
-            setattr(getattr(message.transform, part), axis, self.declare_parameter(name, default, read_only).value)
+            setattr(
+                getattr(message.transform, part), axis, self.declare_parameter(name, default, read_only).value
+            )
         message.header.frame_id = self.declare_parameter('frame_id', '/frame', read_only).value
         message.child_frame_id = self.declare_parameter('child_frame_id', '/child', read_only).value
         return message
@@ -57,7 +77,8 @@ class StaticTransformPublisher(CppNode):
             'Spinning until stopped - publishing transform\n'
             f"translation: ('{at.x:.6f}', '{at.y:.6f}', '{at.z:.6f}')\n"
             f"rotation: ('{turned.x:.6f}', '{turned.y:.6f}', '{turned.z:.6f}', '{turned.w:.6f}')\n"
-            f"from '{self.message.header.frame_id}' to '{self.message.child_frame_id}'")
+            f"from '{self.message.header.frame_id}' to '{self.message.child_frame_id}'"
+        )
 
 
 def run() -> int:

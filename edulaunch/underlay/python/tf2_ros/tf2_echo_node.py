@@ -1,4 +1,5 @@
 """The program tf2_echo: prints the transform between two frames again and again."""
+
 from __future__ import annotations
 
 import math
@@ -9,11 +10,11 @@ from geometry_msgs.msg import TransformStamped
 from rclcpp_like import CppNode, run_program
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
-from tf2_ros.buffer import Buffer
-from tf2_ros.transform_listener import TransformListener
 from tf2_py import TransformException
 
 from edulaunch.tf.quaternions import to_euler, to_matrix
+from tf2_ros.buffer import Buffer
+from tf2_ros.transform_listener import TransformListener
 
 USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate]
@@ -40,18 +41,24 @@ class Echo(CppNode):
     def look(self) -> None:
         """One cycle: the pose, or why there is none."""
         if not self.found:
-            possible, reason = self.buffer.can_transform(self.source, self.target, Time(), return_debug_tuple=True)
+            possible, reason = self.buffer.can_transform(
+                self.source, self.target, Time(), return_debug_tuple=True
+            )
             if not possible:
-                self.get_logger().info(f'Waiting for transform {self.source} ->  {self.target}: {reason}',
-                                       throttle_duration_sec=1.0)
+                self.get_logger().info(
+                    f'Waiting for transform {self.source} ->  {self.target}: {reason}',
+                    throttle_duration_sec=1.0,
+                )
                 return
             self.found = True
         try:
             sys.stdout.write(pose_text(self.buffer.lookup_transform(self.source, self.target, Time())))
         except TransformException as error:
             now = self.get_clock().now().nanoseconds * 1e-9
-            sys.stdout.write(f'Failure at {now:.3f}\nException thrown:{error}\nThe current list of frames is:\n'
-                             f'{self.buffer.all_frames_as_string()}\n')
+            sys.stdout.write(
+                f'Failure at {now:.3f}\nException thrown:{error}\nThe current list of frames is:\n'
+                f'{self.buffer.all_frames_as_string()}\n'
+            )
 
 
 def pose_text(found: TransformStamped) -> str:
@@ -59,14 +66,16 @@ def pose_text(found: TransformStamped) -> str:
     at, q = found.transform.translation, found.transform.rotation
     rotation = (q.x, q.y, q.z, q.w)
     angles = to_euler(rotation)
-    rows = [(*row, shift) for row, shift in zip(to_matrix(rotation), (at.x, at.y, at.z))]
-    lines = [f'At time {found.header.stamp.sec}.{found.header.stamp.nanosec}',
-             f'- Translation: {_listed((at.x, at.y, at.z))}',
-             f'- Rotation: in Quaternion {_listed(rotation)}',
-             f'- Rotation: in RPY (radian) {_listed(angles)}',
-             f'- Rotation: in RPY (degree) {_listed(tuple(math.degrees(angle) for angle in angles))}',
-             '- Matrix:',
-             *(''.join(f' {number:6.3f}' for number in row) for row in [*rows, (0.0, 0.0, 0.0, 1.0)])]
+    rows = [(*row, shift) for row, shift in zip(to_matrix(rotation), (at.x, at.y, at.z), strict=True)]
+    lines = [
+        f'At time {found.header.stamp.sec}.{found.header.stamp.nanosec}',
+        f'- Translation: {_listed((at.x, at.y, at.z))}',
+        f'- Rotation: in Quaternion {_listed(rotation)}',
+        f'- Rotation: in RPY (radian) {_listed(angles)}',
+        f'- Rotation: in RPY (degree) {_listed(tuple(math.degrees(angle) for angle in angles))}',
+        '- Matrix:',
+        *(''.join(f' {number:6.3f}' for number in row) for row in [*rows, (0.0, 0.0, 0.0, 1.0)]),
+    ]
     return '\n'.join(lines) + '\n'
 
 

@@ -1,4 +1,5 @@
 """The program tf2_monitor: how old transforms are when they arrive, and how often they come."""
+
 from __future__ import annotations
 
 import sys
@@ -12,6 +13,7 @@ from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 from tf2_msgs.msg import TFMessage
 from tf2_py import TransformException
+
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
@@ -85,11 +87,18 @@ class Monitor(CppNode):
     def _measure(self, first: str, second: str) -> bool:
         possible, reason = self.buffer.can_transform(first, second, Time(), return_debug_tuple=True)
         if not possible:
-            self.get_logger().info(f'Waiting for transform {first} ->  {second}: {reason}', throttle_duration_sec=1.0)
+            self.get_logger().info(
+                f'Waiting for transform {first} ->  {second}: {reason}', throttle_duration_sec=1.0
+            )
             return False
         try:
-            self.chain = self.chain or self.buffer._chain(target_frame=second, target_time=Time(), source_frame=first,
-                                                          source_time=Time(), fixed_frame=second)
+            self.chain = self.chain or self.buffer._chain(
+                target_frame=second,
+                target_time=Time(),
+                source_frame=first,
+                source_time=Time(),
+                fixed_frame=second,
+            )
             stamp = self.buffer.lookup_transform(first, second, Time()).header.stamp
         except TransformException as error:
             self.get_logger().warning(f'Transform Exception {error}')
@@ -100,7 +109,9 @@ class Monitor(CppNode):
         return True
 
     def report(self) -> None:
-        """Print the results so far: frames on stdout, the heading of the broadcasters on stderr, as ROS does."""
+        """Print the results so far: frames on stdout, the heading of the broadcasters on stderr, as ROS
+        does.
+        """
         lines = ['\n\n']
         shown: Iterable[str] = sorted(self.by_frame)
         if self.frames is None:
@@ -111,14 +122,19 @@ class Monitor(CppNode):
             lines.append(f'Net delay     avg = {self.average:g}: max = {self.worst:g}')
             shown = [frame for frame in shown if frame in self.chain]
         lines += ['', 'Frames:']
-        lines += [f'Frame: {frame}, published by {AUTHORITY}, Average Delay: {self.by_frame[frame]}, '
-                  f'Max Delay: {self.by_frame[frame].worst:g}' for frame in shown]
+        lines += [
+            f'Frame: {frame}, published by {AUTHORITY}, Average Delay: {self.by_frame[frame]}, '
+            f'Max Delay: {self.by_frame[frame].worst:g}'
+            for frame in shown
+        ]
         sys.stdout.write('\n'.join(lines) + '\n')
         sys.stderr.write('\nAll Broadcasters:\n')
         if self.arrivals:
             rate = len(self.arrivals) / max(1e-8, self.arrivals[-1] - self.arrivals[0])
-            sys.stdout.write(f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {self.all_messages} '
-                             f'Max Delay: {self.all_messages.worst:g}\n')
+            sys.stdout.write(
+                f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {self.all_messages} '
+                f'Max Delay: {self.all_messages.worst:g}\n'
+            )
 
 
 def run() -> int:

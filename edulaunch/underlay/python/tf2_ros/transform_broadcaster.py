@@ -1,4 +1,5 @@
 """Sending transforms that change."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

@@ -1,4 +1,5 @@
 """Receiving transforms."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -11,40 +12,58 @@ from edulaunch.processes.current import current_process
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+
     from tf2_ros.buffer import Buffer
 
 AUTHORITY = 'default_authority'
 
 
 class TransformListener:
-    """Fills a buffer from /tf and /tf_static. It must be kept (`self.tf_listener = ...`): it stops when it is dropped.
+    """Fills a buffer from /tf and /tf_static. It must be kept (`self.tf_listener = ...`): it stops when it is
+    dropped.
 
-    :param spin_thread: spin the whole node in a thread of its own, so that lookups with a timeout get data meanwhile.
+    :param spin_thread: spin the whole node in a thread of its own, so that lookups with a timeout get data
+        meanwhile.
     :param qos: of /tf; depth 100 when left out.
     :param static_qos: of /tf_static; depth 100 and transient local when left out.
     """
 
-    def __init__(self, buffer: Buffer, node: Node, *, spin_thread: bool = False, qos: QoSProfile | int | None = None,
-                 static_qos: QoSProfile | int | None = None) -> None:
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Node,
+        *,
+        spin_thread: bool = False,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
+    ) -> None:
         if qos is None:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
         if static_qos is None:
-            static_qos = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL,
-                                    history=HistoryPolicy.KEEP_LAST)
+            static_qos = QoSProfile(
+                depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+            )
         self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
         # The callbacks hold the buffer, not the listener, so that dropping the listener ends it.
-        self.tf_sub: Any = node.create_subscription(TFMessage, '/tf', _receiver(buffer.set_transform), qos,
-                                                    callback_group=self.group)
-        self.tf_static_sub: Any = node.create_subscription(TFMessage, '/tf_static', _receiver(buffer.set_transform_static),
-                                                           static_qos, callback_group=self.group)
+        self.tf_sub: Any = node.create_subscription(
+            TFMessage, '/tf', _receiver(buffer.set_transform), qos, callback_group=self.group
+        )
+        self.tf_static_sub: Any = node.create_subscription(
+            TFMessage,
+            '/tf_static',
+            _receiver(buffer.set_transform_static),
+            static_qos,
+            callback_group=self.group,
+        )
         self.executor: Any = None
         if spin_thread:
             self._start_thread()
 
     def _start_thread(self) -> None:
         from rclpy.executors import SingleThreadedExecutor
+
         self.executor = executor = SingleThreadedExecutor()
         node = self.node
 
@@ -53,7 +72,9 @@ class TransformListener:
             executor.spin()
             executor.remove_node(node)
 
-        threading = current_process().loader.import_('threading')  # threads of this process, in simulated time
+        threading = current_process().loader.import_(
+            'threading'
+        )  # threads of this process, in simulated time
         self.dedicated_listener_thread = threading.Thread(target=run)
         self.dedicated_listener_thread.start()
 
@@ -75,4 +96,5 @@ def _receiver(set_transform: Any) -> Any:
     def receive(message: TFMessage) -> None:
         for transform in message.transforms:
             set_transform(transform, AUTHORITY)
+
     return receive

@@ -1,4 +1,5 @@
 """The program view_frames: listens to tf2 for a while and draws the tree of frames."""
+
 from __future__ import annotations
 
 import argparse
@@ -25,17 +26,21 @@ def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
     lines = ['digraph G {']
     root = ''
     for child, facts in data.items():
-        label = (f' Broadcaster: {facts["broadcaster"]}\\nAverage rate: {facts["rate"]}\\n'
-                 f'Buffer length: {facts["buffer_length"]}\\nMost recent transform: {facts["most_recent_transform"]}\\n'
-                 f'Oldest transform: {facts["oldest_transform"]}\\n')
+        label = (
+            f' Broadcaster: {facts["broadcaster"]}\\nAverage rate: {facts["rate"]}\\n'
+            f'Buffer length: {facts["buffer_length"]}\\nMost recent transform: {facts["most_recent_transform"]}\\n'
+            f'Oldest transform: {facts["oldest_transform"]}\\n'
+        )
         lines.append(f'"{facts["parent"]}" -> "{child}"[label="{label}"];')
         if facts['parent'] not in data:
             root = facts['parent']
-    lines += ['edge [style=invis];',
-              ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";',
-              f'"Recorded at time: {recorded_time}"[ shape=plaintext ] ;',
-              f'}}->"{root}";',
-              '}']
+    lines += [
+        'edge [style=invis];',
+        ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";',
+        f'"Recorded at time: {recorded_time}"[ shape=plaintext ] ;',
+        f'}}->"{root}";',
+        '}',
+    ]
     return '\n'.join(lines)
 
 
@@ -61,8 +66,10 @@ def draw(node: Node, data: dict[Any, dict[str, Any]], name: str) -> None:
         file.write(generate_dot(data, time.time()))
     dot = shutil.which('dot')
     if dot is None:
-        node.get_logger().warning(f'{name}.pdf was not written: the program dot (graphviz) is not installed. '
-                                  f'The graph as text is in {name}.gv')
+        node.get_logger().warning(
+            f'{name}.pdf was not written: the program dot (graphviz) is not installed. '
+            f'The graph as text is in {name}.gv'
+        )
         return
     subprocess.run([dot, '-Tpdf', f'{name}.gv', '-o', f'{name}.pdf'], check=True)
 

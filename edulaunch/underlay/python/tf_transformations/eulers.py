@@ -1,4 +1,5 @@
 """Euler angles about any of the 24 sequences of axes."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -14,7 +15,7 @@ FLAT = 1e-12  # below this a sine or cosine is taken as zero
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = 'sxyz') -> Quaternion:
     """The rotation (x, y, z, w) of three angles in radians; with the default axes: roll, pitch, yaw."""
     frame, letters = _parse(axes)
-    turns = [_about(axis, angle) for axis, angle in zip(letters, (ai, aj, ak))]
+    turns = [_about(axis, angle) for axis, angle in zip(letters, (ai, aj, ak), strict=True)]
     result = IDENTITY
     for turn in turns:
         result = multiply(turn, result) if frame == 's' else multiply(result, turn)
@@ -38,7 +39,8 @@ def euler_from_matrix(matrix: Any, axes: str = 'sxyz') -> Vector:
 
 def _parse(axes: str) -> tuple[str, tuple[int, int, int]]:
     frame, letters = axes[:1], tuple('xyz'.find(letter) for letter in axes[1:])
-    if frame not in ('s', 'r') or len(letters) != 3 or -1 in letters or letters[1] in (letters[0], letters[2]):
+    named = frame in ('s', 'r') and len(letters) == 3 and -1 not in letters
+    if not named or letters[1] in (letters[0], letters[2]):
         raise KeyError(axes)
     return frame, (letters[0], letters[1], letters[2])
 

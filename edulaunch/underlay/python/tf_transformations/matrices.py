@@ -1,4 +1,5 @@
 """Homogeneous 4x4 matrices as numpy arrays."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -10,6 +11,7 @@ from tf_transformations.quaternions import quaternion_about_axis, quaternion_mat
 def identity_matrix() -> Any:
     """No rotation, no translation."""
     import numpy
+
     return numpy.identity(4)
 
 
@@ -23,6 +25,7 @@ def translation_matrix(direction: Sequence[float]) -> Any:
 def translation_from_matrix(matrix: Any) -> Any:
     """The shift of a matrix, as an array of 3 numbers."""
     import numpy
+
     return numpy.array(matrix)[:3, 3].copy()
 
 
@@ -31,6 +34,7 @@ def rotation_matrix(angle: float, direction: Sequence[float], point: Sequence[fl
     matrix = quaternion_matrix(quaternion_about_axis(angle, direction[:3]))
     if point is not None:
         import numpy
+
         centre = numpy.array(point[:3], dtype=float)
         matrix[:3, 3] = centre - matrix[:3, :3] @ centre
     return matrix
@@ -39,12 +43,14 @@ def rotation_matrix(angle: float, direction: Sequence[float], point: Sequence[fl
 def inverse_matrix(matrix: Any) -> Any:
     """The matrix that undoes the given one."""
     import numpy
+
     return numpy.linalg.inv(matrix)
 
 
 def concatenate_matrices(*matrices: Any) -> Any:
     """The product of all matrices, the last of which is applied first."""
     import numpy
+
     result = numpy.identity(4)
     for matrix in matrices:
         result = result @ numpy.asarray(matrix)

@@ -1,4 +1,5 @@
 """Quaternions as tuples (x, y, z, w)."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -55,12 +56,14 @@ def quaternion_from_matrix(matrix: Any) -> Quaternion:
 def vector_norm(data: Any, axis: int | None = None) -> Any:
     """The length of a vector, or of the vectors along an axis."""
     import numpy
+
     return numpy.linalg.norm(data, axis=axis)
 
 
 def unit_vector(data: Any) -> Any:
     """The vector of length 1 in the same direction."""
     import numpy
+
     values = numpy.array(data, dtype=float)
     return values / numpy.linalg.norm(values)
 
@@ -74,6 +77,7 @@ def rotation_rows(quaternion: Sequence[float]) -> Matrix:
 def homogeneous(rows: Matrix) -> Any:
     """A 3x3 rotation as a 4x4 array."""
     import numpy
+
     matrix = numpy.identity(4)
     matrix[:3, :3] = rows
     return matrix

@@ -1,6 +1,7 @@
 """One turtle's topics, services and action."""
 from __future__ import annotations
 
+from struct import Struct
 from typing import Any
 
 from geometry_msgs.msg import Twist
@@ -8,12 +9,14 @@ from rclpy.logging import LoggingSeverity
 from rclpy.node import Node
 
 from edulaunch.worlds.drawing import SIDE
+from edulaunch.worlds.float32 import as_float32
 from edulaunch.worlds.turtle import Turtle
 from turtlesim._rotate_absolute import RotateAbsoluteServer
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 DEPTH = 7
+_POSE = Struct('5f')
 
 
 class TurtlePorts:
@@ -35,9 +38,8 @@ class TurtlePorts:
             node.create_service(TeleportAbsolute, f'{name}/teleport_absolute', self._on_teleport_absolute),
         ]
         self._rotation = RotateAbsoluteServer(node, turtle)
-        self._pose = Pose()
-        self._color = Color(r=255, g=255, b=255)
-        self._last_color = (255, 255, 255)
+        self._publish_pose = self._poses.handle.publish
+        self._publish_color = self._colors.handle.publish
 
     def destroy(self) -> None:
         """Take the turtle off the graph."""
@@ -51,8 +53,8 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
 
-        The messages are made once and written into past the fields' checks: publishing takes a snapshot,
-        and the world's numbers are what the fields want.
+        Both messages are flat, so their wire tuples are made directly: this runs 62.5 times a second for each
+        turtle.
         """
         turtle = self.turtle
         rotation = self._rotation
@@ -65,17 +67,9 @@ class TurtlePorts:
         if turtle.wall_hit is not None:
             x, down = turtle.wall_hit
             self._log.warning(f'Oh no! I hit the wall! (Clamping from [x={x:f}, y={down:f}])')
-        pose = self._pose
-        pose._x = turtle.x
-        pose._y = SIDE - turtle.down
-        pose._theta = turtle.theta
-        pose._linear_velocity = turtle.linear_velocity
-        pose._angular_velocity = turtle.turning
-        self._poses.publish(pose)
-        if turtle.color != self._last_color:
-            color = self._color
-            color._r, color._g, color._b = self._last_color = turtle.color
-        self._colors.publish(self._color)
+        self._publish_pose(_singles(
+            turtle.x, SIDE - turtle.down, turtle.theta, turtle.linear_velocity, turtle.turning))
+        self._publish_color(turtle.color)
         if self._debug:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} '
                             f'theta: {turtle.theta:f}')
@@ -99,3 +93,11 @@ class TurtlePorts:
     def _on_teleport_absolute(self, request: Any, response: Any) -> Any:
         self.turtle.teleport_absolute(request.x, request.y, request.theta)
         return response
+
+
+def _singles(*values: float) -> tuple[float, ...]:
+    """The five fields of a Pose, rounded to 32 bits."""
+    try:
+        return _POSE.unpack(_POSE.pack(*values))
+    except OverflowError:
+        return tuple(as_float32(value) for value in values)

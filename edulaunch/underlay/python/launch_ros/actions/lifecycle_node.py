@@ -48,7 +48,7 @@ class LifecycleNode(Node):
 
         def on_transition(msg: Any) -> None:
             self.__current_state = msg.goal_state.id
-            context.emit_event_sync(StateTransition(action=self, msg=msg))
+            context.asyncio_loop.call_soon_threadsafe(context.emit_event_sync, StateTransition(action=self, msg=msg))
 
         self.__subscription = get_ros_node(context).create_subscription(
             TransitionEvent, f'{self.node_name}/transition_event', on_transition, 10)

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, Optional, Union
 
+from launch._parsed_by import parsed_as_action
 import launch.logging
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
@@ -35,6 +36,8 @@ class LoadComposableNodes(Action):
 
     :param target_container: the container action, or the container's full name.
     """
+
+    parse = parsed_as_action('load_composable_node')
 
     def __init__(
         self, *,

@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
+from launch._parsed_by import parsed_as_action
 import launch.logging
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -50,6 +51,8 @@ class Node(ExecuteProcess):
     Errors when it is executed: PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's
     InvalidNodeNameException and InvalidNamespaceException.
     """
+
+    parse = parsed_as_action('node')
 
     UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
     UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'

@@ -3,11 +3,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._parsed_by import parsed_as_action
 from launch.actions.timer_action import TimerAction
+from launch.events.timer_event import TimerEvent
+from launch.utilities.type_utils import perform_typed_substitution
 
 from ..ros_adapters import get_ros_node
 
 if TYPE_CHECKING:
+    import asyncio
+
     from launch.launch_context import LaunchContext
     from launch.some_entities_type import SomeEntitiesType
 
@@ -18,22 +23,35 @@ class ROSTimer(TimerAction):
     :param period: seconds, as a float, a text or substitutions.
     """
 
+    parse = parsed_as_action('ros_timer')
+
     def __init__(self, *, period: Any, actions: SomeEntitiesType, **kwargs: Any) -> None:
         super().__init__(period=period, actions=actions, **kwargs)
 
     async def _wait_to_fire_event(self, context: LaunchContext) -> None:
-        import asyncio
-        from launch.events.timer_event import TimerEvent
-        node = get_ros_node(context)
-        period = self._period_seconds(context)
-        fired: asyncio.Future[None] = context.asyncio_loop.create_future()
-        timer = node.create_timer(period, lambda: fired.done() or fired.set_result(None))
+        assert self._canceled_future is not None and self._completed_future is not None
         try:
-            done, _ = await asyncio.wait([fired, self._canceled_future], return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            node.destroy_timer(timer)
-        if fired in done:
-            await context.emit_event(TimerEvent(timer_action=self))
+            if await self.__fires(context):
+                await context.emit_event(TimerEvent(timer_action=self))
+        except Exception as error:
+            self._completed_future.set_exception(error)
+        else:
+            self._completed_future.set_result(None)
+
+    async def __fires(self, context: LaunchContext) -> bool:
+        """Wait; False when cancelled."""
+        import asyncio
+        loop, node = context.asyncio_loop, get_ros_node(context)
+        fired: asyncio.Future[None] = loop.create_future()
+
+        def on_timer() -> None:
+            loop.call_soon_threadsafe(lambda: fired.done() or fired.set_result(None))
+
+        timer = node.create_timer(perform_typed_substitution(context, self.period, float), on_timer)
+        assert self._canceled_future is not None
+        await asyncio.wait([fired, self._canceled_future], return_when=asyncio.FIRST_COMPLETED)
+        node.destroy_timer(timer)
+        return not self._canceled_future.done()
 
 
 RosTimer = ROSTimer

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List
 
+from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -20,6 +21,8 @@ class SetParameter(Action):
 
     As in ROS, a list of values is passed on in a form that the node reads as a text.
     """
+
+    parse = parsed_as_action('set_parameter')
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)

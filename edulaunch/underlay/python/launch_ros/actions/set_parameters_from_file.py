@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List
 
+from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -18,6 +19,8 @@ class SetParametersFromFile(Action):
 
     :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
     """
+
+    parse = parsed_as_action('set_parameters_from_file')
 
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List
 
+from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
 
 class SetRemap(Action):
     """Remap `src` to `dst` in every node that is started later in this scope; such rules come before a node's own."""
+
+    parse = parsed_as_action('set_remap')
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

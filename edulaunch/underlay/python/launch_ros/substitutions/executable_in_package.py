@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -21,6 +22,8 @@ class ExecutableInPackage(FindPackagePrefix):
 
     :raises SubstitutionFailure: on evaluation, when the package has no such executable; its `help` says what to try.
     """
+
+    parse = parsed_as_substitution('exec-in-pkg')
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)

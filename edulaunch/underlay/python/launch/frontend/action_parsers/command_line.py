@@ -4,6 +4,7 @@ from __future__ import annotations
 from launch.substitution import Substitution
 from launch.substitutions.text_substitution import TextSubstitution
 
+from .. import hints
 from ..parser import Parser
 
 Word = list[Substitution]
@@ -44,4 +45,7 @@ def _split(text: str) -> list[str]:
     if '"' not in text and "'" not in text and '\\' not in text:
         return text.split()
     from shlex import split
-    return split(text)
+    try:
+        return split(text)
+    except ValueError as error:
+        raise hints.hinted(error, f'in {text!r} a quote is not closed; close it before a $(...) begins') from None

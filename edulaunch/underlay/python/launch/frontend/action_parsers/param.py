@@ -6,6 +6,7 @@ from typing import Any
 from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
 
+from .. import hints
 from ..entity import Entities, Entity
 from ..parser import Parser
 
@@ -28,15 +29,15 @@ def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
         allow_substs = param.get_attr('allow_substs', data_type=bool, optional=True)
         name = param.get_attr('name', optional=True)
         if from_text is not None and name is not None:
-            raise RuntimeError('name and from attributes are mutually exclusive')
+            raise _wrong(param, 'name and from attributes are mutually exclusive')
         if from_text is None and allow_substs is not None:
-            raise RuntimeError("'allow_substs' can only be used together with 'from' attribute")
+            raise _wrong(param, "'allow_substs' can only be used together with 'from' attribute")
         if from_text is not None:
             parameters.append(_file(param, from_text, allow_substs, parser))
         elif name is not None:
             named.append(param)
         else:
-            raise ValueError('param Entity should have name or from attribute')
+            raise hints.at(ValueError('param Entity should have name or from attribute'), param, None)
     if named:
         parameters.append(_dictionary(named, parser))
     return parameters
@@ -57,17 +58,22 @@ def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
 def _value(param: Entity, parser: Parser) -> Any:
     type_name = param.get_attr('type', optional=True)
     if type_name is not None and type_name not in _TYPES:
-        raise ValueError(f'Got invalid type identifier {type_name!r}')
+        error = ValueError(f'Got invalid type identifier {type_name!r}')
+        raise hints.at(error, param, f"the types are {', '.join(_TYPES)}")
     data_type = None if type_name is None else _TYPES[type_name]
     value = param.get_attr('value', data_type=data_type, optional=True)
     nested = param.get_attr('param', data_type=Entities, optional=True)
     param.assert_entity_completely_parsed()
     if nested is not None:
         if value is not None:
-            raise RuntimeError('nested parameters and value attributes are mutually exclusive')
+            raise _wrong(param, 'nested parameters and value attributes are mutually exclusive')
         if data_type is not None:
-            raise RuntimeError('nested parameters and type attributes are mutually exclusive')
+            raise _wrong(param, 'nested parameters and type attributes are mutually exclusive')
         return _dictionary(nested, parser)
     if value is None:
-        raise RuntimeError('either a value attribute or nested params are needed')
+        raise _wrong(param, 'either a value attribute or nested params are needed')
     return ParameterValue(parser.parse_if_substitutions(value), value_type=data_type)
+
+
+def _wrong(param: Entity, message: str) -> RuntimeError:
+    return hints.at(RuntimeError(message), param, None)

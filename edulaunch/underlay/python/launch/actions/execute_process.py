@@ -1,0 +1,62 @@
+"""Running a command."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Optional, Union
+
+from .._parsed_by import parsed_as_action
+from ..descriptions.executable import Executable, Substitutions, Variables
+from ..some_substitutions_type import SomeSubstitutionsType
+from .execute_local import ExecuteLocal
+
+Pairs = list[tuple[Substitutions, Substitutions]]
+
+
+class ExecuteProcess(ExecuteLocal):
+    """Run a command: `ros2 ...` and programs of known packages in the simulation, any other for real.
+
+    :param cmd: the words, each a text or substitutions. A plain text instead of a list would be one word for each letter.
+    :param prefix: put in front of the command, such as 'xterm -e'; default: the launch configuration `launch-prefix`.
+    :param name: of the process in the log, without its number; default: the program's file name.
+    :param cwd: working directory.
+    :param env: the whole environment.
+    :param additional_env: added to the environment.
+    :param kwargs: those of :class:`ExecuteLocal`, but for `process_description`.
+    """
+
+    parse = parsed_as_action('executable')
+
+    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: Optional[SomeSubstitutionsType] = None,
+                 name: Optional[SomeSubstitutionsType] = None, cwd: Optional[SomeSubstitutionsType] = None,
+                 env: Optional[Variables] = None, additional_env: Optional[Variables] = None, **kwargs: Any) -> None:
+        executable = Executable(cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
+        super().__init__(process_description=executable, **kwargs)
+
+    @property
+    def name(self) -> Union[str, Substitutions, None]:
+        """The unique name; before execution the given one, as substitutions."""
+        description = self.process_description
+        return description.final_name if description.final_name is not None else description.name
+
+    @property
+    def cmd(self) -> Any:
+        """The command line; before execution each word as substitutions."""
+        description = self.process_description
+        return description.final_cmd if description.final_cmd is not None else description.cmd
+
+    @property
+    def cwd(self) -> Union[str, Substitutions, None]:
+        """The working directory; before execution as substitutions."""
+        description = self.process_description
+        return description.final_cwd if description.final_cwd is not None else description.cwd
+
+    @property
+    def env(self) -> Union[dict[str, str], Pairs, None]:
+        """The environment; before execution as substitutions."""
+        description = self.process_description
+        return description.final_env if description.final_env is not None else description.env
+
+    @property
+    def additional_env(self) -> Optional[Pairs]:
+        """What is added to the environment, as substitutions."""
+        return self.process_description.additional_env

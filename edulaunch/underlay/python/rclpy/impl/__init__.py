@@ -1,0 +1,2 @@
+"""What rclpy.logging is made of."""
+from __future__ import annotations

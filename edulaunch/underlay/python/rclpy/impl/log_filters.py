@@ -1,0 +1,66 @@
+"""Keyword arguments of log calls that let only some messages through: once, throttle, skip_first."""
+from __future__ import annotations
+
+from typing import Any
+
+_FILTERS: dict[str, dict[str, Any]] = {
+    'once': {'once': None},
+    'throttle': {'throttle_duration_sec': None, 'throttle_time_source_type': False},
+    'skip_first': {'skip_first': None},
+}
+
+
+def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
+    """The filters that keyword arguments ask for.
+
+    :raises TypeError: for an unknown keyword, or a throttle without its duration.
+    """
+    known = [name for parameters in _FILTERS.values() for name in parameters]
+    wanted = tuple(name for name, parameters in _FILTERS.items() if any(options.get(parameter) for parameter in parameters))
+    if 'throttle' in wanted and 'throttle_duration_sec' not in options:
+        raise TypeError('required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
+                        '"throttle"')
+    for name in options:
+        if name not in known:
+            raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{known}"')
+    return wanted
+
+
+class CallSite:
+    """What one place in a program that logs remembers between its calls."""
+
+    __slots__ = ('name', 'severity', 'filters', 'calls', 'next_ns')
+
+    def __init__(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
+        self.name = name
+        self.severity = severity
+        self.filters = filters
+        self.calls = 0
+        self.next_ns = 0
+
+    def check(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
+        """Refuse a call that differs from the first one at this place. Raises ValueError."""
+        if severity != self.severity:
+            raise ValueError('Logger severity cannot be changed between calls.')
+        if name != self.name:
+            raise ValueError('Logger name cannot be changed between calls.')
+        if filters != self.filters:
+            raise ValueError('Requested logging filters cannot be changed between calls.')
+
+    def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
+        """Whether this call's message is to be written. Filters are asked in order, until one says no."""
+        self.calls += 1
+        return all(self._passes(name, options, now_ns) for name in self.filters)
+
+    def _passes(self, name: str, options: dict[str, Any], now_ns: int) -> bool:
+        if name == 'once':
+            return self.calls == 1
+        if name == 'skip_first':
+            return self.calls > 1
+        source = options.get('throttle_time_source_type')
+        if hasattr(source, '_now_ns'):
+            now_ns = source._now_ns()
+        if self.next_ns and now_ns < self.next_ns:
+            return False
+        self.next_ns = now_ns + int(options['throttle_duration_sec'] * 1e9)
+        return True

@@ -1,0 +1,100 @@
+"""Loggers."""
+from __future__ import annotations
+
+import sys
+from types import FrameType
+from typing import Any
+
+from rclpy.impl.log_filters import CallSite, filters_of
+from rclpy.impl.logging_severity import LoggingSeverity
+from rclpy.impl.logging_state import logging_state
+
+DEBUG, INFO, WARN, ERROR, FATAL = 10, 20, 30, 40, 50
+
+
+class RcutilsLogger:
+    """A logger: `node.get_logger()` or `rclpy.logging.get_logger(name)`.
+
+    Each log method takes one string, and the filters `once=True`, `skip_first=True`, `throttle_duration_sec=...`
+    (with `throttle_time_source_type=<a Clock>`), and returns whether the message was written. What a filter remembers belongs
+    to the place of the call.
+
+    :raises TypeError: for an unknown keyword, or a message that is no string.
+    :raises ValueError: when severity or filters change at one place.
+    """
+
+    def __init__(self, name: str = '') -> None:
+        self.name = name
+        self.contexts: dict[tuple[str, str, int, int], CallSite] = {}
+
+    def get_child(self, name: str) -> RcutilsLogger:
+        """The logger `<this name>.<name>`. Its messages go out on /rosout as this one's do."""
+        if not name:
+            raise ValueError('Child logger name must not be empty.')
+        if not self.name:
+            return RcutilsLogger(name)
+        child = RcutilsLogger(f'{self.name}.{name}')
+        rosout = logging_state().rosout
+        if self.name in rosout:
+            rosout.setdefault(child.name, rosout[self.name])
+        return child
+
+    def set_level(self, level: LoggingSeverity | int) -> None:
+        """Set the level from which on messages are written."""
+        logging_state().set_level(self.name, LoggingSeverity(level))
+
+    def get_effective_level(self) -> LoggingSeverity:
+        """The level that counts: this logger's, its parents', or the default."""
+        return LoggingSeverity(logging_state().effective_level(self.name))
+
+    def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
+        """Whether messages of this severity are written."""
+        return int(severity) >= logging_state().effective_level(self.name)
+
+    def debug(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity DEBUG."""
+        return self._log(message, DEBUG, self.name, sys._getframe(1), kwargs)
+
+    def info(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity INFO."""
+        return self._log(message, INFO, self.name, sys._getframe(1), kwargs)
+
+    def warning(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity WARN."""
+        return self._log(message, WARN, self.name, sys._getframe(1), kwargs)
+
+    def warn(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity WARN."""
+        return self._log(message, WARN, self.name, sys._getframe(1), kwargs)
+
+    def error(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity ERROR."""
+        return self._log(message, ERROR, self.name, sys._getframe(1), kwargs)
+
+    def fatal(self, message: str, **kwargs: Any) -> bool:
+        """Log with severity FATAL."""
+        return self._log(message, FATAL, self.name, sys._getframe(1), kwargs)
+
+    def log(self, message: str, severity: LoggingSeverity | int, name: str | None = None, **kwargs: Any) -> bool:
+        """Log with a severity given as a value."""
+        return self._log(message, int(LoggingSeverity(severity)), name or self.name, sys._getframe(1), kwargs)
+
+    def _log(self, message: str, severity: int, name: str, frame: FrameType, options: dict[str, Any]) -> bool:
+        state = logging_state()
+        if severity < state.effective_level(name):
+            return False
+        code = frame.f_code
+        place = (code.co_filename, code.co_name, code.co_firstlineno, frame.f_lasti)
+        filters = filters_of(options) if options else ()
+        site = self.contexts.get(place)
+        if site is None:
+            site = self.contexts[place] = CallSite(name, severity, filters)
+        else:
+            site.check(name, severity, filters)
+        if filters and not site.lets_through(options, state.process.sim.now_ns):
+            return False
+        if not isinstance(message, str):
+            raise TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, not '
+                            f'{type(message).__name__}\n  help: write str(...) around it, or an f-string')
+        state.output(severity, name, message, code.co_name, code.co_filename, frame.f_lineno)
+        return True

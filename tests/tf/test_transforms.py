@@ -1,0 +1,48 @@
+"""Rigid transforms as tuples."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from edulaunch.tf.quaternions import slerp
+from edulaunch.tf.transforms import IDENTITY, apply, canonical, compose, interpolate, inverse, relative
+
+from .shapes import at, numbers, poses
+
+
+@given(poses)
+def test_a_transform_and_its_inverse_cancel(pose):
+    assert compose(pose, inverse(pose)) == pytest.approx(IDENTITY, abs=1e-9)
+
+
+@given(poses, poses, numbers, numbers, numbers)
+def test_a_composition_applies_the_right_transform_first(a, b, x, y, z):
+    assert apply(compose(a, b), (x, y, z)) == pytest.approx(apply(a, apply(b, (x, y, z))), abs=1e-8)
+
+
+@given(poses, poses)
+def test_relative_is_the_inverse_of_one_composed_with_the_other(a, b):
+    assert relative(a, b) == pytest.approx(compose(inverse(a), b), abs=1e-9)
+
+
+@given(poses, poses, st.floats(0.0, 1.0))
+def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, ratio):
+    found = interpolate(a, b, ratio)
+    assert found[:3] == pytest.approx([p + ratio * (q - p) for p, q in zip(a[:3], b[:3])], abs=1e-9)
+    assert found[3:] == pytest.approx(slerp(a[3:], b[3:], ratio), abs=1e-12)
+
+
+@given(poses, poses, st.floats(0.0, 1.0))
+def test_an_interpolated_place_lies_between_the_two(a, b, ratio):
+    for low, value, high in zip(a[:3], interpolate(a, b, ratio)[:3], b[:3]):
+        assert min(low, high) - 1e-9 <= value <= max(low, high) + 1e-9
+
+
+def test_a_canonical_transform_has_no_negative_zeros():
+    assert str(canonical((-0.0, 1.0, -0.0, -0.0, -0.0, -0.0, -1.0))) == '(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)'
+
+
+def test_a_point_ahead_of_a_turned_frame():
+    assert apply(at(1.0, 2.0, yaw=1.5707963267948966), (3.0, 0.0, 0.0)) == pytest.approx((1.0, 5.0, 0.0))
