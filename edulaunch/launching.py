@@ -4,7 +4,6 @@ from __future__ import annotations
 import os
 import signal
 from collections.abc import Callable
-from typing import Any
 
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.packages import Index, nearest
@@ -76,14 +75,12 @@ class LaunchRun:
         self.arguments = arguments
         self.interactive = interactive
         self.debug = debug
-        self.error: BaseException | None = None
-        self.declared: list[Any] = []
         words = ['ros2', 'launch', path, *(f'{name}:={value}' for name, value in arguments.items())]
         spec = ProcessSpec(argv=tuple(words), name='launch')
         self.process = Process(host, spec, host.next_pid(), words, self._main)
         self.process.on_output = console
         self._host = host
-        self._recorder = recorder
+        self.recorder = recorder
 
     def start(self) -> None:
         """Let the process begin."""
@@ -106,15 +103,22 @@ class LaunchRun:
         from edulaunch.launch_process import run_launch_service
         return run_launch_service(self)
 
+    @property
+    def error(self) -> BaseException | None:
+        """What went wrong in a launch file, if something did."""
+        from edulaunch.launch_process import first_error
+        return first_error(self)
+
     def raise_error(self) -> None:
         """Raise what went wrong in the launch file, if something did.
 
         :raises LaunchFileError: with ROS 2's text, the place and one line of help.
         """
-        if self.error is not None:
+        error = self.error
+        if error is not None:
             from edulaunch.launch_process import explain
-            told = explain(self.error, self.path)
-            raise LaunchFileError(told.text, help=told.help) from self.error
+            told = explain(error)
+            raise LaunchFileError(told.text, help=told.help) from error
 
     def describe(self, recorder: Recorder) -> None:
         """Tell the recorder what was launched."""

@@ -1,9 +1,12 @@
-"""A robot that drives a circle, with its world, in one launch: ros2 launch circle.launch.py circle_radius:=0.8
+"""A robot that drives a circle, with its world, in one launch.
 
-The node param_circle.py (package part3_beyond_basics) sends velocities for a circle. Its parameter `radius` is the
-radius in metres, 0.5 when nobody sets it. There is no robot to obey it yet, and nothing outside can choose the radius.
+    ros2 launch circle.launch.py circle_radius:=0.8
 
-Fill the three gaps. Grade with: edugrade exercises/circle.launch.py   Hint: edugrade exercises/circle.launch.py --hint 1
+The node param_circle.py of the package part3_beyond_basics sends velocities for a circle. Its parameter
+`radius` is the radius in metres, 0.5 when nobody sets it. There is no robot yet to obey it, and nothing
+outside can choose the radius. Fill the three gaps.
+
+Grade it: edugrade exercises/circle.launch.py        A hint: edugrade exercises/circle.launch.py --hint 1
 """
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -11,9 +14,9 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     return LaunchDescription([
-        # TODO 1: declare the launch argument circle_radius: a description, and the default value 1.0
+        # TODO 1: declare the launch argument circle_radius, with a description and the default value 1.0
 
-        # TODO 2: include empty_world.launch.py, which is in the folder "launch" of the package turtlebot3_gazebo
+        # TODO 2: include empty_world.launch.py from the folder launch of the package turtlebot3_gazebo
 
         Node(
             package='part3_beyond_basics',

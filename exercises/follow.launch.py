@@ -1,11 +1,15 @@
-"""turtle2 follows turtle1 through tf: ros2 launch follow.launch.py move:=true
+"""turtle2 follows turtle1 through tf.
 
-broadcaster1 tells tf where turtle1 is: the frame turtle1 in the frame world. The node turtle_tf2_listener spawns turtle2,
-asks tf once a second where the frame `target_frame` is as seen from the frame turtle2, and drives turtle2 there. It needs
-both frames. The grader launches this file twice: turtle1 stands still, and (move:=true) turtle1 drives a square.
-The square is there already.
+    ros2 launch follow.launch.py move:=true
 
-Fill the two gaps. Grade with: edugrade exercises/follow.launch.py   Hint: edugrade exercises/follow.launch.py --hint 1
+broadcaster1 tells tf where turtle1 is: the frame turtle1 in the frame world. The node turtle_tf2_listener
+spawns turtle2, asks tf once a second where the frame `target_frame` is as seen from the frame turtle2, and
+drives turtle2 there. It needs both frames. Fill the two gaps.
+
+The grader launches this file twice: without arguments, when turtle1 stands still, and with move:=true, when
+turtle1 drives a square. That part is there already.
+
+Grade it: edugrade exercises/follow.launch.py        A hint: edugrade exercises/follow.launch.py --hint 1
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
@@ -15,10 +19,11 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
+    move = LaunchConfiguration('move')
     return LaunchDescription([
         DeclareLaunchArgument('move', default_value='false', description='Whether turtle1 drives a square.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
-        Node(package='turtlesim', executable='draw_square', condition=IfCondition(LaunchConfiguration('move'))),
+        Node(package='turtlesim', executable='draw_square', condition=IfCondition(move)),
         Node(
             package='turtle_tf2_py',
             executable='turtle_tf2_broadcaster',

@@ -1,4 +1,7 @@
-"""A robot that drives a circle, with its world, in one launch: ros2 launch circle.launch.py circle_radius:=0.8"""
+"""A robot that drives a circle, with its world, in one launch.
+
+    ros2 launch circle.launch.py circle_radius:=0.8
+"""
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
 from launch.launch_description_sources import PythonLaunchDescriptionSource
@@ -10,13 +13,15 @@ from launch_ros.substitutions import FindPackageShare
 def generate_launch_description():
     return LaunchDescription([
         DeclareLaunchArgument(
-            name='circle_radius',
+            'circle_radius',
             description='Sets the desired radius of the circle (in meters).',
             default_value='1.0',
         ),
         IncludeLaunchDescription(
             PythonLaunchDescriptionSource(
-                PathJoinSubstitution([FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])
+                PathJoinSubstitution([
+                    FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py',
+                ])
             )
         ),
         Node(

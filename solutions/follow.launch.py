@@ -1,4 +1,7 @@
-"""turtle2 follows turtle1 through tf: ros2 launch follow.launch.py move:=true"""
+"""turtle2 follows turtle1 through tf.
+
+    ros2 launch follow.launch.py move:=true
+"""
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.conditions import IfCondition
@@ -7,10 +10,11 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
+    move = LaunchConfiguration('move')
     return LaunchDescription([
         DeclareLaunchArgument('move', default_value='false', description='Whether turtle1 drives a square.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
-        Node(package='turtlesim', executable='draw_square', condition=IfCondition(LaunchConfiguration('move'))),
+        Node(package='turtlesim', executable='draw_square', condition=IfCondition(move)),
         Node(
             package='turtle_tf2_py',
             executable='turtle_tf2_broadcaster',

@@ -52,9 +52,6 @@ def main(arguments: argparse.Namespace) -> int:
         recording = session.recording()
         for line in recording.launch.warnings:
             print(f'warning: {line}', file=sys.stderr)
-        if launch.error is not None:
-            from edulaunch.launch_process import explain
-            print(explain(launch.error, launch.path).addition, file=sys.stderr)
         if arguments.record:
             recording.save(arguments.record)
             print(f'recording: {arguments.record} ({recording.duration_s:.2f} s, digest {recording.digest()[:16]})', file=sys.stderr)

@@ -27,7 +27,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     """The entry point of the command. Returns the exit code."""
     words = list(sys.argv[1:] if argv is None else argv)
     parser = _parser(words[0] if words else None)
-    arguments = parser.parse_args(words)
+    arguments, others = parser.parse_known_args(words)
+    if others and (not hasattr(arguments, 'rest') or any(word.startswith('-') for word in others)):
+        parser.error(f'unrecognized arguments: {" ".join(others)}')
+    if others:
+        arguments.rest += others  # launch arguments may stand behind options too
     if arguments.verb is None:
         parser.print_help()
         return 2

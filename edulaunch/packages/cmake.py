@@ -1,9 +1,10 @@
 """What a CMakeLists.txt installs, read without running CMake.
 
 Understood: project, set, list(APPEND), file(GLOB), foreach, install(PROGRAMS | FILES | DIRECTORY | TARGETS),
-rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). Branches of `if` are all
-followed but those of BUILD_TESTING.
+rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). Branches
+of `if` are all followed but those of BUILD_TESTING.
 """
+
 from __future__ import annotations
 
 import os
@@ -15,10 +16,34 @@ from edulaunch.packages.reading import Contents, PackageWarning
 
 _INTERFACES = ('.msg', '.srv', '.action')
 _MARKERS = 'share/ament_index/resource_index/packages'
-_WORDS = frozenset((
-    'TARGETS', 'FILES', 'PROGRAMS', 'DIRECTORY', 'DESTINATION', 'TYPE', 'PATTERN', 'REGEX', 'EXCLUDE', 'FILES_MATCHING', 'RENAME', 'OPTIONAL',
-    'USE_SOURCE_PERMISSIONS', 'PERMISSIONS', 'FILE_PERMISSIONS', 'DIRECTORY_PERMISSIONS', 'COMPONENT', 'CONFIGURATIONS', 'RUNTIME', 'LIBRARY',
-    'ARCHIVE', 'EXPORT', 'INCLUDES', 'MESSAGE_NEVER'))
+_WORDS = frozenset(
+    (
+        'TARGETS',
+        'FILES',
+        'PROGRAMS',
+        'DIRECTORY',
+        'DESTINATION',
+        'TYPE',
+        'PATTERN',
+        'REGEX',
+        'EXCLUDE',
+        'FILES_MATCHING',
+        'RENAME',
+        'OPTIONAL',
+        'USE_SOURCE_PERMISSIONS',
+        'PERMISSIONS',
+        'FILE_PERMISSIONS',
+        'DIRECTORY_PERMISSIONS',
+        'COMPONENT',
+        'CONFIGURATIONS',
+        'RUNTIME',
+        'LIBRARY',
+        'ARCHIVE',
+        'EXPORT',
+        'INCLUDES',
+        'MESSAGE_NEVER',
+    )
+)
 
 
 def read_cmake_lists(manifest: Manifest) -> Contents:
@@ -36,9 +61,22 @@ class _CMakeLists:
         self.contents = Contents()
         self.built: dict[str, int] = {}
         self.variables: dict[str, list[str]] = {
-            'PROJECT_NAME': [manifest.name], 'CMAKE_PROJECT_NAME': [manifest.name], 'CMAKE_INSTALL_PREFIX': [''],
-            'PYTHON_INSTALL_DIR': ['lib/python3/site-packages'], 'CMAKE_INSTALL_LIBDIR': ['lib'], 'CMAKE_INSTALL_BINDIR': ['bin'],
-            **dict.fromkeys(('CMAKE_CURRENT_SOURCE_DIR', 'CMAKE_SOURCE_DIR', 'PROJECT_SOURCE_DIR', 'CMAKE_CURRENT_LIST_DIR'), [manifest.folder])}
+            'PROJECT_NAME': [manifest.name],
+            'CMAKE_PROJECT_NAME': [manifest.name],
+            'CMAKE_INSTALL_PREFIX': [''],
+            'PYTHON_INSTALL_DIR': ['lib/python3/site-packages'],
+            'CMAKE_INSTALL_LIBDIR': ['lib'],
+            'CMAKE_INSTALL_BINDIR': ['bin'],
+            **dict.fromkeys(
+                (
+                    'CMAKE_CURRENT_SOURCE_DIR',
+                    'CMAKE_SOURCE_DIR',
+                    'PROJECT_SOURCE_DIR',
+                    'CMAKE_CURRENT_LIST_DIR',
+                ),
+                [manifest.folder],
+            ),
+        }
 
     def read(self) -> Contents:
         try:
@@ -49,7 +87,9 @@ class _CMakeLists:
             text = ''
         self._follow(list(commands(text)))
         for needed in (f'share/{self.package}/package.xml', f'{_MARKERS}/{self.package}'):
-            self.contents.files.setdefault(needed, os.path.join(self.folder, 'package.xml'))  # ament_package() installs both
+            self.contents.files.setdefault(
+                needed, os.path.join(self.folder, 'package.xml')
+            )  # ament_package() installs both
         return self.contents
 
     def warn(self, line: int, sentence: str) -> None:
@@ -64,7 +104,7 @@ class _CMakeLists:
                 position = _end(todo, position, 'if')
             elif command.name == 'foreach':
                 end = _end(todo, position, 'foreach')
-                self._repeat(command, todo[position:end - 1])
+                self._repeat(command, todo[position : end - 1])
                 position = end
             else:
                 self._obey(command)
@@ -82,7 +122,7 @@ class _CMakeLists:
         getattr(self, f'_{command.name}')(command.line, words)
 
     def _repeat(self, command: Command, body: list[Command]) -> None:
-        words = expand(command, self.variables, [].append)
+        words = expand(command, self.variables, lambda name: None)
         for item in [word for word in words[1:] if word not in ('IN', 'LISTS', 'ITEMS')]:
             for value in self.variables.get(item, [item]) if 'LISTS' in words else [item]:
                 self.variables[words[0]] = [value]
@@ -93,11 +133,16 @@ class _CMakeLists:
     def _project(self, line: int, words: list[str]) -> None:
         self.variables['PROJECT_NAME'] = self.variables['CMAKE_PROJECT_NAME'] = words[:1]
         if words and words[0] != self.package:
-            self.warn(line, f'project({words[0]}) differs from the <name>{self.package}</name> of package.xml, so ament cannot build the package')
+            self.warn(
+                line,
+                f'project({words[0]}) differs from the <name>{self.package}</name> of package.xml, so ament cannot build the package',
+            )
 
     def _set(self, line: int, words: list[str]) -> None:
         if words:
-            self.variables[words[0]] = [word for word in words[1:] if word not in ('CACHE', 'PARENT_SCOPE', 'FORCE')]
+            self.variables[words[0]] = [
+                word for word in words[1:] if word not in ('CACHE', 'PARENT_SCOPE', 'FORCE')
+            ]
 
     def _list(self, line: int, words: list[str]) -> None:
         if len(words) > 1 and words[0] == 'APPEND':
@@ -107,15 +152,29 @@ class _CMakeLists:
         if len(words) < 3 or words[0] not in ('GLOB', 'GLOB_RECURSE'):
             return
         from glob import glob
-        patterns = [word for word in words[2:] if word not in ('CONFIGURE_DEPENDS', 'LIST_DIRECTORIES', 'true', 'false')]
+
+        patterns = [
+            word
+            for word in words[2:]
+            if word not in ('CONFIGURE_DEPENDS', 'LIST_DIRECTORIES', 'true', 'false')
+        ]
         base = ''
         if patterns[0] == 'RELATIVE':
             base, patterns = patterns[1], patterns[2:]
         found: list[str] = []
         for pattern in patterns:
             folder, name = os.path.split(os.path.join(self.folder, pattern))
-            found += sorted(glob(os.path.join(folder, '**', name) if words[0] == 'GLOB_RECURSE' else os.path.join(folder, name), recursive=True))
-        self.variables[words[1]] = [os.path.relpath(path, os.path.join(self.folder, base)) if base else path for path in found]
+            found += sorted(
+                glob(
+                    os.path.join(folder, '**', name)
+                    if words[0] == 'GLOB_RECURSE'
+                    else os.path.join(folder, name),
+                    recursive=True,
+                )
+            )
+        self.variables[words[1]] = [
+            os.path.relpath(path, os.path.join(self.folder, base)) if base else path for path in found
+        ]
 
     def _add_executable(self, line: int, words: list[str]) -> None:
         if words:
@@ -127,7 +186,7 @@ class _CMakeLists:
 
     def _ament_auto_package(self, line: int, words: list[str]) -> None:
         if 'INSTALL_TO_SHARE' in words:
-            self._directories(line, words[words.index('INSTALL_TO_SHARE') + 1:], f'share/{self.package}', [])
+            self._directories(line, words[words.index('INSTALL_TO_SHARE') + 1 :], f'share/{self.package}', [])
 
     def _ament_python_install_package(self, line: int, words: list[str]) -> None:
         if not words:
@@ -137,7 +196,10 @@ class _CMakeLists:
         if os.path.isfile(os.path.join(path, '__init__.py')):
             self.contents.python_modules[words[0]] = path
         else:
-            self.warn(line, f'ament_python_install_package({words[0]}) needs {place}/__init__.py, which is not there')
+            self.warn(
+                line,
+                f'ament_python_install_package({words[0]}) needs {place}/__init__.py, which is not there',
+            )
 
     def _rosidl_generate_interfaces(self, line: int, words: list[str]) -> None:
         for word in words[1:]:
@@ -145,7 +207,9 @@ class _CMakeLists:
                 self._file_at(line, word, f'share/{self.package}/{os.path.splitext(word)[1][1:]}')
         self.contents.interfaces |= any(word.endswith(_INTERFACES) for word in words)
         if words and words[0] != self.package:
-            self.warn(line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}')
+            self.warn(
+                line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}'
+            )
 
     def _install(self, line: int, words: list[str]) -> None:
         mode, items, destination, rest = _clauses(words)
@@ -169,7 +233,9 @@ class _CMakeLists:
     def _file_at(self, line: int, item: str, destination: str, name: str = '', program: bool = False) -> None:
         path = os.path.normpath(os.path.join(self.folder, item))
         if not os.path.isfile(path):
-            self.warn(line, f'{os.path.relpath(path, self.folder)} is not there, so the package does not build')
+            self.warn(
+                line, f'{os.path.relpath(path, self.folder)} is not there, so the package does not build'
+            )
             return
         target = os.path.normpath(os.path.join(destination, name or os.path.basename(path)))
         self._add(target, path, program)
@@ -188,12 +254,27 @@ class _CMakeLists:
             base = destination if item.endswith('/') else os.path.join(destination, os.path.basename(top))
             for path in _files_below(top):
                 if _matches(os.path.relpath(path, top), rest):
-                    self._add(os.path.normpath(os.path.join(base, os.path.relpath(path, top))), path, 'USE_SOURCE_PERMISSIONS' in rest and os.access(path, os.X_OK))
+                    self._add(
+                        os.path.normpath(os.path.join(base, os.path.relpath(path, top))),
+                        path,
+                        'USE_SOURCE_PERMISSIONS' in rest and os.access(path, os.X_OK),
+                    )
 
 
-_COMMANDS = frozenset((
-    'project', 'set', 'list', 'file', 'add_executable', 'ament_auto_add_executable', 'ament_auto_package', 'ament_python_install_package',
-    'rosidl_generate_interfaces', 'install'))
+_COMMANDS = frozenset(
+    (
+        'project',
+        'set',
+        'list',
+        'file',
+        'add_executable',
+        'ament_auto_add_executable',
+        'ament_auto_package',
+        'ament_python_install_package',
+        'rosidl_generate_interfaces',
+        'install',
+    )
+)
 
 
 def _end(todo: list[Command], start: int, word: str) -> int:
@@ -225,10 +306,11 @@ def _files_below(top: str) -> Iterator[str]:
 def _matches(name: str, rest: list[str]) -> bool:
     """Whether install(DIRECTORY) takes the file, after its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
     from fnmatch import fnmatchcase
+
     taken = 'FILES_MATCHING' not in rest
     for position, word in enumerate(rest):
         if word == 'PATTERN' and position + 1 < len(rest):
             hit = any(fnmatchcase(part, rest[position + 1]) for part in name.split(os.sep))
-            excludes = rest[position + 2:position + 3] == ['EXCLUDE']
+            excludes = rest[position + 2 : position + 3] == ['EXCLUDE']
             taken = taken and not hit if excludes else taken or hit
     return taken

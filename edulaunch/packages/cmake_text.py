@@ -1,16 +1,20 @@
 """CMake's syntax: commands, quoted and bare words, comments and ${variables}."""
+
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-_TOKEN = re.compile(r'''
+_TOKEN = re.compile(
+    r"""
     (?P<comment>\#\[\[.*?\]\]|\#[^\n]*)
   | "(?P<quoted>(?:[^"\\]|\\.)*)"
   | (?P<paren>[()])
   | (?P<bare>(?:[^\s()"\#\\]|\\.)+)
-  ''', re.VERBOSE | re.DOTALL)
+  """,
+    re.VERBOSE | re.DOTALL,
+)
 _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
@@ -42,7 +46,9 @@ def commands(text: str) -> Iterator[Command]:
         elif depth:
             depth -= 1
             if depth == 0:
-                yield Command(name, line, tuple(word for word, _ in words), tuple(quoted for _, quoted in words))
+                yield Command(
+                    name, line, tuple(word for word, _ in words), tuple(quoted for _, quoted in words)
+                )
 
 
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
@@ -51,22 +57,23 @@ def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[
     A word with a variable that is not known is left out, after `unknown(name)`.
     """
     result: list[str] = []
-    for word, quoted in zip(command.words, command.quoted):
-        missing = []
-
-        def value(match: re.Match[str]) -> str:
-            if match[1] not in variables:
-                missing.append(match[1])
-            return ';'.join(variables.get(match[1], ()))
-
-        previous = ''
-        text = word
-        while text != previous and not missing:
-            previous, text = text, _VARIABLE.sub(value, text)
-        if missing:
-            unknown(missing[0])
+    for word, quoted in zip(command.words, command.quoted, strict=True):
+        text, missing = _filled(word, variables)
+        if missing is not None:
+            unknown(missing)
         elif quoted:
             result.append(text)
         else:
             result += [part for part in text.split(';') if part]
     return result
+
+
+def _filled(word: str, variables: dict[str, list[str]]) -> tuple[str, str | None]:
+    """The word with its variables, from the inside out; and the first one that is not known."""
+    match = _VARIABLE.search(word)
+    while match is not None:
+        if match[1] not in variables:
+            return word, match[1]
+        word = word[: match.start()] + ';'.join(variables[match[1]]) + word[match.end() :]
+        match = _VARIABLE.search(word)
+    return word, None

@@ -1,8 +1,9 @@
 """A source workspace presented as if it were installed: a prefix folder of symbolic links.
 
-The folder lies in the user's temporary folder under a name made from the workspace's path, so that the paths which
-programs see repeat from run to run. It goes away with the last index that uses it.
+The folder lies in the user's temporary folder under a name made from the workspace's path, so that the paths
+which programs see repeat from run to run. It goes away with the last index that uses it.
 """
+
 from __future__ import annotations
 
 import os
@@ -13,7 +14,8 @@ from edulaunch.packages.reading import Contents
 
 
 class Image:
-    """The generated prefix of one workspace. Packages are put into it one by one, when they are first asked for.
+    """The generated prefix of one workspace. Packages are put into it one by one, when they are first asked
+    for.
 
     :param workspace: the folder with the sources; :attr:`path` is the prefix, which need not exist yet.
     """
@@ -21,17 +23,24 @@ class Image:
     def __init__(self, workspace: str) -> None:
         self.path = os.path.join(_base(), f'{os.path.basename(workspace) or "root"}-{_digest(workspace)}')
         self._sources: dict[str, str] = {}
+        self._claimed = False
 
     def add(self, contents: Contents) -> None:
         """Install a package: links to its files, and folders for its entry points."""
-        if not self._sources:
-            self._claim()
+        self._claim()
         for name, source in contents.files.items():
             target = os.path.join(self.path, name)
             self._sources[target] = source
             _link(source, target)
         for name in contents.entry_points:
-            os.makedirs(os.path.dirname(os.path.join(self.path, name)), exist_ok=True)
+            self.add_folder(os.path.dirname(name))
+
+    def add_folder(self, name: str) -> str:
+        """Make a folder in the prefix; gives its path."""
+        self._claim()
+        path = os.path.join(self.path, name)
+        os.makedirs(path, exist_ok=True)
+        return path
 
     def source_path(self, path: str) -> str | None:
         """The real file behind a path of the image, or None when it is not from here."""
@@ -43,11 +52,15 @@ class Image:
         inside = sorted(target for target in self._sources if target.startswith(path + os.sep))
         if not inside:
             return None
-        depth = inside[0][len(path) + 1:].count(os.sep) + 1
+        depth = inside[0][len(path) + 1 :].count(os.sep) + 1
         return self._sources[inside[0]].rsplit(os.sep, depth)[0]
 
     def _claim(self) -> None:
-        """Note that this process uses the folder, starting afresh when nobody else does, and give it up at exit."""
+        """Note that this process uses the folder, starting afresh when nobody else does, and give it up at
+        exit."""
+        if self._claimed:
+            return
+        self._claimed = True
         users = os.path.join(self.path, '.users')
         if not _living(users):
             shutil.rmtree(self.path, ignore_errors=True)
@@ -89,6 +102,7 @@ def _runs(pid: int) -> bool:
 def _base() -> str:
     """A folder that belongs to this user alone, below the temporary folder."""
     import tempfile
+
     user = str(os.getuid()) if hasattr(os, 'getuid') else 'user'
     path = os.path.join(tempfile.gettempdir(), f'edulaunch-{user}')
     try:
@@ -102,6 +116,7 @@ def _base() -> str:
 
 def _digest(workspace: str) -> str:
     import hashlib
+
     return hashlib.sha256(os.path.realpath(workspace).encode()).hexdigest()[:8]
 
 

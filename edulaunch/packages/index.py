@@ -1,4 +1,5 @@
 """The index: one view over source workspaces, install prefixes and the underlay."""
+
 from __future__ import annotations
 
 import os
@@ -16,8 +17,9 @@ from edulaunch.underlay_place import underlay_prefix
 class Index:
     """Finds packages, their share folders, executables, modules and interfaces.
 
-    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay last. Paths
-    are strings. A package of a source workspace is presented as if installed, in a generated prefix of links; use
+    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay
+    last. Paths are strings. A package of a source workspace is presented as if installed, in a generated
+    prefix of links; use
     :meth:`source_path` to get back to the student's own file.
 
     :param prefixes: install prefixes, or colcon `install/` folders of either layout.
@@ -25,12 +27,22 @@ class Index:
     :param underlay: the built-in packages' prefix; None for an index without them.
     """
 
-    def __init__(self, prefixes: Iterable[str | os.PathLike[str]] = (), workspaces: Iterable[str | os.PathLike[str]] = (),
-                 *, underlay: str | None = underlay_prefix()) -> None:
+    def __init__(
+        self,
+        prefixes: Iterable[str | os.PathLike[str]] = (),
+        workspaces: Iterable[str | os.PathLike[str]] = (),
+        *,
+        underlay: str | None = underlay_prefix(),
+    ) -> None:
         self._warnings: list[PackageWarning] = []
         self._workspaces = [Workspace(os.fspath(folder), self._warnings) for folder in workspaces]
-        expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
-        self._places: list[Place] = [*self._workspaces, *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay))]
+        expanded = [
+            path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))
+        ]
+        self._places: list[Place] = [
+            *self._workspaces,
+            *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
+        ]
         if underlay is not None:
             self._places.append(Underlay(underlay))
 
@@ -60,7 +72,8 @@ class Index:
         return place.path
 
     def share(self, package: str) -> str | None:
-        """`<prefix>/share/<package>`, or None when there is no such package. The folder itself may be missing, as in ROS."""
+        """`<prefix>/share/<package>`, or None when there is no such package. The folder itself may be
+        missing, as in ROS."""
         prefix = self.prefix(package)
         return None if prefix is None else os.path.join(prefix, 'share', package)
 
@@ -70,22 +83,28 @@ class Index:
         return [] if place is None else place.executables(package)
 
     def find_executable(self, package: str, executable: str) -> str | None:
-        """`<prefix>/lib/<package>/<executable>` when the package has it; for an entry point the file need not exist."""
+        """`<prefix>/lib/<package>/<executable>` when the package has it; for an entry point the file need not
+        exist."""
         place = self._place(package)
         if place is None or executable not in place.executables(package):
             return None
         return os.path.join(place.path, 'lib', package, executable)
 
     def native_executables(self, package: str) -> dict[str, str]:
-        """Executables that the package's CMakeLists.txt builds from C++: name -> 'file:line'. They cannot run here."""
+        """Executables that the package's CMakeLists.txt builds from C++: name -> 'file:line'. They cannot run
+        here."""
         place = self._place(package)
         if not isinstance(place, Workspace):
             return {}
         folder = place.package_folder(package)
-        return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
+        return {
+            name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}'
+            for name, line in place.contents(package).native.items()
+        }
 
     def find_program(self, path: str) -> Program | None:
-        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not one of ours."""
+        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not one of
+        ours."""
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)
@@ -109,7 +128,8 @@ class Index:
         return list(dict.fromkeys(os.path.dirname(path) for path in self.python_modules().values()))
 
     def interface_roots(self) -> list[str]:
-        """Share folders with msg/, srv/ or action/ files; the folder's name is the package. First match wins."""
+        """Share folders with msg/, srv/ or action/ files; the folder's name is the package. First match
+        wins."""
         found: dict[str, str] = {}
         for place in self._places:
             for package in place.interface_packages():
@@ -117,7 +137,8 @@ class Index:
         return list(found.values())
 
     def source_path(self, path: str) -> str:
-        """The file as the student wrote it: links of generated prefixes are followed, other paths come back as they are."""
+        """The file as the student wrote it: links of generated prefixes are followed, other paths come back
+        as they are."""
         for place in self._places:
             found = place.source_path(path)
             if found is not None:

@@ -1,4 +1,5 @@
 """package.xml: the name of a package and how it is built."""
+
 from __future__ import annotations
 
 import os
@@ -20,20 +21,32 @@ class Manifest:
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml; what is wrong with it is added to `warnings`, and None returned when it has no name."""
+    """Read `folder`/package.xml; what is wrong with it is added to `warnings`, and None returned when it has
+    no name."""
     from xml.etree import ElementTree
+
     file = os.path.join(folder, 'package.xml')
     try:
         root = ElementTree.parse(file).getroot()
     except ElementTree.ParseError as error:
-        warnings.append(PackageWarning(file, error.position[0], f'this is not well-formed XML ({error}), so colcon skips the package'))
+        warnings.append(
+            PackageWarning(
+                file, error.position[0], f'this is not well-formed XML ({error}), so colcon skips the package'
+            )
+        )
         return None
     except OSError as error:
         warnings.append(PackageWarning(file, 0, f'cannot be read ({error.strerror})'))
         return None
     name = (root.findtext('name') or '').strip()
     if root.tag != 'package' or not _NAME.fullmatch(name):
-        warnings.append(PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so colcon skips the package'))
+        warnings.append(
+            PackageWarning(
+                file,
+                0,
+                f'has no usable <name> inside <package> (found {name!r}), so colcon skips the package',
+            )
+        )
         return None
     build_type = (root.findtext('export/build_type') or '').strip() or _guess_build_type(folder)
     return Manifest(name, build_type, folder)
@@ -42,4 +55,8 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
 def _guess_build_type(folder: str) -> str:
     """ROS takes ament_cmake for packages that do not say; a lone setup.py can only mean the other one."""
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
-    return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
+    return (
+        'ament_python'
+        if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py'))
+        else 'ament_cmake'
+    )

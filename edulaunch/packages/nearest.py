@@ -1,4 +1,5 @@
 """The nearest match among known names, for "did you mean" lines."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -7,7 +8,8 @@ from collections.abc import Iterable
 def nearest(name: str, names: Iterable[str]) -> str | None:
     """The known name that `name` was probably meant to be, or None when nothing is close.
 
-    Case and the three usual separators are looked through first (`My-Robot` finds `my_robot`); ties go to the alphabet.
+    Case and the three usual separators are looked through first (`My-Robot` finds `my_robot`); ties go to the
+    alphabet.
     """
     known = sorted(set(names))
     folded = {_folded(candidate): candidate for candidate in reversed(known)}
@@ -15,6 +17,7 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     if same is not None:
         return same
     from difflib import get_close_matches
+
     close = get_close_matches(_folded(name), list(folded), n=1, cutoff=0.6)
     return folded[close[0]] if close else None
 

@@ -1,4 +1,5 @@
 """What the index asks of each place it searches."""
+
 from __future__ import annotations
 
 from typing import Protocol

@@ -1,4 +1,5 @@
 """What an executable of a package is, before anything runs."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass

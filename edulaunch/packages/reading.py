@@ -1,4 +1,5 @@
 """What reading a source package gives: things to install, and what could not be understood."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass, field

@@ -1,4 +1,5 @@
 """What a setup.py installs, read without running it."""
+
 from __future__ import annotations
 
 import os
@@ -16,7 +17,8 @@ _MARKERS = 'share/ament_index/resource_index/packages'
 
 
 def read_setup_script(manifest: Manifest) -> Contents:
-    """The contents of an ament_python package; what a build would reject or only a run could tell becomes a warning."""
+    """The contents of an ament_python package; what a build would reject or only a run could tell becomes a
+    warning."""
     return _SetupScript(manifest).read()
 
 
@@ -36,18 +38,26 @@ class _SetupScript:
             self._data_files(options)
             self._modules(options)
             self._executables(options)
-        for needed, source in ((f'share/{self.package}/package.xml', 'package.xml'), (f'{_MARKERS}/{self.package}', 'package.xml')):
-            self.contents.files.setdefault(needed, os.path.join(self.folder, source))  # colcon adds both when a setup.py forgets them
+        for needed, source in (
+            (f'share/{self.package}/package.xml', 'package.xml'),
+            (f'{_MARKERS}/{self.package}', 'package.xml'),
+        ):
+            self.contents.files.setdefault(
+                needed, os.path.join(self.folder, source)
+            )  # colcon adds both when a setup.py forgets them
         return self.contents
 
     def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
-        self.contents.warnings.append(PackageWarning(file or self.file, self.line if line is None else line, sentence))
+        self.contents.warnings.append(
+            PackageWarning(file or self.file, self.line if line is None else line, sentence)
+        )
 
     def _options(self) -> dict[str, Any] | None:
         """The keywords of the setup() call."""
         import ast
 
         from edulaunch.packages.static_python import StaticPython
+
         try:
             with open(self.file, encoding='utf-8') as stream:
                 tree = ast.parse(stream.read(), self.file)
@@ -69,12 +79,17 @@ class _SetupScript:
         """An option, with a warning for each part of it that only running the file would tell."""
         value = options.get(name)
         for unknown in _unknowns(value):
-            self.warn(f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out', unknown.line)
+            self.warn(
+                f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out',
+                unknown.line,
+            )
         return None if isinstance(value, Unknown) else value
 
     def _data_files(self, options: dict[str, Any]) -> None:
         for entry in self._known(options, 'data_files') or ():
-            if first_unknown(entry) is not None and not (isinstance(entry, tuple | list) and isinstance(entry[0], str)):
+            if first_unknown(entry) is not None and not (
+                isinstance(entry, tuple | list) and isinstance(entry[0], str)
+            ):
                 continue
             try:
                 target, sources = entry
@@ -82,7 +97,9 @@ class _SetupScript:
                 self.warn(f'data_files holds {entry!r}; a pair (folder, [files]) was expected')
                 continue
             if isinstance(sources, str):
-                self.warn(f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]')
+                self.warn(
+                    f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]'
+                )
                 sources = [sources]
             for source in sources if isinstance(sources, list | tuple) else ():
                 if isinstance(source, str):
@@ -96,7 +113,9 @@ class _SetupScript:
             self.contents.interfaces |= path.endswith(('.msg', '.srv', '.action'))
         else:
             kind = 'a folder; only files can be listed, so use glob()' if os.path.isdir(path) else 'not there'
-            self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
+            self.warn(
+                f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")'
+            )
 
     def _modules(self, options: dict[str, Any]) -> None:
         """Top-level import names, from packages= and py_modules=."""
@@ -104,15 +123,22 @@ class _SetupScript:
         for name in self._known(options, 'packages') or ():
             if not isinstance(name, str) or '.' in name:
                 continue
-            path = os.path.normpath(os.path.join(self.folder, folders.get(name) or os.path.join(folders.get('') or '', name)))
+            path = os.path.normpath(
+                os.path.join(self.folder, folders.get(name) or os.path.join(folders.get('') or '', name))
+            )
             if os.path.isdir(path):
                 self.contents.python_modules[name] = path
             else:
-                self.warn(f"packages= names {name!r}, but there is no folder {os.path.relpath(path, self.folder)}/ "
-                          f"(a build stops with \"package directory '{name}' does not exist\")")
+                self.warn(
+                    f'packages= names {name!r}, but there is no folder {os.path.relpath(path, self.folder)}/ '
+                    f'(a build stops with "package directory \'{name}\' does not exist")'
+                )
         for name in self._known(options, 'py_modules') or ():
             if isinstance(name, str):
-                path = os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.'))) + '.py'
+                path = (
+                    os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.')))
+                    + '.py'
+                )
                 self.contents.python_modules[name.partition('.')[0]] = path
 
     def _executables(self, options: dict[str, Any]) -> None:
@@ -132,7 +158,8 @@ class _SetupScript:
                 self.warn(f'scripts= lists {script!r}, which is not there')
 
     def _console_scripts(self, entry_points: Any) -> Iterator[tuple[str, str, str]]:
-        """(executable, module, function) of each console script; entry_points= may be a dict or one ini-like text."""
+        """(executable, module, function) of each console script; entry_points= may be a dict or one ini-like
+        text."""
         if isinstance(entry_points, str):
             entry_points = _ini_sections(entry_points)
         if not isinstance(entry_points, dict):
@@ -143,13 +170,16 @@ class _SetupScript:
                 continue
             match = _ENTRY.fullmatch(line)
             if match is None or not match[3]:
-                self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
+                self.warn(
+                    f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected"
+                )
             else:
                 yield match[1], match[2], match[3]
 
     def _script_folder(self) -> str:
         """Where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
         from configparser import ConfigParser, Error
+
         file = os.path.join(self.folder, 'setup.cfg')
         parser = ConfigParser(interpolation=None)
         try:
@@ -160,8 +190,12 @@ class _SetupScript:
             section = {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:
-            self.warn(f'has no install_scripts=$base/lib/{self.package} below [install], so `ros2 run {self.package} ...` and Node() '
-                      'find no executable of this package', 0, file)
+            self.warn(
+                f'has no install_scripts=$base/lib/{self.package} below [install], so `ros2 run {self.package} ...` and Node() '
+                'find no executable of this package',
+                0,
+                file,
+            )
             return 'bin'
         return os.path.normpath(value.replace('$base', '').lstrip('/'))
 

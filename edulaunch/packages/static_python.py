@@ -1,8 +1,9 @@
 """Reads Python text without running it: a small interpreter that knows assignments, loops and harmless calls.
 
-Everything it does not know becomes an :class:`~edulaunch.packages.static_values.Unknown`, which travels through the
-expression it stands in, so that one clever line in a setup.py costs only the value it makes.
+Everything it does not know becomes an :class:`~edulaunch.packages.static_values.Unknown`, which travels
+through the expression it stands in, so that one clever line in a setup.py costs only the value it makes.
 """
+
 from __future__ import annotations
 
 import ast
@@ -14,11 +15,22 @@ from edulaunch.packages.static_values import METHODS, Module, Unknown, callables
 _STEPS = 20_000
 
 _BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
-    ast.Add: lambda a, b: a + b, ast.Mod: lambda a, b: a % b, ast.Div: lambda a, b: f'{a}/{b}', ast.Mult: lambda a, b: a * b,
-    ast.Sub: lambda a, b: a - b}
+    ast.Add: lambda a, b: a + b,
+    ast.Mod: lambda a, b: a % b,
+    ast.Div: lambda a, b: f'{a}/{b}',
+    ast.Mult: lambda a, b: a * b,
+    ast.Sub: lambda a, b: a - b,
+}
 _COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
-    ast.Eq: lambda a, b: a == b, ast.NotEq: lambda a, b: a != b, ast.In: lambda a, b: a in b, ast.NotIn: lambda a, b: a not in b,
-    ast.Is: lambda a, b: a is b, ast.IsNot: lambda a, b: a is not b, ast.Gt: lambda a, b: a > b, ast.Lt: lambda a, b: a < b}
+    ast.Eq: lambda a, b: a == b,
+    ast.NotEq: lambda a, b: a != b,
+    ast.In: lambda a, b: a in b,
+    ast.NotIn: lambda a, b: a not in b,
+    ast.Is: lambda a, b: a is b,
+    ast.IsNot: lambda a, b: a is not b,
+    ast.Gt: lambda a, b: a > b,
+    ast.Lt: lambda a, b: a < b,
+}
 
 
 class _Returned(Exception):
@@ -76,7 +88,9 @@ class StaticPython:
 
     def _do_Import(self, node: ast.Import) -> None:
         for alias in node.names:
-            self.names[alias.asname or alias.name.partition('.')[0]] = Module(alias.name if alias.asname else alias.name.partition('.')[0])
+            self.names[alias.asname or alias.name.partition('.')[0]] = Module(
+                alias.name if alias.asname else alias.name.partition('.')[0]
+            )
 
     def _do_ImportFrom(self, node: ast.ImportFrom) -> None:
         for alias in node.names:
@@ -91,12 +105,19 @@ class StaticPython:
         self._bind(node.target, self.value(node.value))
 
     def _do_AugAssign(self, node: ast.AugAssign) -> None:
-        target = ast.copy_location(ast.BinOp(left=ast.parse(ast.unparse(node.target), mode='eval').body, op=node.op, right=node.value), node)
+        target = ast.copy_location(
+            ast.BinOp(
+                left=ast.parse(ast.unparse(node.target), mode='eval').body, op=node.op, right=node.value
+            ),
+            node,
+        )
         self._bind(node.target, self.value(target))
 
     def _do_If(self, node: ast.If) -> None:
         test = self.value(node.test)
-        for body in ([node.body, node.orelse] if isinstance(test, Unknown) else [node.body if test else node.orelse]):
+        for body in (
+            [node.body, node.orelse] if isinstance(test, Unknown) else [node.body if test else node.orelse]
+        ):
             self.run(body)
 
     def _do_For(self, node: ast.For) -> None:
@@ -125,7 +146,7 @@ class StaticPython:
             self.names[target.id] = value
         elif isinstance(target, ast.Tuple | ast.List):
             parts = [value] * len(target.elts) if isinstance(value, Unknown) else list(value)
-            for name, part in zip(target.elts, parts):
+            for name, part in zip(target.elts, parts, strict=False):
                 self._bind(name, part)
         elif isinstance(target, ast.Subscript):
             holder = self.value(target.value)
@@ -167,7 +188,7 @@ class StaticPython:
 
     def _of_Dict(self, node: ast.Dict) -> Any:
         result: dict[Any, Any] = {}
-        for key, item in zip(node.keys, node.values):
+        for key, item in zip(node.keys, node.values, strict=False):
             value = self.value(item)
             if key is None:
                 result.update(value)
@@ -188,7 +209,11 @@ class StaticPython:
             return [*left, right]
         if isinstance(node.op, ast.Add) and isinstance(right, list) and isinstance(left, Unknown):
             return [left, *right]
-        return first_unknown((left, right)) if isinstance(left, Unknown) or isinstance(right, Unknown) else _BINARY[type(node.op)](left, right)
+        return (
+            first_unknown((left, right))
+            if isinstance(left, Unknown) or isinstance(right, Unknown)
+            else _BINARY[type(node.op)](left, right)
+        )
 
     def _of_BoolOp(self, node: ast.BoolOp) -> Any:
         value: Any = None
@@ -276,9 +301,11 @@ class StaticPython:
     def _call_own(self, function: ast.FunctionDef, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """A function that the file itself defines: its body is followed with the arguments bound."""
         names = [argument.arg for argument in function.args.args]
-        defaults = dict(zip(reversed(names), [self.value(value) for value in reversed(function.args.defaults)]))
+        defaults = dict(
+            zip(reversed(names), [self.value(value) for value in reversed(function.args.defaults)], strict=False)
+        )
         outer = self.names
-        self.names = {**outer, **defaults, **dict(zip(names, arguments)), **keywords}
+        self.names = {**outer, **defaults, **dict(zip(names, arguments, strict=False)), **keywords}
         try:
             self.run(function.body)
         except _Returned as returned:

@@ -1,4 +1,5 @@
 """Values while Python text is read without being run, and the few functions that may be called meanwhile."""
+
 from __future__ import annotations
 
 import os
@@ -44,33 +45,82 @@ def callables(folder: str) -> dict[str, Callable[..., Any]]:
 
     def glob(pattern: str, recursive: bool = False) -> list[str]:
         from glob import glob as real_glob
+
         found = sorted(real_glob(local(pattern), recursive=recursive))
         return found if os.path.isabs(pattern) else [os.path.relpath(path, folder) for path in found]
 
     def walk(top: str) -> list[tuple[str, list[str], list[str]]]:
         found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(local(top)))
-        return [(path if os.path.isabs(top) else os.path.normpath(os.path.join(top, os.path.relpath(path, local(top)))), folders, files)
-                for path, folders, files in found]
+        return [
+            (
+                path
+                if os.path.isabs(top)
+                else os.path.normpath(os.path.join(top, os.path.relpath(path, local(top)))),
+                folders,
+                files,
+            )
+            for path, folders, files in found
+        ]
 
     return {
-        'glob.glob': glob, 'glob.iglob': glob, 'os.walk': walk,
+        'glob.glob': glob,
+        'glob.iglob': glob,
+        'os.walk': walk,
         'os.listdir': lambda path='.': sorted(os.listdir(local(path))),
-        'os.getcwd': lambda: folder, 'pathlib.Path': lambda *parts: os.path.join(*parts) if parts else '.',
-        'os.path.join': os.path.join, 'os.path.basename': os.path.basename, 'os.path.dirname': os.path.dirname,
-        'os.path.splitext': os.path.splitext, 'os.path.split': os.path.split, 'os.path.normpath': os.path.normpath,
+        'os.getcwd': lambda: folder,
+        'pathlib.Path': lambda *parts: os.path.join(*parts) if parts else '.',
+        'os.path.join': os.path.join,
+        'os.path.basename': os.path.basename,
+        'os.path.dirname': os.path.dirname,
+        'os.path.splitext': os.path.splitext,
+        'os.path.split': os.path.split,
+        'os.path.normpath': os.path.normpath,
         'os.path.relpath': lambda path, start='.': os.path.relpath(local(path), local(start)),
-        'os.path.abspath': lambda path: os.path.normpath(local(path)), 'os.path.realpath': lambda path: os.path.realpath(local(path)),
-        'os.path.exists': lambda path: os.path.exists(local(path)), 'os.path.isfile': lambda path: os.path.isfile(local(path)),
+        'os.path.abspath': lambda path: os.path.normpath(local(path)),
+        'os.path.realpath': lambda path: os.path.realpath(local(path)),
+        'os.path.exists': lambda path: os.path.exists(local(path)),
+        'os.path.isfile': lambda path: os.path.isfile(local(path)),
         'os.path.isdir': lambda path: os.path.isdir(local(path)),
-        'setuptools.find_packages': lambda where='.', exclude=(), include=('*',): find_packages(local(where), exclude, include),
-        'setuptools.find_namespace_packages': lambda where='.', exclude=(), include=('*',): find_packages(local(where), exclude, include, ''),
-        'str': str, 'list': list, 'tuple': tuple, 'set': set, 'sorted': sorted, 'len': len, 'dict': dict, 'zip': lambda *a: list(zip(*a)),
-        'enumerate': lambda items: list(enumerate(items)), 'sum': sum, 'int': int, 'bool': bool,
+        'setuptools.find_packages': lambda where='.', exclude=(), include=('*',): find_packages(
+            local(where), exclude, include
+        ),
+        'setuptools.find_namespace_packages': lambda where='.', exclude=(), include=('*',): find_packages(
+            local(where), exclude, include, ''
+        ),
+        'str': str,
+        'list': list,
+        'tuple': tuple,
+        'set': set,
+        'sorted': sorted,
+        'len': len,
+        'dict': dict,
+        'zip': lambda *a: list(zip(*a, strict=False)),
+        'enumerate': lambda items: list(enumerate(items)),
+        'sum': sum,
+        'int': int,
+        'bool': bool,
     }
 
 
 METHODS: dict[type, frozenset[str]] = {
-    str: frozenset(('format', 'join', 'replace', 'strip', 'lstrip', 'rstrip', 'split', 'splitlines', 'startswith', 'endswith', 'lower', 'upper', 'removeprefix', 'removesuffix')),
+    str: frozenset(
+        (
+            'format',
+            'join',
+            'replace',
+            'strip',
+            'lstrip',
+            'rstrip',
+            'split',
+            'splitlines',
+            'startswith',
+            'endswith',
+            'lower',
+            'upper',
+            'removeprefix',
+            'removesuffix',
+        )
+    ),
     list: frozenset(('append', 'extend', 'insert', 'copy', 'index', 'count', 'remove')),
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),
@@ -78,13 +128,26 @@ METHODS: dict[type, frozenset[str]] = {
 """Methods of plain values that may be called while reading."""
 
 
-def find_packages(where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py') -> list[str]:
+def find_packages(
+    where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py'
+) -> list[str]:
     """setuptools' find_packages: dotted names of the folders below `where` that hold `marker`."""
     from fnmatch import fnmatchcase
+
     names = []
     for path, folders, _ in os.walk(where):
-        folders[:] = sorted(name for name in folders if name.isidentifier() and os.path.isfile(os.path.join(path, name, marker)) or
-                            not marker and name.isidentifier())
+        folders[:] = sorted(
+            name
+            for name in folders
+            if name.isidentifier()
+            and os.path.isfile(os.path.join(path, name, marker))
+            or not marker
+            and name.isidentifier()
+        )
         names += [os.path.relpath(os.path.join(path, name), where).replace(os.sep, '.') for name in folders]
-    return sorted(name for name in names if any(fnmatchcase(name, pattern) for pattern in include)
-                  and not any(fnmatchcase(name, pattern) for pattern in exclude))
+    return sorted(
+        name
+        for name in names
+        if any(fnmatchcase(name, pattern) for pattern in include)
+        and not any(fnmatchcase(name, pattern) for pattern in exclude)
+    )

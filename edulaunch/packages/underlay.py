@@ -3,6 +3,7 @@
 Every folder of `share/` is a package. Its executables stand in `share/<package>/console_scripts.txt`, one
 `name = module:function` on a line; the modules lie in the underlay's `python/` folder, on the ordinary path.
 """
+
 from __future__ import annotations
 
 import os
@@ -26,7 +27,11 @@ class Underlay:
         if self._packages is None:
             share = os.path.join(self.path, 'share')
             names = sorted(os.listdir(share)) if os.path.isdir(share) else []
-            self._packages = [name for name in names if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)]
+            self._packages = [
+                name
+                for name in names
+                if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)
+            ]
         return self._packages
 
     def install(self, package: str) -> None:
@@ -41,7 +46,14 @@ class Underlay:
         entry = self._entries(package).get(executable)
         if entry is None:
             return None
-        return Program('entry_point', package, executable, os.path.join(self.path, 'lib', package, executable), entry[0], entry[1])
+        return Program(
+            'entry_point',
+            package,
+            executable,
+            os.path.join(self.path, 'lib', package, executable),
+            entry[0],
+            entry[1],
+        )
 
     def modules(self) -> dict[str, str]:
         """None: built-in modules are shared and lie on the ordinary path."""
@@ -60,7 +72,9 @@ class Underlay:
         if entries is None:
             entries = self._scripts[package] = {}
             try:
-                with open(os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8') as stream:
+                with open(
+                    os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8'
+                ) as stream:
                     lines = [line.partition('#')[0] for line in stream]
             except OSError:
                 lines = []  # a package without executables

@@ -1,4 +1,5 @@
 """A folder of source packages, read without building it."""
+
 from __future__ import annotations
 
 import os
@@ -41,7 +42,11 @@ class Workspace:
         """Entry points and installed programs."""
         folder = f'lib/{package}'
         contents = self.contents(package)
-        return sorted(os.path.basename(name) for name in {*contents.entry_points, *contents.programs} if os.path.dirname(name) == folder)
+        return sorted(
+            os.path.basename(name)
+            for name in {*contents.entry_points, *contents.programs}
+            if os.path.dirname(name) == folder
+        )
 
     def program(self, package: str, executable: str) -> Program | None:
         """A console script, or an installed Python file."""
@@ -100,14 +105,20 @@ class Workspace:
         first = found.setdefault(manifest.name, manifest)
         if first is not manifest:
             other = os.path.relpath(first.folder, self.folder)
-            self._warnings.append(PackageWarning(
-                os.path.join(manifest.folder, 'package.xml'), 0,
-                f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names'))
+            self._warnings.append(
+                PackageWarning(
+                    os.path.join(manifest.folder, 'package.xml'),
+                    0,
+                    f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
+                )
+            )
 
 
 def _read(manifest: Manifest) -> Contents:
     if manifest.build_type == 'ament_python':
         from edulaunch.packages.setup_script import read_setup_script
+
         return read_setup_script(manifest)
     from edulaunch.packages.cmake import read_cmake_lists
+
     return read_cmake_lists(manifest)

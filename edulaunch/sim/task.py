@@ -46,6 +46,8 @@ class Task:
         self._timer: Item | None = None
         self._polls = 0
         self._done: list[Callable[[Task], object]] = []
+        self._soon = sim._soon
+        self._turn: Item = [sim.start_ns, 0, 0, self._on_wake]
 
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
@@ -54,11 +56,9 @@ class Task:
         """Give the task its first turn, at the present simulated time."""
         self._greenlet = _TaskGreenlet(self._run)
         self._greenlet.task = self
-        self._parked = True
-        self.wake()
+        self.sim.schedule(self.sim.now_ns, self._greenlet.switch)
 
     def _run(self) -> None:
-        self._parked = self._woken = False
         try:
             if self._killed:
                 raise TaskKilled
@@ -69,6 +69,7 @@ class Task:
         except BaseException as error:
             self.exception = error
         self.finished = True
+        self._parked = False
         if self._timer is not None:
             self._timer[3] = None
         getcurrent().parent = self.sim.hub
@@ -126,23 +127,17 @@ class Task:
     def _on_timer(self) -> None:
         self._timer = None
         if self._parked and not self._woken:
-            self._switch_in()
+            self._greenlet.switch()
 
     def wake(self) -> None:
         """Let the task run again, after everything that is already due at the present time. Waking twice is waking once."""
         if not self._woken:
             self._woken = True
             if self._parked:
-                sim = self.sim
-                sim.schedule(sim.now_ns, self._on_wake)
+                self._soon.append(self._turn)
 
     def _on_wake(self) -> None:
         if self._parked:
-            self._switch_in()
-
-    def _switch_in(self) -> None:
-        if not self.finished:
-            self.sim.hub = getcurrent()
             self._greenlet.switch()
 
     def interrupt(self, action: Callable[[], object]) -> None:

@@ -187,9 +187,9 @@ class TransformBuffer:
         """All frames in order of first mention."""
         return list(self._frames)
 
-    def all_frames_as_yaml(self, now_ns: int = 0) -> str:
+    def all_frames_as_yaml(self) -> str:
         """See :func:`edulaunch.tf.dumps.all_frames_as_yaml`."""
-        return dumps.all_frames_as_yaml(self._frames, now_ns)
+        return dumps.all_frames_as_yaml(self._frames)
 
     def all_frames_as_string(self) -> str:
         """See :func:`edulaunch.tf.dumps.all_frames_as_string`."""

@@ -34,21 +34,18 @@ def all_frames_as_string(frames: Mapping[str, History | None]) -> str:
     )
 
 
-def all_frames_as_yaml(frames: Mapping[str, History | None], now_ns: int = 0) -> str:
-    """The text that `view_frames` reads: parent, broadcaster, rate and span of each child frame.
-
-    :param now_ns: when not 0, a line with the age of the newest sample is added.
-    """
+def all_frames_as_yaml(frames: Mapping[str, History | None]) -> str:
+    """The text that `view_frames` reads: parent, broadcaster, rate and span of each child frame."""
     if not frames:
         return '[]'
-    return ''.join(_yaml_block(name, history, now_ns) for name, history in _with_data(frames))
+    return ''.join(_yaml_block(name, history) for name, history in _with_data(frames))
 
 
 def _with_data(frames: Mapping[str, History | None]) -> list[tuple[str, History]]:
     return [(name, history) for name, history in frames.items() if history is not None and history.stamps]
 
 
-def _yaml_block(name: str, history: History, now_ns: int) -> str:
+def _yaml_block(name: str, history: History) -> str:
     newest, oldest = history.newest, history.oldest
     lines = [
         f'{name}: ',
@@ -58,8 +55,6 @@ def _yaml_block(name: str, history: History, now_ns: int) -> str:
         f'  most_recent_transform: {seconds_text(newest)}',
         f'  oldest_transform: {seconds_text(oldest)}',
     ]
-    if now_ns:
-        lines.append(f'  transform_delay: {seconds(now_ns - newest):.3f}')
     lines.append(f'  buffer_length: {seconds(newest - oldest):.3f}')
     return '\n'.join(lines) + '\n'
 
@@ -85,6 +80,7 @@ def _dot_edge(name: str, history: History, now_ns: int) -> str:
 
 def _dot_legend(root: str, now_ns: int) -> str:
     return (
-        'edge [style=invis];\n subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";\n'
+        'edge [style=invis];\n'
+        ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";\n'
         f'"Recorded at time: {seconds_text(now_ns)}"[ shape=plaintext ] ;\n}}->"{root}";\n'
     )

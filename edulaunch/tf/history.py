@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from math import acos, sin
 
-from edulaunch.tf.transforms import Transform, interpolate
+from edulaunch.tf.transforms import Transform
 
 COMPACT_AT = 64
 
@@ -97,16 +98,25 @@ class History:
         inserted one counts, except among the oldest, where it is the first (as in tf2).
         """
         stamps, first = self.stamps, self.first
-        if stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static):
-            return self.poses[-1]
         newer = bisect_right(stamps, time_ns, first)
-        if first < newer < len(stamps):
-            older_ns = stamps[newer - 1]
-            if time_ns != older_ns:
-                ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
-                return interpolate(self.poses[newer - 1], self.poses[newer], ratio)
+        if newer == first or newer == len(stamps):
+            at_newest = stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static)
+            return self.poses[-1] if at_newest else None
+        older_ns = stamps[newer - 1]
+        if time_ns == older_ns:
             return self.poses[first if time_ns == stamps[first] else newer - 1]
-        return None
+        ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
+        x, y, z, ax, ay, az, aw = self.poses[newer - 1]
+        u, v, w, bx, by, bz, bw = self.poses[newer]
+        rest = 1.0 - ratio
+        dot = ax * bx + ay * by + az * bz + aw * bw
+        if -1.0 < dot < 1.0:  # quaternions.slerp, written out: lookups in the past spend their time here
+            theta = acos(dot) if dot > 0.0 else acos(-dot)
+            scale = 1.0 / sin(theta)
+            s = sin(rest * theta) * scale
+            t = sin(ratio * theta) * (scale if dot > 0.0 else -scale)
+            ax, ay, az, aw = ax * s + bx * t, ay * s + by * t, az * s + bz * t, aw * s + bw * t
+        return (x * rest + u * ratio, y * rest + v * ratio, z * rest + w * ratio, ax, ay, az, aw)
 
     def sample(self, time_ns: int) -> tuple[Transform, str] | None:
         """(:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""

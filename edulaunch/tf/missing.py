@@ -17,14 +17,13 @@ def explain_missing(buffer: TransformBuffer, name: str) -> str | None:
     names = buffer.frame_names()
     if not names:
         return (
-            f"frame '{name}': the buffer is empty. Is a broadcaster running, is the TransformListener kept in an "
-            'attribute, and is the node being spun?'
+            f"frame '{name}': the buffer is empty. Is a broadcaster running, is the TransformListener kept "
+            'in an attribute, and is the node being spun?'
         )
     if name.startswith('/') and buffer.frame_exists(name[1:]):
         return f"frame '{name}': tf2 names have no leading slash; try '{name[1:]}'"
     near = get_close_matches(name, names, n=3, cutoff=0.5)
     if near:
-        return (
-            f"frame '{name}' is not in the buffer; did you mean {' or '.join(repr(known) for known in near)}?"
-        )
+        choice = ' or '.join(repr(known) for known in near)
+        return f"frame '{name}' is not in the buffer; did you mean {choice}?"
     return f"frame '{name}' is not in the buffer; known frames: {', '.join(sorted(names))}"

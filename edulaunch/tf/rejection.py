@@ -49,14 +49,12 @@ def reasons_against(parent: str, child: str, pose: Transform, authority: str) ->
 
 def too_old(child: str, stamp_ns: int, authority: str) -> tuple[Rejection, ...]:
     """tf2's warning about a sample that is older than everything the buffer keeps."""
-    return (
-        (
-            'warn',
-            f'TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds_text(stamp_ns)} '
-            f'according to authority {authority}\n'
-            'Possible reasons are listed at http://wiki.ros.org/tf/Errors%20explained',
-        ),
+    text = (
+        f'TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds_text(stamp_ns)} '
+        f'according to authority {authority}\n'
+        'Possible reasons are listed at http://wiki.ros.org/tf/Errors%20explained'
     )
+    return (('warn', text),)
 
 
 def _numbers(values: tuple[float, ...]) -> str:

@@ -6,24 +6,12 @@ A transform is named `target_from_source`: applied to coordinates given in *sour
 
 from __future__ import annotations
 
-from math import acos, sin
-
 from edulaunch.tf import quaternions
-from edulaunch.tf.quaternions import Quaternion, Vector
+from edulaunch.tf.quaternions import Vector
 
 Transform = tuple[float, float, float, float, float, float, float]
 
 IDENTITY: Transform = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
-
-
-def translation(transform: Transform) -> Vector:
-    """The translation (x, y, z) in metres."""
-    return transform[:3]
-
-
-def rotation(transform: Transform) -> Quaternion:
-    """The rotation (x, y, z, w)."""
-    return transform[3:]
 
 
 def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
@@ -63,25 +51,6 @@ def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
     """The coordinates in b of a point given in a."""
     x, y, z = quaternions.rotate(b_from_a[3:], point_in_a)
     return (x + b_from_a[0], y + b_from_a[1], z + b_from_a[2])
-
-
-def interpolate(older: Transform, newer: Transform, ratio: float) -> Transform:
-    """The transform `ratio` of the way: translation on a straight line, rotation along the shorter arc.
-
-    Equals :func:`edulaunch.tf.quaternions.slerp`, written out because lookups in the past spend their time
-    here.
-    """
-    x, y, z, ax, ay, az, aw = older
-    u, v, w, bx, by, bz, bw = newer
-    rest = 1.0 - ratio
-    dot = ax * bx + ay * by + az * bz + aw * bw
-    if -1.0 < dot < 1.0:
-        theta = acos(dot) if dot > 0.0 else acos(-dot)
-        scale = 1.0 / sin(theta)
-        s = sin(rest * theta) * scale
-        t = sin(ratio * theta) * scale if dot > 0.0 else -sin(ratio * theta) * scale
-        ax, ay, az, aw = ax * s + bx * t, ay * s + by * t, az * s + bz * t, aw * s + bw * t
-    return (x * rest + u * ratio, y * rest + v * ratio, z * rest + w * ratio, ax, ay, az, aw)
 
 
 def canonical(transform: Transform) -> Transform:

@@ -1,7 +1,7 @@
 """The rubric of circle.launch.py: a world, a node, and a radius that comes from outside.
 
-The mark for the movement is given for what the robot's odometry shows in two runs with two radii that nobody can know
-beforehand; how the launch file gets there is its own business.
+The mark for the movement is given for what the robot's odometry shows in two runs, with two radii that nobody
+can know beforehand; how the launch file gets there is its own business.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ def world_is_there(run: Evidence) -> None:
                 where=run.source.place,
                 expected='an IncludeLaunchDescription of empty_world.launch.py of turtlebot3_gazebo',
                 seen=included,
-                try_="include PathJoinSubstitution([FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])",
+                try_='add IncludeLaunchDescription(...) with the path PathJoinSubstitution('
+                "[FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])",
             )
 
 
@@ -111,7 +112,7 @@ def circle_is_driven(run: Evidence) -> None:
             _metres(wanted.values()),
             _metres(measured.values()),
             where=find_processes(run.first, PACKAGE, EXECUTABLE)[0].origin,
-            try_=f'let the launch argument {ARGUMENT} decide the radius; a fixed number can be right for one circle only',
+            try_=f'let the launch argument {ARGUMENT} decide the radius; a fixed number fits one circle only',
         )
 
 
@@ -133,7 +134,7 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
             expected=f'a circle, launched with {run.scenario(scenario).command}',
             seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
             where=run.source.place,
-            try_='compare the topic that param_circle.py publishes with the one the robot listens to: /cmd_vel',
+            try_='compare the topic that param_circle.py publishes with what the robot listens to: /cmd_vel',
         )
     if circle is None or circle.residual > TOLERANCE * circle.radius:
         raise Failure(

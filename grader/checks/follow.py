@@ -1,7 +1,8 @@
 """The rubric of follow.launch.py: turtle2 follows turtle1 through tf.
 
-Two runs: turtle1 stands, and turtle1 drives a square. Following is measured from the poses that turtlesim publishes: a turtle
-that only stands at a good place, or drives a path known beforehand, is near turtle1 in one of the runs at most.
+Two runs: turtle1 stands, and turtle1 drives a square. Following is measured from the poses that turtlesim
+publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in
+one of the runs at most.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ def follower_exists(run: Evidence) -> None:
                 name='turtle2',
                 seen='only ' + ', '.join(turtles),
                 where=run.source.place,
-                try_="turtle_tf2_listener spawns it: add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)",
+                try_='turtle_tf2_listener spawns it: '
+                "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)",
             )
 
 
@@ -79,8 +81,8 @@ def leader_moves_when_asked(run: Evidence) -> None:
             'turtle1 does not do as the launch argument move says',
             where=run.source.place,
             expected='no movement without arguments, a square with move:=true',
-            seen=f'{driven["standing"]:.1f} m travelled without arguments, {driven["moving"]:.1f} m with move:=true',
-            try_="leave draw_square with condition=IfCondition(LaunchConfiguration('move')), as it was in the exercise",
+            seen=f'{driven["standing"]:.1f} m without arguments, {driven["moving"]:.1f} m with move:=true',
+            try_="leave draw_square with condition=IfCondition(LaunchConfiguration('move')), as it was",
         )
 
 
@@ -108,11 +110,11 @@ def _require_frame(run: Evidence, turtle: str) -> None:
                 seen=broadcasting or 'no frames at all',
                 where=run.source.place,
                 expected=f'the frame {turtle} in the frame world',
-                try_=f"add a turtle_tf2_broadcaster of turtle_tf2_py with parameters=[{{'turtlename': '{turtle}'}}]",
+                try_=f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]",
             )
         if frame.parent != 'world':
             raise Failure(
-                f'the frame {turtle} hangs in another frame when launched with {run.scenario(name).command or "no arguments"}',
+                f'the frame {turtle} hangs in another frame when launched with {run.scenario(name).words}',
                 expected='world',
                 seen=frame.parent,
                 where=run.source.place,
@@ -131,11 +133,11 @@ def _require_near(run: Evidence, name: str) -> None:
         else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
     )
     raise Failure(
-        f'turtle2 is too far from turtle1 when launched with {run.scenario(name).command or "no arguments"}',
+        f'turtle2 is too far from turtle1 when launched with {run.scenario(name).words}',
         expected=f'at most {bound:g} m from {SETTLED_S:g} s on',
         seen=seen,
         where=run.source.place,
-        try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}], and let both broadcasters run",
+        try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}] and both broadcasters",
     )
 
 

@@ -4,8 +4,9 @@ For the author of a rubric::
 
     from edugrade import Evidence, Missing, Mismatch, Rubric, Scenario, check
 
-In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked), `runner.py` with
-`child_run.py` and `child.py` (the runs), `judging.py` (the verdicts), `terminal.py` and `document.py` (the reports), `cli.py`.
+In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked),
+`runner.py` with `child_run.py` and `child.py` (the runs), `verdicts.py` and `judging.py` (what they came to),
+`terminal.py` and `document.py` (the reports), `cli.py`.
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ def exercises() -> list[str]:
 def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
     """The rubric of an exercise and its name.
 
-    :param given: a rubric's file, or the name of an exercise, to take instead of the one of the submission's file name.
+    :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
     :raises UnusableInput: when there is none, naming those there are.
     """
     if given is not None and (given.endswith('.py') or os.sep in given):
@@ -44,7 +44,7 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
     hint = f'did you mean {close}? ' if close else ''
     raise UnusableInput(
         f'there is no rubric for "{name}"; there are: {", ".join(known) or "none"}',
-        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or --rubric FILE',
+        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
     )
 
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from .evidence import Evidence
 
 CheckFunction = Callable[[Evidence], None]
 
 
-@dataclass(frozen=True)
-class Check:
-    """One check of a rubric. Call it with the evidence: it returns when the check passes, else raises `Failure`.
+class Check(NamedTuple):
+    """One check of a rubric. Call it with the evidence: it returns when it passes, else raises Failure.
 
     :param name: the function's name; stable, used in the JSON report.
     :param sentence: what is checked, as the student reads it.

@@ -1,7 +1,8 @@
 """The untrusted half: runs one scenario of a submission and sends back what happened.
 
-Started by the runner as a script of its own with ``python -I``; it limits itself before it reads the student's file.
-It imports nothing of edugrade, and only ever answers with a frame of plain data: one letter, eight bytes of length, content.
+Started by the runner as a script of its own with ``python -I``; it limits itself before it reads the
+student's file. It imports nothing of edugrade, and answers with one frame of plain data: a letter, eight
+bytes of length, content.
 
 ====== ===========================================================================
 letter content
@@ -37,7 +38,7 @@ def main() -> NoReturn:
 
 
 def limit_resources(limits: dict[str, int]) -> None:
-    """Lower this process's limits for good. Systems without a limit (AS on macOS, all on Windows) go without it."""
+    """Lower this process's limits for good. A system that lacks a limit (AS on macOS) goes without it."""
     try:
         import resource
     except ImportError:

@@ -1,59 +1,46 @@
-"""One child process as the runner sees it: start it, collect what it sends, end it with everything it started."""
+"""One child process as the runner sees it: start it, collect what it sends, end it with all it started."""
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import subprocess
-import sys
-from collections.abc import Sequence
 from select import select
-from time import monotonic
+from time import monotonic, sleep
 
-from .limits import MEBI, Limits
-from .scenario import Scenario
-from .submission import Submission
+from .job import Job
+from .limits import MEBI
 
 LETTERS = b'RUSB'  # of frames; child.py says what they mean
 HEADER_BYTES = 9
 CHUNK_BYTES = 1 << 18
-KEPT_OUTPUT_BYTES = 1 << 16
-GRACE_S = 1.0  # what a child has to answer for itself after its own alarm, or to end after it has let go of the channel
+KEPT_OUTPUT_BYTES = 8000
+GROUP_S = 0.5
+GRACE_S = 1.0  # to answer after its own alarm, or to end after it has let go of the channel
 
 
 class ChildRun:
-    """A scenario on its way. `channel` and `output` are read ends of pipes; `finished` says that nothing more will come."""
+    """A scenario on its way. `channel` and `output` are the read ends of its pipes."""
 
-    def __init__(
-        self, submission: Submission, scenario: Scenario, limits: Limits, workspaces: Sequence[str], home: str
-    ) -> None:
-        self.scenario = scenario
-        self.limits = limits
+    def __init__(self, job: Job) -> None:
+        self.scenario = job.scenario
+        self.limits = job.limits
         self.frame = bytearray()
-        self.printed = bytearray()
+        self.printed = bytearray()      # the first part of it; printed_bytes counts all
         self.printed_bytes = 0
-        self.cut: str | None = None  # 'wall', 'printed', 'recording' or 'garbage': what ended it
-        self.let_go = False  # whether the child closed its end of the channel
+        self.cut: str | None = None     # 'wall', 'printed', 'recording' or 'garbage': what ended it
+        self.let_go = False             # whether the child closed its end of the channel
         self.returncode: int | None = None
         self.channel, channel_end = os.pipe()
         self.output, output_end = os.pipe()
-        job = _job(submission, scenario, limits, workspaces, channel_end)
         try:
             self.process = subprocess.Popen(
-                [sys.executable, '-I', '-S', _CHILD, json.dumps(job)],
-                stdin=subprocess.DEVNULL,
-                stdout=output_end,
-                stderr=output_end,
-                pass_fds=(channel_end,),
-                cwd=home,
-                env=_environment(home),
-                start_new_session=True,
-            )
+                job.command(channel_end), stdin=subprocess.DEVNULL, stdout=output_end, stderr=output_end,
+                pass_fds=(channel_end,), cwd=job.home, env=job.environment, start_new_session=True)
         finally:
             os.close(channel_end)
             os.close(output_end)
-        self.deadline = monotonic() + limits.wall_s + GRACE_S
+        self.deadline = monotonic() + job.limits.wall_s + GRACE_S
 
     @property
     def complete(self) -> bool:
@@ -99,8 +86,9 @@ class ChildRun:
             self.cut = 'wall'
 
     def end(self) -> None:
-        """Kill the child and its process group, then let the system forget it. Nothing of it runs afterwards, unless it
-        left its group on purpose (docs/grading.md says so).
+        """Kill the child and its process group, then let the system forget it.
+
+        Nothing of it runs afterwards, unless it left its group on purpose (docs/grading.md says so).
         """
         ended_by_itself = self._has_ended()
         try:
@@ -111,6 +99,7 @@ class ChildRun:
             self.process.kill()
         code = self.process.wait()
         self.returncode = code if ended_by_itself else None
+        _wait_for_the_group(self.process.pid)
         os.close(self.channel)
         os.close(self.output)
 
@@ -124,44 +113,12 @@ class ChildRun:
         return not self.let_go and bool(select([self.channel], [], [], 0)[0])
 
 
-_CHILD = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'child.py')
-
-
-def _job(
-    submission: Submission, scenario: Scenario, limits: Limits, workspaces: Sequence[str], channel: int
-) -> dict[str, object]:
-    return {
-        'channel': channel,
-        'path': _import_path(),
-        'file': submission.file,
-        'folder': submission.folder,
-        'arguments': dict(scenario.arguments),
-        'duration_s': scenario.duration_s,
-        'seed': scenario.seed,
-        'workspaces': [os.path.abspath(path) for path in workspaces],
-        'wall_s': limits.wall_s,
-        'limits': limits.resources,
-    }
-
-
-def _import_path() -> list[str]:
-    """Where the child finds modules: as this process does, but never in the folder that edugrade was called from."""
-    import edulaunch
-
-    engine = os.path.dirname(os.path.dirname(os.path.abspath(edulaunch.__file__)))
-    here = os.getcwd()
-    known = [path for path in sys.path if path and os.path.abspath(path) != here]
-    return known if engine in known else [engine, *known]
-
-
-def _environment(home: str) -> dict[str, str]:
-    """A small environment of its own: nothing of the caller's but where programs are, and no maths library with many threads."""
-    return {
-        'PATH': os.environ.get('PATH', os.defpath),
-        'HOME': home,
-        'TMPDIR': home,
-        'LANG': 'C.UTF-8',
-        'USER': 'student',
-        'OPENBLAS_NUM_THREADS': '1',
-        'OMP_NUM_THREADS': '1',
-    }
+def _wait_for_the_group(number: int) -> None:
+    """A killed process is gone a moment later; wait until the last of the group is (at most GROUP_S)."""
+    deadline = monotonic() + GROUP_S
+    while monotonic() < deadline:
+        try:
+            os.killpg(number, 0)
+        except (ProcessLookupError, PermissionError):
+            return
+        sleep(0.001)

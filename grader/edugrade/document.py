@@ -1,4 +1,4 @@
-"""The JSON report. Its format is described in docs/grading.md; FORMAT grows when a reader of the old one could err."""
+"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 
 def document(report: Report) -> dict[str, Any]:
-    """A report as plain data. Paths inside the submission's folder are relative to it, so that copies report alike."""
+    """A report as plain data. Paths in the submission's folder are relative, so that copies report alike."""
     folder = os.path.dirname(report.file)
     return {
         'format': FORMAT,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import Any
 
 from edulaunch.errors import UnusableInput
@@ -19,9 +20,9 @@ def read_course(path: str) -> list[dict[str, Any]]:
 
     :raises UnusableInput: when the manifest cannot be read.
     """
-    try:
+    if sys.version_info >= (3, 11):
         import tomllib
-    except ModuleNotFoundError:  # Python 3.10
+    else:
         import tomli as tomllib
     try:
         with open(path, 'rb') as file:

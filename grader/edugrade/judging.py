@@ -17,9 +17,9 @@ LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
 
 
 def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) -> list[CheckResult]:
-    """The result of each check, in the rubric's order, behind the one every other needs: that there is a recording.
+    """The result of each check in the rubric's order, after the one all need: that there is a recording.
 
-    A check runs when all it needs has passed. Without a recording none runs, so that nothing passes for want of evidence.
+    A check runs when all it needs has passed. Without a recording none does: nothing passes without evidence.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
     recordings = {
@@ -56,9 +56,7 @@ def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Which launches went wrong, when not all of them did."""
     if len(bad) == len(outcomes):
         return None
-    return 'only when launched with ' + ' and with '.join(
-        outcome.scenario.command or 'no arguments' for outcome in bad
-    )
+    return 'only when launched with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
 
 
 def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | None:

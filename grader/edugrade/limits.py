@@ -9,7 +9,9 @@ class Limits:
     """Limits of one child process; wall-clock time is the only one that a student should ever meet.
 
     :param wall_s: seconds of real time for one scenario. The simulated duration is the rubric's business.
-    :param memory_mib: address space; :param output_mib: what it may print; :param recording_mib: what it may send back.
+    :param memory_mib: address space.
+    :param output_mib: what it may print.
+    :param recording_mib: what it may send back.
     """
 
     def __init__(

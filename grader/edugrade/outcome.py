@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 class Outcome(NamedTuple):
     """Either a recording, or in words why there is none.
 
-    :param kind: 'recorded'; 'unusable' (the launch file cannot be run); 'stopped' (the run did not come to its end);
-        'broke' (the grader or the engine failed, which is never the student's loss).
+    :param kind: 'recorded'; 'unusable' (the launch file cannot be run); 'stopped' (the run did not come to
+        its end); 'broke' (the grader or the engine failed, which is never the student's loss).
     """
 
     scenario: Scenario
@@ -24,4 +24,4 @@ class Outcome(NamedTuple):
     text: str = ''
     try_: str | None = None
     where: Place | None = None
-    detail: str = ''  # for us, when the engine broke: its traceback
+    detail: str = ''  # for the course author: a traceback of the engine, or what the program printed

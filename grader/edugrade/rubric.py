@@ -13,9 +13,9 @@ class Rubric:
     """The scenarios and checks of one exercise.
 
     :param title: the exercise in a few words.
-    :param scenarios: makes the runs from a random generator, which is seeded from the submission: so the values
-        that a run is launched with change with every edit and cannot be written into the file beforehand.
-    :param checks: in the order of the report; each stands behind the checks it needs, so there can be no circle.
+    :param scenarios: makes the runs from a random generator, which is seeded from the submission: so the
+        values of a run change with every edit and cannot be written into the file beforehand.
+    :param checks: in the order of the report; each stands behind the checks it needs: there can be no circle.
     :raises ValueError: two checks of one name, or a check before one that it needs.
     """
 

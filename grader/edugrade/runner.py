@@ -1,4 +1,4 @@
-"""Runs the scenarios of a rubric, each in a child process of its own, as many at once as there are processors."""
+"""Runs the scenarios of a rubric, each in a child process, as many at once as there are processors."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import selectors
 from collections.abc import Sequence
 
 from .child_run import ChildRun
+from .job import Job
 from .limits import Limits
 from .outcome import Outcome
 from .scenario import Scenario
@@ -17,7 +18,7 @@ LONGEST_NAP_S = 0.05
 
 
 class Runner:
-    """Starts the runs when it is made; `wait` gives the outcomes. Use it in a ``with``: leaving it ends every child.
+    """Starts the runs when it is made; `wait` gives the outcomes. Leaving its ``with`` ends every child.
 
     :param workspaces: folders with the student's packages.
     """
@@ -70,7 +71,7 @@ class Runner:
             scenario = self._waiting.pop(0)
             home = os.path.join(self._home, str(len(self._outcomes) + len(self._running)))
             os.mkdir(home)
-            run = ChildRun(self._submission, scenario, self._limits, self._workspaces, home)
+            run = ChildRun(Job(self._submission, scenario, self._limits, self._workspaces, home))
             self._running.append(run)
             for end in (run.channel, run.output):
                 self._selector.register(end, selectors.EVENT_READ, run)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import NamedTuple
 
 
-@dataclass(frozen=True)
-class Scenario:
+class Scenario(NamedTuple):
     """A named launch of the submission.
 
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
@@ -16,7 +16,7 @@ class Scenario:
     """
 
     name: str
-    arguments: Mapping[str, str] = field(default_factory=dict)
+    arguments: Mapping[str, str] = MappingProxyType({})
     duration_s: float = 20.0
     seed: int = 0
 
@@ -24,3 +24,8 @@ class Scenario:
     def command(self) -> str:
         """The arguments as they are typed after ``ros2 launch``."""
         return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
+
+    @property
+    def words(self) -> str:
+        """The arguments, or that there are none: for sentences."""
+        return self.command or 'no arguments'

@@ -20,7 +20,7 @@ class Source:
 
     @property
     def place(self) -> Place:
-        """Where a missing action belongs: the line of ``LaunchDescription(``, or of the function, or the file."""
+        """Where a missing action belongs: the line of ``LaunchDescription(``, else of the function."""
         return Place(
             self.file, self._line_of(_LIST, after=self._line_of(_FUNCTION) or 0) or self._line_of(_FUNCTION)
         )

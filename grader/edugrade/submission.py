@@ -30,7 +30,7 @@ class Submission:
 
     @property
     def seed(self) -> int:
-        """A number that changes with every edit (a hash of the text): the rubric's random choices are made from it."""
+        """A number that changes with every edit (a hash of the text); the rubric's choices come from it."""
         return Random(self.data).getrandbits(32)
 
     @property
@@ -42,7 +42,7 @@ class Submission:
 
 
 def exercise_of(name: str) -> str:
-    """The exercise that a file name stands for: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
+    """The exercise of a file name: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
     for ending in ENDINGS:
         if name.endswith(ending):
             return name[: -len(ending)]

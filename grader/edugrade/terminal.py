@@ -16,7 +16,7 @@ INDENT = ' ' * 9
 
 
 def render(report: Report, *, colour: bool = False) -> str:
-    """The whole report: what to repair first, what was not run because of it, what is right, points, the next step."""
+    """The whole report: what to repair, what was not run for it, what is right, points, the next step."""
     folder = os.path.dirname(report.file)
     shown = os.path.join(os.path.dirname(report.given), '')
     lines = [f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})', '']
@@ -87,7 +87,7 @@ def _next(report: Report) -> Iterator[str]:
         yield 'Next: done. Take the next exercise, or change something and predict what the report will say.'
         return
     if report.exit_code == BROKEN_GRADER:
-        yield 'Next: this is not your mistake. Please report what stands behind BROKE above, with the launch file.'
+        yield 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
         return
     first = next(result for result in report.results if result.status == FAILED)
     if report.gaps and first.root_cause is None and first.where is not None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import cos, sin
 from typing import Any
 
-from edugrade import Evidence, Scenario
+from edugrade import Scenario
 from edugrade.catalogue import find_rubric
 from edugrade.judging import judge
 from edugrade.outcome import Outcome
@@ -84,15 +84,8 @@ def circle_run(radius: float, **changes: Any) -> FakeRecording:
     )
 
 
-def graded(exercise: str, run: Callable[[Scenario], FakeRecording], seed: int = 0) -> Mapping[str, Any]:
+def graded(exercise: str, run: Callable[[Scenario], Any], seed: int = 0) -> Mapping[str, Any]:
     """The results of a rubric over made-up runs, by name of the check."""
     rubric = find_rubric(exercise)[1]
-    outcomes: Sequence[Any] = [
-        Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)
-    ]  # type: ignore[arg-type]
+    outcomes = [Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)]
     return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, TEXT))}
-
-
-def evidence(**runs: Any) -> Evidence:
-    """Evidence of one run per name."""
-    return Evidence({name: Scenario(name) for name in runs}, runs, Source(FILE, TEXT))

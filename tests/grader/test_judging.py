@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from edugrade import Check, Evidence, Failure, Scenario, check
 from edugrade.judging import judge
 from edugrade.outcome import Outcome
@@ -10,6 +12,7 @@ from edugrade.source import Source
 
 ONE = Scenario('one', {'radius': '0.5'})
 TWO = Scenario('two', {'radius': '1.0'})
+RECORDING: Any = object()
 SOURCE = Source('a.launch.py', '')
 
 
@@ -41,7 +44,7 @@ def faulty(run: Evidence) -> None:
 
 
 def judged(checks: list[Check], *outcomes: Outcome) -> dict[str, CheckResult]:
-    recorded = Outcome(ONE, 'recorded', recording=object())  # type: ignore[arg-type]
+    recorded = Outcome(ONE, 'recorded', recording=RECORDING)
     return {result.name: result for result in judge(checks, outcomes or [recorded], SOURCE)}
 
 
@@ -85,8 +88,8 @@ def test_without_a_recording_no_check_is_run() -> None:
 
 def test_a_run_that_fails_with_one_argument_only_says_so() -> None:
     results = judged(
-        [good], Outcome(ONE, 'recorded', recording=object()), Outcome(TWO, 'stopped', text='too slow')
-    )  # type: ignore[arg-type]
+        [good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow')
+    )
     assert results['launches'].seen == 'only when launched with radius:=1.0'
     assert results['good'].status == 'not_run'
 

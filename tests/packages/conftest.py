@@ -1,4 +1,5 @@
 """Workspaces written from a dict of files."""
+
 from __future__ import annotations
 
 import textwrap
@@ -9,7 +10,9 @@ import pytest
 
 from edulaunch.packages import Index
 
-PACKAGE_XML = '<package format="3"><name>{name}</name><export><build_type>{build}</build_type></export></package>\n'
+PACKAGE_XML = (
+    '<package format="3"><name>{name}</name><export><build_type>{build}</build_type></export></package>\n'
+)
 SETUP_CFG = '[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n'
 
 Build = Callable[..., Index]
@@ -35,15 +38,24 @@ class Workspace:
     def python_package(self, name: str, setup: str, folder: str = '', **files: str) -> Workspace:
         """A package with package.xml, setup.cfg, a module folder, and the given setup.py."""
         base = folder or name
-        self.files({
-            f'{base}/package.xml': PACKAGE_XML.format(name=name, build='ament_python'),
-            f'{base}/setup.cfg': SETUP_CFG.format(name=name), f'{base}/resource/{name}': '',
-            f'{base}/{name}/__init__.py': '', f'{base}/setup.py': setup})
+        self.files(
+            {
+                f'{base}/package.xml': PACKAGE_XML.format(name=name, build='ament_python'),
+                f'{base}/setup.cfg': SETUP_CFG.format(name=name),
+                f'{base}/resource/{name}': '',
+                f'{base}/{name}/__init__.py': '',
+                f'{base}/setup.py': setup,
+            }
+        )
         return self.files({f'{base}/{path.replace("__", "/")}': text for path, text in files.items()})
 
     def cmake_package(self, name: str, lists: str, files: dict[str, str] | None = None) -> Workspace:
-        self.files({f'{name}/package.xml': PACKAGE_XML.format(name=name, build='ament_cmake'),
-                    f'{name}/CMakeLists.txt': lists})
+        self.files(
+            {
+                f'{name}/package.xml': PACKAGE_XML.format(name=name, build='ament_cmake'),
+                f'{name}/CMakeLists.txt': lists,
+            }
+        )
         return self.files({f'{name}/{path}': text for path, text in (files or {}).items()})
 
     def index(self) -> Index:

@@ -1,29 +1,62 @@
 """What a CMakeLists.txt installs, read without running CMake."""
+
 from __future__ import annotations
 
 from typing import Any
 
 import pytest
 
-FILES = {'launch/a.launch.py': '', 'launch/sub/b.launch.xml': '', 'config/p.yaml': '', 'scripts/node.py': '#!/usr/bin/env python3\n',
-         'msg/Num.msg': 'int64 num\n', 'srv/Add.srv': '---\n', 'msg/Unlisted.msg': 'int64 a\n'}
+FILES = {
+    'launch/a.launch.py': '',
+    'launch/sub/b.launch.xml': '',
+    'config/p.yaml': '',
+    'scripts/node.py': '#!/usr/bin/env python3\n',
+    'msg/Num.msg': 'int64 num\n',
+    'srv/Add.srv': '---\n',
+    'msg/Unlisted.msg': 'int64 a\n',
+}
 
 
-@pytest.mark.parametrize(('install', 'expected'), [
-    ('install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})', ['launch/a.launch.py', 'launch/sub/b.launch.xml']),
-    ('install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME}/)', ['a.launch.py', 'sub/b.launch.xml']),
-    ('install(DIRECTORY\n  launch\n  config  # both\n  DESTINATION share/${PROJECT_NAME}\n)',
-     ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml']),
-    ('install(FILES launch/a.launch.py DESTINATION "share/${PROJECT_NAME}/launch" RENAME z.launch.py)', ['launch/z.launch.py']),
-    ('file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION share/${PROJECT_NAME}/config)', ['config/p.yaml']),
-    ('set(DIRS launch config)\nforeach(d ${DIRS})\n  INSTALL(DIRECTORY ${d} DESTINATION share/${PROJECT_NAME})\nendforeach()',
-     ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml']),
-    ('install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py")', ['launch/a.launch.py']),
-    ('install(DIRECTORY launch DESTINATION share/robo PATTERN "sub" EXCLUDE)', ['launch/a.launch.py']),
-    ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
-    ('if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION share/robo)\nendif()', []),
-    ('#[[ install(DIRECTORY config DESTINATION share/robo) ]]', []),
-])
+@pytest.mark.parametrize(
+    ('install', 'expected'),
+    [
+        (
+            'install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})',
+            ['launch/a.launch.py', 'launch/sub/b.launch.xml'],
+        ),
+        (
+            'install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME}/)',
+            ['a.launch.py', 'sub/b.launch.xml'],
+        ),
+        (
+            'install(DIRECTORY\n  launch\n  config  # both\n  DESTINATION share/${PROJECT_NAME}\n)',
+            ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
+        ),
+        (
+            'install(FILES launch/a.launch.py DESTINATION "share/${PROJECT_NAME}/launch" RENAME z.launch.py)',
+            ['launch/z.launch.py'],
+        ),
+        (
+            'file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION share/${PROJECT_NAME}/config)',
+            ['config/p.yaml'],
+        ),
+        (
+            'set(DIRS launch config)\nforeach(d ${DIRS})\n  INSTALL(DIRECTORY ${d} DESTINATION share/${PROJECT_NAME})\nendforeach()',
+            ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
+        ),
+        (
+            'install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py")',
+            ['launch/a.launch.py'],
+        ),
+        ('install(DIRECTORY launch DESTINATION share/robo PATTERN "sub" EXCLUDE)', ['launch/a.launch.py']),
+        ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
+        (
+            'if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION share/robo)\nendif()',
+            [],
+        ),
+        ('#[[ install(DIRECTORY config DESTINATION share/robo) ]]', []),
+    ],
+)
 def test_install_rules_are_followed(workspace: Any, install: str, expected: list[str]) -> None:
     workspace.cmake_package('robo', f'project(robo)\n{install}\nament_package()\n', FILES)
     assert workspace.installed('robo') == sorted([*expected, 'package.xml'])
@@ -31,39 +64,62 @@ def test_install_rules_are_followed(workspace: Any, install: str, expected: list
 
 
 def test_installed_programs_are_scripts_that_keep_their_source_file(workspace: Any) -> None:
-    workspace.cmake_package('robo', 'project(robo)\ninstall(PROGRAMS scripts/node.py DESTINATION lib/${PROJECT_NAME})', FILES)
+    workspace.cmake_package(
+        'robo', 'project(robo)\ninstall(PROGRAMS scripts/node.py DESTINATION lib/${PROJECT_NAME})', FILES
+    )
     index = workspace.index()
     program = index.find_program(f'{index.prefix("robo")}/lib/robo/node.py')
     assert (program.kind, program.file) == ('script', str(workspace.path / 'robo' / 'scripts' / 'node.py'))
 
 
 def test_only_listed_interfaces_are_generated(workspace: Any) -> None:
-    workspace.cmake_package('robo', 'project(robo)\nset(msgs msg/Num.msg)\nlist(APPEND msgs "srv/Add.srv")\n'
-                                    'rosidl_generate_interfaces(${PROJECT_NAME} ${msgs} DEPENDENCIES std_msgs)', FILES)
+    workspace.cmake_package(
+        'robo',
+        'project(robo)\nset(msgs msg/Num.msg)\nlist(APPEND msgs "srv/Add.srv")\n'
+        'rosidl_generate_interfaces(${PROJECT_NAME} ${msgs} DEPENDENCIES std_msgs)',
+        FILES,
+    )
     assert workspace.installed('robo') == ['msg/Num.msg', 'package.xml', 'srv/Add.srv']
     index = workspace.index()
     assert index.interface_roots() == [index.share('robo')]
 
 
 def test_a_python_library_of_a_cmake_package_can_be_imported(workspace: Any) -> None:
-    workspace.cmake_package('robo', 'project(robo)\nament_python_install_package(${PROJECT_NAME})', {'robo/__init__.py': ''})
+    workspace.cmake_package(
+        'robo', 'project(robo)\nament_python_install_package(${PROJECT_NAME})', {'robo/__init__.py': ''}
+    )
     assert workspace.index().python_modules() == {'robo': str(workspace.path / 'robo' / 'robo')}
 
 
 def test_native_executables_are_known_but_not_offered(workspace: Any) -> None:
-    workspace.cmake_package('robo', 'project(robo)\n\nadd_executable(drive src/d.cpp)\ninstall(TARGETS drive DESTINATION lib/robo)')
+    workspace.cmake_package(
+        'robo',
+        'project(robo)\n\nadd_executable(drive src/d.cpp)\ninstall(TARGETS drive DESTINATION lib/robo)',
+    )
     index = workspace.index()
     assert index.executables('robo') == []
     assert index.native_executables('robo') == {'drive': f'{workspace.path}/robo/CMakeLists.txt:3'}
 
 
-@pytest.mark.parametrize(('line', 'sentence'), [
-    ('install(FILES none.yaml DESTINATION share/robo)', 'none.yaml is not there, so the package does not build'),
-    ('install(DIRECTORY maps DESTINATION share/robo)', 'there is no folder maps/ to install'),
-    ('install(FILES ${GENERATED} DESTINATION share/robo)', 'uses ${GENERATED}, whose value is not known without running CMake'),
-    ('install(DIRECTORY launch)', 'install(DIRECTORY ...) has no DESTINATION'),
-    ('rosidl_generate_interfaces(other "msg/Num.msg")', 'rosidl_generate_interfaces(other ...) must name the package, robo'),
-])
+@pytest.mark.parametrize(
+    ('line', 'sentence'),
+    [
+        (
+            'install(FILES none.yaml DESTINATION share/robo)',
+            'none.yaml is not there, so the package does not build',
+        ),
+        ('install(DIRECTORY maps DESTINATION share/robo)', 'there is no folder maps/ to install'),
+        (
+            'install(FILES ${GENERATED} DESTINATION share/robo)',
+            'uses ${GENERATED}, whose value is not known without running CMake',
+        ),
+        ('install(DIRECTORY launch)', 'install(DIRECTORY ...) has no DESTINATION'),
+        (
+            'rosidl_generate_interfaces(other "msg/Num.msg")',
+            'rosidl_generate_interfaces(other ...) must name the package, robo',
+        ),
+    ],
+)
 def test_what_cannot_be_built_is_a_warning_with_its_line(workspace: Any, line: str, sentence: str) -> None:
     workspace.cmake_package('robo', f'project(robo)\n{line}\n', FILES)
     assert workspace.warnings('robo') == [f'robo/CMakeLists.txt:2: {sentence}']

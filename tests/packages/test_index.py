@@ -1,4 +1,5 @@
 """The index over workspaces, prefixes and the underlay."""
+
 from __future__ import annotations
 
 import os
@@ -65,7 +66,9 @@ def test_nothing_is_made_before_a_package_is_asked_for_and_nothing_stays(workspa
     assert not os.path.exists(prefix)
 
 
-def test_the_prefix_of_a_workspace_has_the_same_path_in_every_run_and_serves_two_indexes(workspace: Any) -> None:
+def test_the_prefix_of_a_workspace_has_the_same_path_in_every_run_and_serves_two_indexes(
+    workspace: Any,
+) -> None:
     first, second = two_packages(workspace).index(), workspace.index()
     share = first.share('alpha')
     assert second.share('alpha') == share
@@ -128,14 +131,21 @@ def test_of_two_packages_with_one_name_the_first_is_used_and_the_other_named(wor
     workspace.files({'src/one/launch/a.launch.py': ''})
     assert workspace.installed('alpha') == ['launch/a.launch.py', 'package.xml']
     assert workspace.warnings('alpha') == [
-        "src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon refuses duplicate names"]
+        "src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon refuses duplicate names"
+    ]
 
 
-@pytest.mark.parametrize(('text', 'sentence'), [
-    ('<package>\n<name>alpha</name>\n', ':3: this is not well-formed XML (no element found: line 3, column 0), '
-                                        'so colcon skips the package'),
-    ('<package/>', ": has no usable <name> inside <package> (found ''), so colcon skips the package"),
-])
+@pytest.mark.parametrize(
+    ('text', 'sentence'),
+    [
+        (
+            '<package>\n<name>alpha</name>\n',
+            (':3: this is not well-formed XML (no element found: line 3, column 0), '
+            'so colcon skips the package'),
+        ),
+        ('<package/>', ": has no usable <name> inside <package> (found ''), so colcon skips the package"),
+    ],
+)
 def test_a_broken_package_xml_is_a_warning(workspace: Any, text: str, sentence: str) -> None:
     workspace.files({'alpha/package.xml': text})
     index = workspace.index()
@@ -145,7 +155,12 @@ def test_a_broken_package_xml_is_a_warning(workspace: Any, text: str, sentence: 
 
 def test_questions_about_unknown_packages_have_empty_answers(workspace: Any) -> None:
     index = two_packages(workspace).index()
-    assert (index.prefix('x'), index.share('x'), index.executables('x'), index.find_executable('alpha', 'x')) == (None, None, [], None)
+    assert (
+        index.prefix('x'),
+        index.share('x'),
+        index.executables('x'),
+        index.find_executable('alpha', 'x'),
+    ) == (None, None, [], None)
     assert index.find_program('ls') is None
     assert index.find_program('/usr/bin/ls') is None
 
@@ -153,6 +168,7 @@ def test_questions_about_unknown_packages_have_empty_answers(workspace: Any) -> 
 def test_links_fall_back_to_copies(workspace: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object) -> None:
         raise OSError('no links here')
+
     monkeypatch.setattr(os, 'symlink', refuse)
     index = two_packages(workspace).index()
     copy = f'{index.share("alpha")}/launch/a.launch.py'

@@ -1,4 +1,5 @@
 """Did-you-mean."""
+
 from __future__ import annotations
 
 import pytest
@@ -8,9 +9,17 @@ from edulaunch.packages import nearest
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 
 
-@pytest.mark.parametrize(('name', 'expected'), [
-    ('turtelsim', 'turtlesim'), ('TurtleSim', 'turtlesim'), ('my-robot-bringup', 'my_robot_bringup'),
-    ('my_robot_discription', 'my_robot_description'), ('nav2', None), ('', None)])
+@pytest.mark.parametrize(
+    ('name', 'expected'),
+    [
+        ('turtelsim', 'turtlesim'),
+        ('TurtleSim', 'turtlesim'),
+        ('my-robot-bringup', 'my_robot_bringup'),
+        ('my_robot_discription', 'my_robot_description'),
+        ('nav2', None),
+        ('', None),
+    ],
+)
 def test_the_nearest_name_is_the_one_that_was_meant(name: str, expected: str | None) -> None:
     assert nearest(name, NAMES) == expected
 

@@ -1,4 +1,5 @@
 """What a setup.py installs, read without running it."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -11,43 +12,59 @@ from glob import glob
 from setuptools import find_packages, setup
 package_name = 'robo'
 """
-LAUNCH = {'robo/launch/a.launch.py': '', 'robo/launch/b_launch.py': '', 'robo/launch/c.launch.xml': '',
-          'robo/config/deep/p.yaml': ''}
+LAUNCH = {
+    'robo/launch/a.launch.py': '',
+    'robo/launch/b_launch.py': '',
+    'robo/launch/c.launch.xml': '',
+    'robo/config/deep/p.yaml': '',
+}
 
 
 def setup_with(**keywords: str) -> str:
-    return HEAD + 'setup(name=package_name, packages=[package_name], ' + ', '.join(
-        f'{name}={text}' for name, text in keywords.items()) + ')\n'
+    return (
+        HEAD
+        + 'setup(name=package_name, packages=[package_name], '
+        + ', '.join(f'{name}={text}' for name, text in keywords.items())
+        + ')\n'
+    )
 
 
-@pytest.mark.parametrize('entry', [
-    "('share/' + package_name + '/launch', glob('launch/*.launch.py'))",
-    "(os.path.join('share', package_name, 'launch'), glob(os.path.join('launch', '*.launch.py')))",
-    "(f'share/{package_name}/launch', ['launch/a.launch.py'])",
-    "('share/%s/launch' % package_name, [x for x in glob('launch/*') if x.endswith('.launch.py')])",
-    "('share/{}/launch'.format(package_name), ['launch/' + name for name in ('a.launch.py',)])",
-    "(os.path.join('share', package_name, 'launch'), glob('launch/*launch.[p]y')[:1])",
-])
+@pytest.mark.parametrize(
+    'entry',
+    [
+        "('share/' + package_name + '/launch', glob('launch/*.launch.py'))",
+        "(os.path.join('share', package_name, 'launch'), glob(os.path.join('launch', '*.launch.py')))",
+        "(f'share/{package_name}/launch', ['launch/a.launch.py'])",
+        "('share/%s/launch' % package_name, [x for x in glob('launch/*') if x.endswith('.launch.py')])",
+        "('share/{}/launch'.format(package_name), ['launch/' + name for name in ('a.launch.py',)])",
+        "(os.path.join('share', package_name, 'launch'), glob('launch/*launch.[p]y')[:1])",
+    ],
+)
 def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, entry: str) -> None:
     workspace.python_package('robo', setup_with(data_files=f'[{entry}]')).files(LAUNCH)
     assert workspace.installed('robo') == ['launch/a.launch.py', 'package.xml']
     assert workspace.warnings('robo') == []
 
 
-@pytest.mark.parametrize('setup', [
-    # a list that grows
-    HEAD + "data = [('share/' + package_name, ['package.xml'])]\n"
-           "data.append(('share/robo/launch', glob('launch/*.xml')))\nsetup(name='robo', data_files=data)",
-    HEAD + "data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', data_files=data)",
-    # a function of the file's own
-    HEAD + "def files(folder):\n    found = []\n    for path, _, names in os.walk(folder):\n"
-           "        for name in names:\n            if name.endswith('.xml'):\n"
-           "                found.append(('share/robo/' + path, [os.path.join(path, name)]))\n    return found\n"
-           "setup(name='robo', data_files=[*files('launch')])",
-    HEAD + "options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', **options)",
-    'import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
-    'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])',
-])
+@pytest.mark.parametrize(
+    'setup',
+    [
+        # a list that grows
+        HEAD + "data = [('share/' + package_name, ['package.xml'])]\n"
+        "data.append(('share/robo/launch', glob('launch/*.xml')))\nsetup(name='robo', data_files=data)",
+        HEAD
+        + "data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', data_files=data)",
+        # a function of the file's own
+        HEAD + 'def files(folder):\n    found = []\n    for path, _, names in os.walk(folder):\n'
+        "        for name in names:\n            if name.endswith('.xml'):\n"
+        "                found.append(('share/robo/' + path, [os.path.join(path, name)]))\n    return found\n"
+        "setup(name='robo', data_files=[*files('launch')])",
+        HEAD
+        + "options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', **options)",
+        ('import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
+        'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])'),
+    ],
+)
 def test_lists_made_by_a_program_are_followed(workspace: Any, setup: str) -> None:
     workspace.python_package('robo', setup).files(LAUNCH)
     assert workspace.installed('robo') == ['launch/c.launch.xml', 'package.xml']
@@ -64,13 +81,20 @@ def test_what_cannot_be_known_costs_only_its_own_entry_and_names_the_line(worksp
     workspace.python_package('robo', setup_with(data_files=entries)).files(LAUNCH)
     assert workspace.installed('robo') == ['launch/c.launch.xml', 'package.xml']
     assert workspace.warnings('robo') == [
-        "robo/setup.py:7: data_files= contains download('x'), which is not followed without running the file; "
-        'write the value out']
+        ("robo/setup.py:7: data_files= contains download('x'), which is not followed without running the file; "
+        'write the value out')
+    ]
 
 
-@pytest.mark.parametrize('entry_points', [
-    "{'console_scripts': ['talk = robo.talker:main']}", "'''[console_scripts]\ntalk=robo.talker:main\n'''",
-    "{'console_scripts': 'talk = robo.talker : main'}", "dict(console_scripts=['talk' + ' = ' + package_name + '.talker:main'])"])
+@pytest.mark.parametrize(
+    'entry_points',
+    [
+        "{'console_scripts': ['talk = robo.talker:main']}",
+        "'''[console_scripts]\ntalk=robo.talker:main\n'''",
+        "{'console_scripts': 'talk = robo.talker : main'}",
+        "dict(console_scripts=['talk' + ' = ' + package_name + '.talker:main'])",
+    ],
+)
 def test_console_scripts_become_entry_points(workspace: Any, entry_points: str) -> None:
     workspace.python_package('robo', setup_with(entry_points=entry_points))
     index = workspace.index()
@@ -80,26 +104,43 @@ def test_console_scripts_become_entry_points(workspace: Any, entry_points: str) 
 
 
 def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_why(workspace: Any) -> None:
-    workspace.python_package('robo', setup_with(entry_points="{'console_scripts': ['talk = robo.talker:main']}"))
+    workspace.python_package(
+        'robo', setup_with(entry_points="{'console_scripts': ['talk = robo.talker:main']}")
+    )
     workspace.files({'robo/setup.cfg': '[develop]\nscript_dir=$base/lib/robo\n'})
     assert workspace.index().executables('robo') == []
     assert workspace.warnings('robo') == [
-        'robo/setup.cfg: has no install_scripts=$base/lib/robo below [install], so `ros2 run robo ...` and Node() '
-        'find no executable of this package']
+        ('robo/setup.cfg: has no install_scripts=$base/lib/robo below [install], so `ros2 run robo ...` and Node() '
+        'find no executable of this package')
+    ]
 
 
-@pytest.mark.parametrize(('keywords', 'sentence'), [
-    ({'data_files': "[('share/robo/launch', ['launch/none.py'])]"},
-     "data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy 'launch/none.py'\")"),
-    ({'data_files': "[('share/robo', ['launch'])]"},
-     "data_files lists 'launch', which is a folder; only files can be listed, so use glob() "
-     "(a build stops with \"can't copy 'launch'\")"),
-    ({'data_files': "['share/robo']"}, "data_files holds 'share/robo'; a pair (folder, [files]) was expected"),
-    ({'entry_points': "{'console_scripts': ['talk = robo.talker']}"},
-     "console_scripts has 'talk = robo.talker'; 'executable = package.module:function' was expected"),
-    ({'py_modules': "[]", 'scripts': "['bin/x']"}, "scripts= lists 'bin/x', which is not there"),
-])
-def test_what_a_build_would_reject_is_a_warning_with_its_line(workspace: Any, keywords: dict[str, str], sentence: str) -> None:
+@pytest.mark.parametrize(
+    ('keywords', 'sentence'),
+    [
+        (
+            {'data_files': "[('share/robo/launch', ['launch/none.py'])]"},
+            "data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy 'launch/none.py'\")",
+        ),
+        (
+            {'data_files': "[('share/robo', ['launch'])]"},
+            ("data_files lists 'launch', which is a folder; only files can be listed, so use glob() "
+            "(a build stops with \"can't copy 'launch'\")"),
+        ),
+        (
+            {'data_files': "['share/robo']"},
+            "data_files holds 'share/robo'; a pair (folder, [files]) was expected",
+        ),
+        (
+            {'entry_points': "{'console_scripts': ['talk = robo.talker']}"},
+            "console_scripts has 'talk = robo.talker'; 'executable = package.module:function' was expected",
+        ),
+        ({'py_modules': '[]', 'scripts': "['bin/x']"}, "scripts= lists 'bin/x', which is not there"),
+    ],
+)
+def test_what_a_build_would_reject_is_a_warning_with_its_line(
+    workspace: Any, keywords: dict[str, str], sentence: str
+) -> None:
     workspace.python_package('robo', setup_with(**keywords)).files(LAUNCH)
     assert workspace.warnings('robo') == [f'robo/setup.py:6: {sentence}']
 
@@ -107,8 +148,9 @@ def test_what_a_build_would_reject_is_a_warning_with_its_line(workspace: Any, ke
 def test_a_package_folder_that_is_missing_is_named(workspace: Any) -> None:
     workspace.python_package('robo', "from setuptools import setup\nsetup(packages=['rob'])\n")
     assert workspace.warnings('robo') == [
-        "robo/setup.py:2: packages= names 'rob', but there is no folder rob/ "
-        '(a build stops with "package directory \'rob\' does not exist")']
+        ("robo/setup.py:2: packages= names 'rob', but there is no folder rob/ "
+        '(a build stops with "package directory \'rob\' does not exist")')
+    ]
 
 
 def test_a_syntax_error_is_a_warning_and_the_package_is_still_found(workspace: Any) -> None:
@@ -119,10 +161,17 @@ def test_a_syntax_error_is_a_warning_and_the_package_is_still_found(workspace: A
 
 def test_find_packages_looks_for_init_files_and_package_dir_moves_the_root(workspace: Any) -> None:
     setup = HEAD + "setup(packages=find_packages('src', exclude=['test']), package_dir={'': 'src'})\n"
-    workspace.python_package('robo', setup).files({
-        'robo/src/robo_lib/__init__.py': '', 'robo/src/robo_lib/inner/__init__.py': '', 'robo/src/test/__init__.py': '',
-        'robo/src/plain/x.py': ''})
-    assert workspace.index().python_modules() == {'robo_lib': str(workspace.path / 'robo' / 'src' / 'robo_lib')}
+    workspace.python_package('robo', setup).files(
+        {
+            'robo/src/robo_lib/__init__.py': '',
+            'robo/src/robo_lib/inner/__init__.py': '',
+            'robo/src/test/__init__.py': '',
+            'robo/src/plain/x.py': '',
+        }
+    )
+    assert workspace.index().python_modules() == {
+        'robo_lib': str(workspace.path / 'robo' / 'src' / 'robo_lib')
+    }
 
 
 def test_an_endless_loop_is_not_followed_for_ever(workspace: Any) -> None:

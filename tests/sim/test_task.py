@@ -50,6 +50,14 @@ def test_a_wake_before_the_park_is_not_lost() -> None:
     assert log == [(0.0, 'True')]
 
 
+def test_a_wake_before_the_first_turn_is_not_lost() -> None:
+    sim, log = Simulation(), []
+    task = start(sim, lambda: note(sim, log, current_task().park(sim.now_ns + 10**9)))
+    task.wake()
+    sim.run()
+    assert log == [(0.0, 'True')]
+
+
 def test_park_tells_wake_from_deadline() -> None:
     sim, log = Simulation(), []
 

@@ -35,11 +35,6 @@ def test_yaml_of_an_empty_buffer_is_an_empty_list_and_cleared_frames_are_left_ou
     assert buffer.all_frames_as_yaml() == ''
 
 
-def test_with_the_time_the_age_stands_before_the_length():
-    text = turtle_world().all_frames_as_yaml(START + SECOND)
-    assert '  transform_delay: 0.216\n  buffer_length: 0.784\n' in text
-
-
 def test_the_plain_list_names_parents():
     buffer = turtle_world()
     assert buffer.all_frames_as_string() == (

@@ -7,8 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.tf.history import COMPACT_AT, History
+from edulaunch.tf.quaternions import slerp
 
-from .shapes import at
+from .shapes import at, poses
 
 
 def history_of(*samples: tuple[int, float] | tuple[int, float, str]) -> History:
@@ -57,6 +58,19 @@ def test_a_single_sample_answers_its_own_stamp_only():
 @given(st.integers(10, 20))
 def test_between_two_samples_the_place_is_on_the_line(time):
     assert history_of((10, 0.0), (20, 1.0)).pose_at(time)[0] == pytest.approx((time - 10) / 10)
+
+
+@given(poses, poses, st.integers(0, 1000))
+def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, part):
+    history = History('child', static=False)
+    history.insert('parent', 1000, a)
+    history.insert('parent', 2000, b)
+    found, ratio = history.pose_at(1000 + part), part / 1000
+    for low, value, high in zip(a[:3], found[:3], b[:3], strict=True):
+        assert value == pytest.approx(low + ratio * (high - low), abs=1e-9)
+        assert min(low, high) - 1e-9 <= value <= max(low, high) + 1e-9
+    turned = slerp(a[3:], b[3:], ratio)
+    assert abs(sum(p * q for p, q in zip(found[3:], turned, strict=True))) == pytest.approx(1.0)
 
 
 def test_between_different_parents_the_older_sample_holds():

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 
-from edulaunch.tf.quaternions import slerp
-from edulaunch.tf.transforms import IDENTITY, apply, canonical, compose, interpolate, inverse, relative
+from edulaunch.tf.transforms import IDENTITY, apply, canonical, compose, inverse, relative
 
 from .shapes import at, numbers, poses
 
@@ -25,19 +23,6 @@ def test_a_composition_applies_the_right_transform_first(a, b, x, y, z):
 @given(poses, poses)
 def test_relative_is_the_inverse_of_one_composed_with_the_other(a, b):
     assert relative(a, b) == pytest.approx(compose(inverse(a), b), abs=1e-9)
-
-
-@given(poses, poses, st.floats(0.0, 1.0))
-def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, ratio):
-    found = interpolate(a, b, ratio)
-    assert found[:3] == pytest.approx([p + ratio * (q - p) for p, q in zip(a[:3], b[:3])], abs=1e-9)
-    assert found[3:] == pytest.approx(slerp(a[3:], b[3:], ratio), abs=1e-12)
-
-
-@given(poses, poses, st.floats(0.0, 1.0))
-def test_an_interpolated_place_lies_between_the_two(a, b, ratio):
-    for low, value, high in zip(a[:3], interpolate(a, b, ratio)[:3], b[:3]):
-        assert min(low, high) - 1e-9 <= value <= max(low, high) + 1e-9
 
 
 def test_a_canonical_transform_has_no_negative_zeros():

@@ -1,4 +1,4 @@
-"""The circle through points of the plane, by least squares. Plain Python: the grader starts faster without numpy."""
+"""The circle through points of the plane, by least squares. Plain Python: numpy would take long to load."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 
 class Circle(NamedTuple):
-    """Centre and radius in metres; `residual` is the root mean square distance of the points from the circle."""
+    """Centre and radius in metres; `residual` is the points' root mean square distance from the circle."""
 
     x: float
     y: float
@@ -17,9 +17,10 @@ class Circle(NamedTuple):
 
 
 def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
-    """The circle for which the sum of (|p - c|² - r²)² is smallest (the Kåsa fit); None when points lie on a line or on a spot.
+    """The circle for which the sum of (|p - c|² - r²)² is smallest (the Kåsa fit); None for a line or a spot.
 
-    Exact for points on an arc. The points are moved to their mean first, so that a circle far from the origin loses nothing.
+    Exact for points on an arc. They are moved to their mean first, so that a circle far from the origin loses
+    nothing.
     """
     count = len(points)
     if count < 3:

@@ -1,4 +1,5 @@
 """Find packages and their files, with the interface of ROS 2's ament_index_python, over edulaunch's index."""
+
 from __future__ import annotations
 
 from .constants import AMENT_PREFIX_PATH_ENV_VAR, RESOURCE_INDEX_SUBFOLDER
@@ -20,6 +21,18 @@ from .resources import (
 from .search_paths import get_search_paths
 
 __all__ = [
-    'AMENT_PREFIX_PATH_ENV_VAR', 'InvalidResourceNameError', 'InvalidResourceTypeNameError', 'PackageNotFoundError',
-    'RESOURCE_INDEX_SUBFOLDER', 'get_package_prefix', 'get_package_share_directory', 'get_package_share_path',
-    'get_packages_with_prefixes', 'get_resource', 'get_resource_types', 'get_resources', 'get_search_paths', 'has_resource']
+    'AMENT_PREFIX_PATH_ENV_VAR',
+    'InvalidResourceNameError',
+    'InvalidResourceTypeNameError',
+    'PackageNotFoundError',
+    'RESOURCE_INDEX_SUBFOLDER',
+    'get_package_prefix',
+    'get_package_share_directory',
+    'get_package_share_path',
+    'get_packages_with_prefixes',
+    'get_resource',
+    'get_resource_types',
+    'get_resources',
+    'get_search_paths',
+    'has_resource',
+]

@@ -1,21 +1,26 @@
 """The `ament_index` command: list resource types, resources of a type, or show one resource."""
+
 from __future__ import annotations
 
 import sys
-from typing import Optional
 
 from .resources import get_resource, get_resource_types, get_resources
 
 
-def main(argv: Optional[list[str]] = None) -> Optional[str]:
+def main(argv: list[str] | None = None) -> str | None:
     """Run the command.
 
     :returns: None, or the error to exit with.
     """
     import argparse
+
     parser = argparse.ArgumentParser(prog='ament_index', description='Query the ament resource index.')
-    parser.add_argument('resource_type', nargs='?', help='the type of resource; without it all types are listed')
-    parser.add_argument('resource_name', nargs='?', help='the name of a resource; without it all of the type are listed')
+    parser.add_argument(
+        'resource_type', nargs='?', help='the type of resource; without it all types are listed'
+    )
+    parser.add_argument(
+        'resource_name', nargs='?', help='the name of a resource; without it all of the type are listed'
+    )
     args = parser.parse_args(sys.argv[1:] if argv is None else argv)
     if args.resource_type is None:
         print('\n'.join(sorted(get_resource_types())))

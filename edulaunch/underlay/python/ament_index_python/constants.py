@@ -1,4 +1,5 @@
 """Names that the ament index is made of."""
+
 from __future__ import annotations
 
 AMENT_PREFIX_PATH_ENV_VAR = 'AMENT_PREFIX_PATH'

@@ -1,10 +1,10 @@
 """Packages by name."""
+
 from __future__ import annotations
 
 import os
 import re
 from pathlib import Path
-from typing import Optional
 
 from edulaunch.processes import current_process
 
@@ -16,10 +16,10 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 class PackageNotFoundError(KeyError):
     """No prefix of the search path holds a package of that name.
 
-    `help` is one line with the nearest known name, or None. (edulaunch only.)
+    `edulaunch_hint` is one line with the nearest known name, or None. (edulaunch only.)
     """
 
-    help: Optional[str] = None
+    edulaunch_hint: str | None = None
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -45,6 +45,7 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if print_warning and not os.path.exists(path):
         import warnings
+
         warnings.warn(f'Share directory for {package_name} ({path}) does not exist.', stacklevel=2)
     return path
 
@@ -61,10 +62,11 @@ def get_packages_with_prefixes() -> dict[str, str]:
 
 def _not_found(package_name: str) -> PackageNotFoundError:
     from edulaunch.packages import nearest
+
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
     close = nearest(package_name, current_process().index.packages())
     if close is not None:
-        error.help = f'did you mean the package {close!r}?'
+        error.edulaunch_hint = f'did you mean the package {close!r}?'
     else:
-        error.help = 'is the package in the workspace, and does its package.xml have this <name>?'
+        error.edulaunch_hint = 'is the package in the workspace, and does its package.xml have this <name>?'
     return error

@@ -1,9 +1,10 @@
 """Resources: the marker files below `share/ament_index/resource_index/<type>/<name>` of each prefix."""
+
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from typing import Literal, Union
+from typing import Literal
 
 from edulaunch.processes import current_process
 
@@ -39,7 +40,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
 
 
-def has_resource(resource_type: str, resource_name: str) -> Union[str, Literal[False]]:
+def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
     """The prefix that has the resource, or False."""
     _check(resource_type, resource_name)
     relative = os.path.join(RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
@@ -62,10 +63,15 @@ def get_resources(resource_type: str) -> dict[str, str]:
 def get_resource_types() -> set[str]:
     """Names of all types of resources."""
     folders = [os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in _prefixes()]
-    return {entry.name for folder in folders for entry in _entries(folder) if entry.is_dir() and not entry.name.startswith('.')}
+    return {
+        entry.name
+        for folder in folders
+        for entry in _entries(folder)
+        if entry.is_dir() and not entry.name.startswith('.')
+    }
 
 
-def _check(resource_type: str, resource_name: Union[str, None]) -> None:
+def _check(resource_type: str, resource_name: str | None) -> None:
     assert resource_type, 'The resource type must not be empty'
     assert resource_name is None or resource_name, 'The resource name must not be empty'
     if name_is_invalid(resource_type):
@@ -82,7 +88,7 @@ def _prefixes() -> list[str]:
     return get_search_paths()
 
 
-def _entries(folder: str) -> Iterator['os.DirEntry[str]']:
+def _entries(folder: str) -> Iterator[os.DirEntry[str]]:
     try:
         with os.scandir(folder) as entries:
             yield from sorted(entries, key=lambda entry: entry.name)

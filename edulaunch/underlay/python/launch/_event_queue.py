@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from typing import Any, Optional
+from typing import Any
 
 
 class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
@@ -12,7 +12,7 @@ class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
     :ivar on_put: called without arguments after each put, unless None.
     """
 
-    on_put: Optional[Callable[[], object]] = None
+    on_put: Callable[[], object] | None = None
 
     def _put(self, item: Any) -> None:
         super()._put(item)  # type: ignore[misc]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import sys
 from types import CodeType, FrameType
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from edulaunch.processes import Origin
@@ -19,9 +19,9 @@ FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
 Place = tuple[str, int]
 
 
-def caller_outside_launch(made: object) -> Optional[Place]:
+def caller_outside_launch(made: object) -> Place | None:
     """File and line of the innermost running code that is neither ours nor the constructor of `made` itself."""
-    frame: Optional[FrameType] = sys._getframe(2)
+    frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         code = frame.f_code
         if not code.co_filename.startswith(FACES) and not (code.co_name == '__init__' and _makes(code, frame, made)):
@@ -35,7 +35,7 @@ def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 
-def origin_of(place: Optional[Place]) -> Optional[Origin]:
+def origin_of(place: Place | None) -> Origin | None:
     """The engine's `Origin` for a place."""
     if place is None:
         return None

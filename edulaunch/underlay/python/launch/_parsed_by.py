@@ -5,7 +5,7 @@ Upstream each class defines its own; here all of them are in `launch.frontend`, 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Optional
+from typing import Any
 
 Parse = Callable[..., tuple[type, dict[str, Any]]]
 
@@ -20,7 +20,7 @@ class _ParsedBy:
         self._kind = kind
         self._name = name
 
-    def __get__(self, instance: object, owner: Optional[type] = None) -> Parse:
+    def __get__(self, instance: object, owner: type | None = None) -> Parse:
         made = owner if owner is not None else type(instance)
 
         def parse(*args: Any) -> tuple[type, dict[str, Any]]:

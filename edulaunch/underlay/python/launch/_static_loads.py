@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ._engine import environment, process_state
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 Seen = tuple[object, ...]
 
 
-def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> Optional[LaunchDescription]:
+def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> LaunchDescription | None:
     """What `load()` returns, None when it raises an exception; remembered by the kind of source and location."""
-    cache: dict[tuple[type, str], tuple[Seen, Optional[LaunchDescription]]] = process_state('launch.static_loads', dict)
+    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process_state('launch.static_loads', dict)
     seen = _state_of(location)
     known = cache.get((type(source), location))
     if known is not None and known[0] == seen:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ._origin import Origin, caller_outside_launch, note_origin, origin_of
 from .condition import Condition
@@ -22,12 +22,12 @@ class Action(LaunchDescriptionEntity):
     :param condition: without one the action is always executed.
     """
 
-    def __init__(self, *, condition: Optional[Condition] = None) -> None:
+    def __init__(self, *, condition: Condition | None = None) -> None:
         self.__condition = condition
         self.__origin = caller_outside_launch(self)
 
     @property
-    def origin(self) -> Optional[Origin]:
+    def origin(self) -> Origin | None:
         """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
         return origin_of(self.__dict__.get('_Action__origin'))
 
@@ -45,7 +45,7 @@ class Action(LaunchDescriptionEntity):
         return Action, condition_of(entity, parser)
 
     @property
-    def condition(self) -> Optional[Condition]:
+    def condition(self) -> Condition | None:
         """The condition, or None."""
         return self.__condition
 
@@ -67,7 +67,7 @@ class Action(LaunchDescriptionEntity):
             return []
         return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
 
-    def visit(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+    def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would handle it.
 
         An exception on its way out is told where this action was made, for the message that people see.
@@ -95,6 +95,6 @@ class Action(LaunchDescriptionEntity):
         else:
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
-    def execute(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+    def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         """Do it. For subclasses to override; called by :meth:`visit`."""
         return None

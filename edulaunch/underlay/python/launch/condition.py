@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ._stable_repr import StableRepr
 
@@ -16,7 +16,7 @@ class Condition(StableRepr):
     :param predicate: called with the launch context; without one the condition is false.
     """
 
-    def __init__(self, *, predicate: Optional[Callable[[LaunchContext], bool]] = None) -> None:
+    def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
 
     def evaluate(self, context: LaunchContext) -> bool:

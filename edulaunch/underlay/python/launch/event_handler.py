@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ._stable_repr import StableRepr
 from .event import Event
@@ -10,7 +10,6 @@ from .some_entities_type import SomeEntitiesType
 
 if TYPE_CHECKING:
     from .launch_context import LaunchContext
-    from .launch_description_entity import LaunchDescriptionEntity
 
 Matcher = Callable[[Event], bool]
 
@@ -22,7 +21,7 @@ class BaseEventHandler(StableRepr):
     :param handle_once: forget this handler after the first event.
     """
 
-    _event_types: Optional[tuple[type, ...]] = None
+    _event_types: tuple[type, ...] | None = None
     """The only types of events that the matcher can accept; None when that is unknown. Lets launch skip it quickly."""
     _event_action: Any = None
     """The only action whose events the matcher can accept; None when there may be others."""
@@ -56,7 +55,7 @@ class BaseEventHandler(StableRepr):
                 f'handle_once={self.__handle_once})')
         return text, []
 
-    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """React; returns entities to visit, or None. To be extended by subclasses."""
         context.extend_locals({'event': event})
         if self.__handle_once:
@@ -70,13 +69,13 @@ class EventHandler(BaseEventHandler):
     :param entities: an entity or several.
     """
 
-    def __init__(self, *, matcher: Matcher, entities: Optional[SomeEntitiesType] = None,
+    def __init__(self, *, matcher: Matcher, entities: SomeEntitiesType | None = None,
                  handle_once: bool = False) -> None:
         super().__init__(matcher=matcher, handle_once=handle_once)
         self.__entities = entities
 
     @property
-    def entities(self) -> Optional[SomeEntitiesType]:
+    def entities(self) -> SomeEntitiesType | None:
         """What is visited."""
         return self.__entities
 
@@ -93,7 +92,7 @@ class EventHandler(BaseEventHandler):
         entities: Any = self.__entities
         return text, list(entities) if hasattr(entities, '__iter__') else [entities]
 
-    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """The entities."""
         super().handle(event, context)
         return self.__entities

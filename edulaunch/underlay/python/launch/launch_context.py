@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, MutableMapping
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ._engine import environment
 from ._handler_table import HandlerTable
@@ -26,11 +26,11 @@ class LaunchContext:
     :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
     """
 
-    def __init__(self, *, argv: Optional[Iterable[str]] = None, noninteractive: bool = False) -> None:
+    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
         self.__argv = list(argv) if argv is not None else []
         self.__noninteractive = noninteractive
         self.__handlers = HandlerTable()
-        self.__event_queue: Optional[EventQueue] = None
+        self.__event_queue: EventQueue | None = None
         self.__completion_futures: list[asyncio.Future[Any]] = []
         self.__globals: dict[str, Any] = {}
         self.__locals: dict[str, Any] = {}
@@ -41,8 +41,10 @@ class LaunchContext:
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
         self.__is_shutdown = False
-        self.__asyncio_loop: Optional[asyncio.AbstractEventLoop] = None
-        self.__logger: Optional[Logger] = None
+        self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
+        self.__logger: Logger | None = None
+        self._starts_are_abandoned = False
+        """Set after an exception: processes that are scheduled but not started yet must not start."""
 
     @property
     def argv(self) -> list[str]:
@@ -67,7 +69,7 @@ class LaunchContext:
         """The loop that launch runs on, None while it does not run."""
         return self.__asyncio_loop
 
-    def _set_asyncio_loop(self, loop: Optional[asyncio.AbstractEventLoop]) -> None:
+    def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self.__asyncio_loop = loop
 
     # -- values

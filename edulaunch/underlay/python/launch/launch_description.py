@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from .launch_description_entity import LaunchDescriptionEntity
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from .actions.include_launch_description import IncludeLaunchDescription
     from .launch_context import LaunchContext
 
-FoundArguments = list[tuple['DeclareLaunchArgument', Optional[list['IncludeLaunchDescription']]]]
+FoundArguments = list[tuple['DeclareLaunchArgument', list['IncludeLaunchDescription'] | None]]
 
 
 class LaunchDescription(LaunchDescriptionEntity):
@@ -22,8 +22,8 @@ class LaunchDescription(LaunchDescriptionEntity):
     :param deprecated_reason: when given, a visit logs a warning.
     """
 
-    def __init__(self, initial_entities: Optional[Iterable[LaunchDescriptionEntity]] = None, *,
-                 deprecated_reason: Optional[str] = None) -> None:
+    def __init__(self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None, *,
+                 deprecated_reason: str | None = None) -> None:
         self.__entities = list(initial_entities) if initial_entities is not None else []
         self.__deprecated_reason = deprecated_reason
 
@@ -38,7 +38,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__deprecated_reason is not None
 
     @property
-    def deprecated_reason(self) -> Optional[str]:
+    def deprecated_reason(self) -> str | None:
         """The reason not to use it any more, or None."""
         return self.__deprecated_reason
 
@@ -95,7 +95,7 @@ class _ArgumentSearch:
         self._names: set[str] = set()
 
     def look_through(self, entities: Iterable[LaunchDescriptionEntity], conditional: bool,
-                     includes: Optional[list[IncludeLaunchDescription]]) -> None:
+                     includes: list[IncludeLaunchDescription] | None) -> None:
         for entity in entities:
             role = getattr(entity, '_search_role', '')
             if role == 'reset':
@@ -104,12 +104,12 @@ class _ArgumentSearch:
                 self._note(entity, conditional, includes)
             self._look_below(entity, conditional, [*(includes or ()), entity] if role == 'include' else includes)
 
-    def _look_below(self, entity: Any, conditional: bool, includes: Optional[list[IncludeLaunchDescription]]) -> None:
+    def _look_below(self, entity: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None) -> None:
         self.look_through(entity.describe_sub_entities(), conditional, includes)
         for _, entities in entity.describe_conditional_sub_entities():
             self.look_through(entities, True, includes)
 
-    def _note(self, argument: Any, conditional: bool, includes: Optional[list[IncludeLaunchDescription]]) -> None:
+    def _note(self, argument: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None) -> None:
         if argument.name not in self._names:
             self._names.add(argument.name)
             argument._conditionally_included = conditional or argument.condition is not None

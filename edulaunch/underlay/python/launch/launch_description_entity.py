@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Optional
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ._stable_repr import StableRepr
 
@@ -32,10 +32,10 @@ class LaunchDescriptionEntity(StableRepr):
         """The entities that a visit may lead to, each group with the condition in words."""
         return []
 
-    def visit(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+    def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         """Do what the entity is for; returns the entities to visit next, or None."""
         return None
 
-    def get_asyncio_future(self) -> Optional[asyncio.Future[Any]]:
+    def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """What launch waits for before it is idle, or None."""
         return None

@@ -1,7 +1,7 @@
 """Where a launch description comes from."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ._static_loads import load_once
 from .launch_context import LaunchContext
@@ -21,13 +21,13 @@ class LaunchDescriptionSource:
     :param method: how it is loaded, in words.
     """
 
-    def __init__(self, launch_description: Optional[LaunchDescription] = None,
+    def __init__(self, launch_description: LaunchDescription | None = None,
                  location: SomeSubstitutionsType = '<string>',
                  method: str = 'unspecified mechanism from a script') -> None:
         self.__launch_description = launch_description
         self.__location = normalize_to_list_of_substitutions(location)
         self.__method = method
-        self.__expanded_location: Optional[str] = None
+        self.__expanded_location: str | None = None
 
     @property
     def location(self) -> str:
@@ -52,7 +52,7 @@ class LaunchDescriptionSource:
             self.__launch_description = self._get_launch_description(self.__expanded_location)
         return self.__launch_description
 
-    def try_get_launch_description_without_context(self) -> Optional[LaunchDescription]:
+    def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """The description if its path is known without a running launch and it can be loaded; else None.
 
         As upstream the file is executed for this, but only once as long as nothing changes that it could depend on.

@@ -7,7 +7,7 @@ from typing import Union
 
 from .substitution import Substitution
 
-SomeSubstitutionsType = Union[str, Substitution, Iterable[Union[str, Substitution]]]
+SomeSubstitutionsType = Union[str, Substitution, Iterable[str | Substitution]]
 """A text, a substitution, or several of them, which are joined without a separator."""
 
 SomeSubstitutionsType_types_tuple = (str, Substitution, collections.abc.Iterable)

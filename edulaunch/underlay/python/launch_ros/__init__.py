@@ -1,9 +1,18 @@
 """Launch actions for ROS nodes: the interface of ROS 2's launch_ros."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {
-    'actions': '', 'descriptions': '', 'event_handlers': '', 'events': '', 'parameter_descriptions': '', 'parameters_type': '',
-    'remap_rule_type': '', 'ros_adapters': '', 'substitutions': '', 'utilities': '',
+    'actions': '',
+    'descriptions': '',
+    'event_handlers': '',
+    'events': '',
+    'parameter_descriptions': '',
+    'parameters_type': '',
+    'remap_rule_type': '',
+    'ros_adapters': '',
+    'substitutions': '',
+    'utilities': '',
     'SomeParameters': 'parameters_type',
     'SomeRemapRules': 'remap_rule_type',
 }

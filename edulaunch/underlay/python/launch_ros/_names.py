@@ -1,4 +1,5 @@
 """Checks of node names and namespaces, with rclpy's own errors."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import namespace_problem, node_name_problem
@@ -11,6 +12,7 @@ def validated_name(name: str) -> str:
     """
     if node_name_problem(name) is not None:
         from rclpy.validate_node_name import validate_node_name
+
         validate_node_name(name)
     return name
 
@@ -22,5 +24,6 @@ def validated_namespace(namespace: str) -> str:
     """
     if namespace_problem(namespace) is not None:
         from rclpy.validate_namespace import validate_namespace
+
         validate_namespace(namespace)
     return namespace

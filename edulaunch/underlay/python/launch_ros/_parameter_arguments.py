@@ -1,10 +1,11 @@
 """From evaluated parameters to the words of a node's command line."""
+
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any
 
 from launch.substitutions.launch_configuration import LaunchConfiguration
 
@@ -14,8 +15,9 @@ from .parameters_type import Parameters
 from .utilities import evaluate_parameters
 
 if TYPE_CHECKING:
-    from edulaunch.processes import Origin
     from launch.launch_context import LaunchContext
+
+    from edulaunch.processes import Origin
 
 
 class ParameterArguments:
@@ -28,14 +30,16 @@ class ParameterArguments:
     :ivar origins: parameter name -> where its value was written, for values that do not come from a file.
     """
 
-    def __init__(self, node_name: str, node_key: str, origin: Optional[Origin]) -> None:
-        self.items: List[Tuple[str, bool]] = []
-        self.origins: Dict[str, str] = {}
+    def __init__(self, node_name: str, node_key: str, origin: Origin | None) -> None:
+        self.items: list[tuple[str, bool]] = []
+        self.origins: dict[str, str] = {}
         self._node_key = node_key
-        self._here = 'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
+        self._here = (
+            'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
+        )
         self._files = TemporaryFiles(f'{node_name} {self._here}')
 
-    def add_global(self, entries: Iterable[Union[str, Tuple[str, Any]]]) -> None:
+    def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
         for entry in entries:
             if isinstance(entry, tuple):
@@ -49,7 +53,7 @@ class ParameterArguments:
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
-        for written, value in zip(parameters, evaluate_parameters(context, parameters)):
+        for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=False):
             if isinstance(value, dict):
                 self.items.append((self._write(value), True))
                 self._note_origins(value, written)
@@ -63,31 +67,38 @@ class ParameterArguments:
             self.items.append((str(path), True))
             return
         import launch.logging
-        launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
+
+        launch.logging.get_logger('launch_ros.actions.node').warning(
+            f'Parameter file path is not a file: {path}'
+        )
 
     def _add_rule(self, context: LaunchContext, parameter: Parameter) -> None:
         import yaml
+
         name, value = parameter.evaluate(context)
         self.items.append((f'{name}:={yaml.safe_dump(value)}', False))
         self.origins[name] = self._here
 
-    def _write(self, values: Dict[str, Any]) -> str:
+    def _write(self, values: dict[str, Any]) -> str:
         import yaml
+
         plain = {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
         content = {self._node_key: {'ros__parameters': plain}}
         dumper = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
-        return self._files.write(yaml.dump(content, Dumper=dumper, default_flow_style=False, allow_unicode=True))
+        return self._files.write(
+            yaml.dump(content, Dumper=dumper, default_flow_style=False, allow_unicode=True)
+        )
 
-    def _note_origins(self, values: Dict[str, Any], written: Any) -> None:
+    def _note_origins(self, values: dict[str, Any], written: Any) -> None:
         """Name and written value stand in the same order in both dicts, unless two names came out equal."""
         if len(values) != len(written):
             self.origins.update(dict.fromkeys(values, self._here))
             return
-        for name, value in zip(values, written.values()):
+        for name, value in zip(values, written.values(), strict=False):
             self.origins[name] = _argument_in(value) or self._here
 
 
-def _argument_in(value: Any) -> Optional[str]:
+def _argument_in(value: Any) -> str | None:
     """'launch argument x', when a launch configuration decides the value."""
     value = getattr(value, 'value', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):

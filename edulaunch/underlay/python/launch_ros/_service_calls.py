@@ -1,4 +1,5 @@
 """Service calls of launch's own node, awaited in launch's event loop."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -13,8 +14,10 @@ if TYPE_CHECKING:
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
+    from launch.event_handlers.on_shutdown import OnShutdown
+
     from edulaunch.processes import current_process
-    from launch.event_handlers import OnShutdown
+
     loop = context.asyncio_loop
     node = get_ros_node(context)
     client = node.create_client(service_type, name)

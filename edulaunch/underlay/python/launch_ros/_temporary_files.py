@@ -1,19 +1,20 @@
 """Parameter files made for one run: named the same in every run, and removed with their owner."""
+
 from __future__ import annotations
 
 import os
 import tempfile
 import weakref
-from typing import Tuple
 
-Written = Tuple[str, int]
+Written = tuple[str, int]
 """Path and inode: the file is only removed while it is still the one that was written."""
 
 
 class TemporaryFiles:
     """Files `launch_params_XXXXXXXX` in the temporary folder.
 
-    The name is made from the content, the owner and a count, so that command lines (which are recorded) repeat from run to run.
+    The name is made from the content, the owner and a count, so that command lines (which are recorded)
+    repeat from run to run.
     Two runs at the same time may write the same file: each replaces it whole, with equal content.
 
     :param owner: a text that tells apart the owners in one run.
@@ -27,6 +28,7 @@ class TemporaryFiles:
     def write(self, text: str) -> str:
         """Write a new file; gives its path."""
         import hashlib
+
         digest = hashlib.sha256(f'{self._owner}\n{len(self._written)}\n{text}'.encode()).hexdigest()[:8]
         path = os.path.join(tempfile.gettempdir(), f'launch_params_{digest}')
         handle, draft = tempfile.mkstemp(prefix='launch_params_')

@@ -1,9 +1,10 @@
 """Parameters with more to say than a plain value: a type, a name of their own, or a file."""
+
 from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any
 
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
@@ -22,7 +23,8 @@ class ParameterValue:
     """A value of a stated type, such as a robot description, which is a text whatever it looks like.
 
     :param value: a literal, a substitution, or a list.
-    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for texts of substitutions.
+    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for texts
+        of substitutions.
     :raises TypeError: when a literal has not the type.
     """
 
@@ -60,13 +62,13 @@ class Parameter:
         ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
         self.__name = normalize_to_list_of_substitutions(name)
         self.__value = ParameterValue(value, value_type=value_type)
-        self.__evaluated_name: Optional[str] = None
+        self.__evaluated_name: str | None = None
 
     def __str__(self) -> str:
         return f'launch_ros.description.Parameter(name={self.name}, value={self.value}, value_type={self.value_type})'
 
     @property
-    def name(self) -> Union[List[Substitution], str]:
+    def name(self) -> list[Substitution] | str:
         """The evaluated name once there is one, until then what is to be evaluated."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
@@ -80,7 +82,7 @@ class Parameter:
         """The stated type, or None."""
         return self.__value.value_type
 
-    def evaluate(self, context: LaunchContext) -> Tuple[str, Any]:
+    def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
         """Name and value."""
         self.__evaluated_name = perform_substitutions(context, self.__name)
         return self.__evaluated_name, self.__value.evaluate(context)
@@ -90,24 +92,30 @@ class ParameterFile:
     """A file of parameters.
 
     :param param_file: its path.
-    :param allow_substs: the file's text may contain `$(...)` substitutions; the result goes to a temporary file.
+    :param allow_substs: the file's text may contain `$(...)` substitutions; the result goes to a temporary
+        file.
     """
 
     def __init__(self, param_file: Any, *, allow_substs: Any = False) -> None:
-        ensure_argument_type(param_file, (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes), 'param_file', 'ParameterFile()')
+        ensure_argument_type(
+            param_file,
+            (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes),
+            'param_file',
+            'ParameterFile()',
+        )
         if isinstance(param_file, (os.PathLike, bytes)):
             param_file = os.fsdecode(param_file)
         self.__param_file = normalize_to_list_of_substitutions(param_file)
         self.__allow_substs = normalize_typed_substitution(allow_substs, bool)
-        self.__evaluated: Optional[Path] = None
-        self.__evaluated_allow_substs: Optional[bool] = None
+        self.__evaluated: Path | None = None
+        self.__evaluated_allow_substs: bool | None = None
         self.__files = TemporaryFiles()
 
     def __repr__(self) -> str:
         return f'launch_ros.description.ParameterFile(param_file={self.param_file}, allow_substs={self.allow_substs})'
 
     @property
-    def param_file(self) -> Union[Path, List[Substitution]]:
+    def param_file(self) -> Path | list[Substitution]:
         """The evaluated path once there is one, until then what is to be evaluated."""
         return self.__param_file if self.__evaluated is None else self.__evaluated
 
@@ -138,7 +146,8 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     """The file's text with its substitutions performed."""
     import yaml
     from launch.frontend.parse_substitution import parse_substitution
-    from launch.substitutions import SubstitutionFailure
+    from launch.substitutions.substitution_failure import SubstitutionFailure
+
     text = perform_substitutions(context, parse_substitution(path.read_text(encoding='utf-8')))
     try:
         yaml.safe_load(text)

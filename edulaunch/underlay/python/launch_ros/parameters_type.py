@@ -1,18 +1,19 @@
 """Types of the `parameters` of a node: as a launch file writes them, normalized, and evaluated.
 
-A list of parameter files and mappings. Mappings may be nested; their values may be literals, substitutions, uniform lists, or
+A list of parameter files and mappings. Mappings may be nested; their values may be literals, substitutions,
+uniform lists, or
 :class:`~launch_ros.parameter_descriptions.ParameterValue`.
 """
+
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, Tuple, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from launch.substitution import Substitution
 
 if TYPE_CHECKING:
-    from .parameter_descriptions import Parameter, ParameterFile
+    pass
 
 SomeParameterFile = Any
 """A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
@@ -23,9 +24,11 @@ SomeParameterValue = Any
 SomeParametersDict = Mapping[Any, Any]
 SomeParameters = Sequence[Any]
 
-ParameterName = Tuple[Substitution, ...]
-ParametersDict = Dict[ParameterName, Any]
-Parameters = Sequence[Union['ParameterFile', ParametersDict, 'Parameter']]
+ParameterName = tuple[Substitution, ...]
+ParametersDict = dict[ParameterName, Any]
+Parameters = Sequence[Any]
+"""Of ParameterFile, ParametersDict and Parameter."""
 
-EvaluatedParameterValue = Union[str, int, float, bool, bytes, Tuple[Any, ...]]
-EvaluatedParameters = Tuple[Union[Path, Dict[str, EvaluatedParameterValue], 'Parameter'], ...]
+EvaluatedParameterValue = Union[str, int, float, bool, bytes, tuple[Any, ...]]
+EvaluatedParameters = tuple[Any, ...]
+"""Of Path, dict of names and plain values, and Parameter."""

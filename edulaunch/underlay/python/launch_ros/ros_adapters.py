@@ -1,8 +1,8 @@
 """Launch's own ROS node, for actions that call services or listen to topics."""
+
 from __future__ import annotations
 
-import os
-from typing import TYPE_CHECKING, Any, List, Optional
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -18,7 +18,7 @@ class ROSAdapter:
     :param autostart: call :meth:`start` at once.
     """
 
-    def __init__(self, *, argv: Optional[List[str]] = None, autostart: bool = True) -> None:
+    def __init__(self, *, argv: list[str] | None = None, autostart: bool = True) -> None:
         self.__argv = [] if argv is None else argv
         self.__ros_context: Any = None
         self.__ros_node: Any = None
@@ -35,8 +35,10 @@ class ROSAdapter:
         if self.__ros_context is not None:
             raise RuntimeError('Cannot start a ROS adapter that is already running')
         import rclpy
-        from edulaunch.processes import current_process
         from rclpy.executors import SingleThreadedExecutor
+
+        from edulaunch.processes import current_process
+
         process = current_process()
         self.__ros_context = rclpy.context.Context()
         rclpy.init(args=self.__argv, context=self.__ros_context)
@@ -47,6 +49,7 @@ class ROSAdapter:
 
     def _run(self) -> None:
         from rclpy.executors import ExternalShutdownException
+
         try:
             self.__ros_executor.spin()
         except (ExternalShutdownException, KeyboardInterrupt):
@@ -60,13 +63,14 @@ class ROSAdapter:
         if self.__ros_context is None:
             raise RuntimeError('Cannot shutdown a ROS adapter that is not running')
         import rclpy
+
         self.__ros_executor.shutdown(0)
         self.__ros_node.destroy_node()
         rclpy.shutdown(context=self.__ros_context)
         self.__ros_context = None
 
     @property
-    def argv(self) -> List[str]:
+    def argv(self) -> list[str]:
         """The arguments."""
         return self.__argv
 
@@ -90,7 +94,8 @@ class ROSAdapter:
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     """The adapter of a launch, made at first use and shut down with launch."""
     if _KEY not in context.get_locals_as_dict():
-        from launch.event_handlers import OnShutdown
+        from launch.event_handlers.on_shutdown import OnShutdown
+
         adapter = ROSAdapter(argv=list(context.argv or ()))
         context.extend_globals({_KEY: adapter})
         context.register_event_handler(OnShutdown(on_shutdown=lambda *_: adapter.shutdown()))

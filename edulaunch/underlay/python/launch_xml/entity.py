@@ -1,6 +1,7 @@
 """An XML element as the parse functions see it."""
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
@@ -28,7 +29,7 @@ class Entity(BaseEntity):
         self._attributes: dict[str, str] = xml_element.attrib
         self._parent = parent
         self._children_asked = False
-        self.asked: list[str] = []
+        self.asked: set[str] = set()
 
     @property
     def type_name(self) -> str:
@@ -54,7 +55,7 @@ class Entity(BaseEntity):
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
                  can_be_str: bool = True) -> Any:
         """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
-        self.asked.append(name)
+        self.asked.add(name)
         if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
             found: Any = [Entity(child, parent=self) for child in self._element if child.tag == name]
             if found:
@@ -62,6 +63,8 @@ class Entity(BaseEntity):
         else:
             value = self._attributes.get(name)
             if value is not None:
+                if data_type is str:
+                    return value
                 return self._typed(name, value, data_type, can_be_str)
         if optional:
             return None
@@ -70,14 +73,20 @@ class Entity(BaseEntity):
                 f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
             f"the attribute '{name}'")
 
+    def given(self, names: Collection[str]) -> list[str]:
+        """Those of `names` that are there, attributes before child elements, in the order of the file."""
+        self.asked.update(names)
+        found = [name for name in self._attributes if name in names]
+        if self._element:
+            found += dict.fromkeys([child.tag for child in self._element if child.tag in names])
+        return found
+
     def _typed(self, name: str, text: str, data_type: Any, can_be_str: bool) -> Any:
         value: str | list[str] = text
         if len(self._attributes) > 1 and name + SEPARATOR in self._attributes:
-            self.asked.append(name + SEPARATOR)
+            self.asked.add(name + SEPARATOR)
             separator = self._attributes[name + SEPARATOR]
             value = text.split(separator) if separator else [text]
-        elif data_type is str:
-            return text
         try:
             return typed(value, data_type, can_be_str)
         except ValueError:

@@ -1,6 +1,7 @@
 """A YAML value as the parse functions see it."""
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
@@ -27,7 +28,7 @@ class Entity(BaseEntity):
         self._parent = parent
         self._line = line
         self._children_asked = False
-        self.asked: list[str] = []
+        self.asked: set[str] = set()
 
     @property
     def type_name(self) -> str:
@@ -57,7 +58,7 @@ class Entity(BaseEntity):
                 raise ValueError(
                     f'Expected entity `{self._type_name}` to have children entities. '
                     'That can be a list of subentities or a dictionary with a `children` list element')
-            self.asked.append('children')
+            self.asked.add('children')
             children = children['children']
         if not isinstance(children, list):
             raise TypeError(
@@ -73,7 +74,7 @@ class Entity(BaseEntity):
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
                  can_be_str: bool = True) -> Any:
         """The value under the key `name`, which must have the type; or children for `List[Entity]`."""
-        self.asked.append(name)
+        self.asked.add(name)
         element = self._element
         if not isinstance(element, dict) or name not in element:
             if optional:
@@ -91,6 +92,12 @@ class Entity(BaseEntity):
             quoted = data_type is str and isinstance(value, (int, float))
             raise hints.at(error, self, f"write the value of '{name}' in quotes" if quoted else None)
         return value
+
+    def given(self, names: Collection[str]) -> list[str]:
+        """Those of `names` that are keys, in the order of the file."""
+        self.asked.update(names)
+        element = self._element
+        return [name for name in element if name in names] if isinstance(element, dict) else []
 
     def _entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):

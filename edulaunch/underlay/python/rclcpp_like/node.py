@@ -43,16 +43,18 @@ class CppNode(Node):
         :raises InvalidParameterType: the value given at start-up is of another type.
         :raises InvalidParameterValue: it is out of range.
         """
-        override = None if ignore_override else self._parameter_overrides.get(name)
-        if override is not None and value is not None and not (descriptor and descriptor.dynamic_typing):
+        override = None if ignore_override else self._rclpy.overrides.get(name)
+        descriptor = descriptor or ParameterDescriptor()
+        if override is not None and value is not None and not descriptor.dynamic_typing:
             declared = Parameter.Type.from_parameter_value(value)
-            if override.type_ != declared:
+            given = Parameter.Type.from_parameter_value(override.value)
+            if given != declared:
                 raise InvalidParameterType(
-                    f"parameter '{name}' has invalid type: {type_refusal(name, declared, override.type_)}")
-            refusal = descriptor and range_refusal(name, override.value, descriptor)
+                    f"parameter '{name}' has invalid type: {type_refusal(name, declared, given)}")
+            refusal = range_refusal(name, override.value, descriptor)
             if refusal:
                 raise InvalidParameterValue(f"parameter '{name}' could not be set: {refusal}")
-        return super().declare_parameter(name, value, descriptor or ParameterDescriptor(), ignore_override)
+        return super().declare_parameter(name, value, descriptor, ignore_override)
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
         """Set each parameter by itself; refusals are results, not exceptions."""

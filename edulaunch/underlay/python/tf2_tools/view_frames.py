@@ -28,7 +28,8 @@ def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
     for child, facts in data.items():
         label = (
             f' Broadcaster: {facts["broadcaster"]}\\nAverage rate: {facts["rate"]}\\n'
-            f'Buffer length: {facts["buffer_length"]}\\nMost recent transform: {facts["most_recent_transform"]}\\n'
+            f'Buffer length: {facts["buffer_length"]}\\n'
+            f'Most recent transform: {facts["most_recent_transform"]}\\n'
             f'Oldest transform: {facts["oldest_transform"]}\\n'
         )
         lines.append(f'"{facts["parent"]}" -> "{child}"[label="{label}"];')

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Optional
 
 
 class OutputLines:
@@ -15,7 +14,7 @@ class OutputLines:
     def __init__(self, emit: Callable[[str], object], cached: bool) -> None:
         self._emit = emit
         self._rest = ''
-        self._pieces: Optional[list[str]] = [] if cached else None
+        self._pieces: list[str] | None = [] if cached else None
 
     @property
     def text(self) -> str:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -26,7 +26,7 @@ class AppendEnvironmentVariable(Action):
     parse = parsed_as_action('append_env')
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType,
-                 prepend: Union[bool, SomeSubstitutionsType] = False,
+                 prepend: bool | SomeSubstitutionsType = False,
                  separator: SomeSubstitutionsType = os.pathsep, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__name = normalize_to_list_of_substitutions(name)
@@ -48,9 +48,9 @@ class AppendEnvironmentVariable(Action):
         return self.__value
 
     @property
-    def prepend(self) -> Union[bool, list[Substitution]]:
+    def prepend(self) -> bool | list[Substitution]:
         """Whether the value goes to the beginning."""
-        prepend: Union[bool, list[Substitution]] = self.__prepend
+        prepend: bool | list[Substitution] = self.__prepend
         return prepend
 
     @property

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Optional
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -30,8 +30,8 @@ class DeclareLaunchArgument(Action):
     _search_role: ClassVar[str] = 'argument'
     parse = parsed_as_action('arg')
 
-    def __init__(self, name: str, *, default_value: Optional[SomeSubstitutionsType] = None,
-                 description: Optional[str] = None, choices: Optional[Iterable[str]] = None, **kwargs: Any) -> None:
+    def __init__(self, name: str, *, default_value: SomeSubstitutionsType | None = None,
+                 description: str | None = None, choices: Iterable[str] | None = None, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__name = name
         self.__choices = None if choices is None else list(choices)
@@ -47,7 +47,7 @@ class DeclareLaunchArgument(Action):
         return self.__name
 
     @property
-    def default_value(self) -> Optional[list[Substitution]]:
+    def default_value(self) -> list[Substitution] | None:
         """The default, as substitutions, or None."""
         return self.__default_value
 
@@ -57,7 +57,7 @@ class DeclareLaunchArgument(Action):
         return self.__description
 
     @property
-    def choices(self) -> Optional[list[str]]:
+    def choices(self) -> list[str] | None:
         """The only values allowed, or None."""
         return self.__choices
 
@@ -92,7 +92,7 @@ def _check_choices(choices: list[str], default_value: object) -> None:
         raise RuntimeError(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
 
 
-def _describe(description: Optional[str], choices: Optional[list[str]]) -> str:
+def _describe(description: str | None, choices: list[str] | None) -> str:
     if description is None:
         return 'no description given' if choices is None else f'One of: {choices}'
     if choices is None:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import signal
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any
 
 from .._engine import environment
 from ..action import Action
@@ -64,7 +64,7 @@ class ExecuteLocal(Action):
                  sigkill_timeout: SomeSubstitutionsType = LaunchConfiguration('sigkill_timeout', default=5),
                  emulate_tty: bool = False, output: Any = 'log', output_format: str = DEFAULT_OUTPUT_FORMAT,
                  cached_output: bool = False, log_cmd: bool = False, on_exit: Any = None,
-                 respawn: Union[bool, SomeSubstitutionsType] = False, respawn_delay: Optional[float] = None,
+                 respawn: bool | SomeSubstitutionsType = False, respawn_delay: float | None = None,
                  respawn_max_retries: int = -1, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__process_description = process_description
@@ -83,16 +83,16 @@ class ExecuteLocal(Action):
         self.__respawn_delay = respawn_delay
         self.__respawn_max_retries = respawn_max_retries
         self.__respawn_retries = 0
-        self.__process_event_args: Optional[dict[str, Any]] = None
-        self.__run: Optional[ProcessRun] = None
-        self.__completed_future: Optional[asyncio.Future[None]] = None
-        self.__shutdown_future: Optional[asyncio.Future[None]] = None
+        self.__process_event_args: dict[str, Any] | None = None
+        self.__run: ProcessRun | None = None
+        self.__completed_future: asyncio.Future[None] | None = None
+        self.__shutdown_future: asyncio.Future[None] | None = None
         self.__shutdown_timers: list[Any] = []
-        self.__return_code: Optional[int] = None
+        self.__return_code: int | None = None
         self.__executed = False
         self.__logger: Any = None
-        self.__stdout: Optional[OutputLines] = None
-        self.__stderr: Optional[OutputLines] = None
+        self.__stdout: OutputLines | None = None
+        self.__stderr: OutputLines | None = None
 
     @property
     def process_description(self) -> Executable:
@@ -125,12 +125,12 @@ class ExecuteLocal(Action):
         return self.__output
 
     @property
-    def process_details(self) -> Optional[dict[str, Any]]:
+    def process_details(self) -> dict[str, Any] | None:
         """None before execution, then `action`, `name`, `cmd`, `cwd`, `env`, and once it runs `pid`."""
         return self.__process_event_args
 
     @property
-    def return_code(self) -> Optional[int]:
+    def return_code(self) -> int | None:
         """The exit code of the last run; None before."""
         return self.__return_code
 
@@ -148,7 +148,7 @@ class ExecuteLocal(Action):
         """
         return self.__cached_text(self.__stderr, 'stderr')
 
-    def __cached_text(self, lines: Optional[OutputLines], stream: str) -> str:
+    def __cached_text(self, lines: OutputLines | None, stream: str) -> str:
         if not self.__cached_output:
             raise RuntimeError(f'cached output must be true to be able to get {stream}, '
                                f"proc '{self.__process_description.final_name}'")
@@ -177,7 +177,7 @@ class ExecuteLocal(Action):
         """Further fields of the `ProcessSpec`; a node says which package and executable it is. For subclasses."""
         return {}
 
-    def execute(self, context: LaunchContext) -> Optional[list[LaunchDescriptionEntity]]:
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Resolve the command line now; the process starts after everything has been visited.
 
         :raises RuntimeError: when this action was executed before.
@@ -234,7 +234,9 @@ class ExecuteLocal(Action):
     async def __watched(self, context: LaunchContext) -> None:
         """Run the program; a mistake on the way ends this action, and the launch service reports it."""
         try:
-            await self.__execute_process(context)
+            if not context._starts_are_abandoned:
+                await self.__execute_process(context)
+            self.__cleanup()
         except Exception as error:
             assert self.__completed_future is not None
             if not self.__completed_future.done():
@@ -244,10 +246,9 @@ class ExecuteLocal(Action):
         while True:
             returncode = await self.__run_once(context)
             if returncode is None or not await self.__is_to_respawn(context):
-                break
-        self.__cleanup()
+                return
 
-    async def __run_once(self, context: LaunchContext) -> Optional[int]:
+    async def __run_once(self, context: LaunchContext) -> int | None:
         """Start the program and wait for its end; None when it cannot be started."""
         args = self.__process_event_args
         assert args is not None
@@ -311,7 +312,7 @@ class ExecuteLocal(Action):
         assert self.__completed_future is not None
         self.__completed_future.set_result(None)
 
-    def get_asyncio_future(self) -> Optional[asyncio.Future[Any]]:
+    def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the process has ended for good."""
         return self.__completed_future
 
@@ -330,14 +331,14 @@ class ExecuteLocal(Action):
         self.__stdout.flush()
         self.__stderr.flush()
 
-    def __on_shutdown(self, event: Shutdown, context: LaunchContext) -> Optional[list[LaunchDescriptionEntity]]:
+    def __on_shutdown(self, event: Shutdown, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         # After ctrl-c in a terminal the terminal has sent SIGINT to the process already.
         return self._shutdown_process(context, send_sigint=not event.due_to_sigint or context.noninteractive)
 
-    def __on_shutdown_process_event(self, context: LaunchContext) -> Optional[list[LaunchDescriptionEntity]]:
+    def __on_shutdown_process_event(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         return self._shutdown_process(context, send_sigint=True)
 
-    def _shutdown_process(self, context: LaunchContext, *, send_sigint: bool) -> Optional[list[LaunchDescriptionEntity]]:
+    def _shutdown_process(self, context: LaunchContext, *, send_sigint: bool) -> list[LaunchDescriptionEntity] | None:
         """Begin to end the process: the entities to visit (timers for stronger signals, and the first signal)."""
         from ._escalation import escalation_timers, send_signal
         if self.__shutdown_future is None or self.__shutdown_future.done():

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Optional, Union
+from typing import Any
 
 from .._parsed_by import parsed_as_action
 from ..descriptions.executable import Executable, Substitutions, Variables
@@ -26,14 +26,14 @@ class ExecuteProcess(ExecuteLocal):
 
     parse = parsed_as_action('executable')
 
-    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: Optional[SomeSubstitutionsType] = None,
-                 name: Optional[SomeSubstitutionsType] = None, cwd: Optional[SomeSubstitutionsType] = None,
-                 env: Optional[Variables] = None, additional_env: Optional[Variables] = None, **kwargs: Any) -> None:
+    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: SomeSubstitutionsType | None = None,
+                 name: SomeSubstitutionsType | None = None, cwd: SomeSubstitutionsType | None = None,
+                 env: Variables | None = None, additional_env: Variables | None = None, **kwargs: Any) -> None:
         executable = Executable(cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
         super().__init__(process_description=executable, **kwargs)
 
     @property
-    def name(self) -> Union[str, Substitutions, None]:
+    def name(self) -> str | Substitutions | None:
         """The unique name; before execution the given one, as substitutions."""
         description = self.process_description
         return description.final_name if description.final_name is not None else description.name
@@ -45,18 +45,18 @@ class ExecuteProcess(ExecuteLocal):
         return description.final_cmd if description.final_cmd is not None else description.cmd
 
     @property
-    def cwd(self) -> Union[str, Substitutions, None]:
+    def cwd(self) -> str | Substitutions | None:
         """The working directory; before execution as substitutions."""
         description = self.process_description
         return description.final_cwd if description.final_cwd is not None else description.cwd
 
     @property
-    def env(self) -> Union[dict[str, str], Pairs, None]:
+    def env(self) -> dict[str, str] | Pairs | None:
         """The environment; before execution as substitutions."""
         description = self.process_description
         return description.final_env if description.final_env is not None else description.env
 
     @property
-    def additional_env(self) -> Optional[Pairs]:
+    def additional_env(self) -> Pairs | None:
         """What is added to the environment, as substitutions."""
         return self.process_description.additional_env

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -32,14 +32,14 @@ class GroupAction(Action):
     parse = parsed_as_action('group')
 
     def __init__(self, actions: Iterable[LaunchDescriptionEntity], *, scoped: bool = True, forwarding: bool = True,
-                 launch_configurations: Optional[Mapping[SomeSubstitutionsType, SomeSubstitutionsType]] = None,
+                 launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
                  **left_over_kwargs: Any) -> None:
         super().__init__(**left_over_kwargs)
         self.__actions = actions
         self.__scoped = scoped
         self.__forwarding = forwarding
         self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
-        self.__actions_to_return: Optional[list[LaunchDescriptionEntity]] = None
+        self.__actions_to_return: list[LaunchDescriptionEntity] | None = None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """The actions, between those that make the scope."""

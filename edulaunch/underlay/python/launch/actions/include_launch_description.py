@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Optional, Union
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -34,8 +34,8 @@ class IncludeLaunchDescription(Action):
     _search_role: ClassVar[str] = 'include'
     parse = parsed_as_action('include')
 
-    def __init__(self, launch_description_source: Union[LaunchDescriptionSource, SomeSubstitutionsType], *,
-                 launch_arguments: Optional[LaunchArguments] = None, **kwargs: Any) -> None:
+    def __init__(self, launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType, *,
+                 launch_arguments: LaunchArguments | None = None, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__source = (
             launch_description_source if isinstance(launch_description_source, LaunchDescriptionSource)

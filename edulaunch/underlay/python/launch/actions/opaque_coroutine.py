@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import collections.abc
 from collections.abc import Callable, Coroutine, Iterable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ..action import Action
 from ..event import Event
@@ -26,8 +26,8 @@ class OpaqueCoroutine(Action):
     :raises TypeError: when `coroutine` is something else, or another argument has the wrong type.
     """
 
-    def __init__(self, *, coroutine: Callable[..., Coroutine[Any, Any, Any]], args: Optional[Iterable[Any]] = None,
-                 kwargs: Optional[dict[str, Any]] = None, ignore_context: bool = False,
+    def __init__(self, *, coroutine: Callable[..., Coroutine[Any, Any, Any]], args: Iterable[Any] | None = None,
+                 kwargs: dict[str, Any] | None = None, ignore_context: bool = False,
                  **left_over_kwargs: Any) -> None:
         import inspect
         super().__init__(**left_over_kwargs)
@@ -40,7 +40,7 @@ class OpaqueCoroutine(Action):
         self.__args = list(args) if args is not None else []
         self.__kwargs = kwargs if kwargs is not None else {}
         self.__ignore_context = ignore_context
-        self.__future: Optional[asyncio.Task[Any]] = None
+        self.__future: asyncio.Task[Any] | None = None
 
     def __on_shutdown(self, event: Event, context: LaunchContext) -> None:
         if self.__future is not None:
@@ -52,6 +52,6 @@ class OpaqueCoroutine(Action):
         self.__future = context.asyncio_loop.create_task(self.__coroutine(*first, *self.__args, **self.__kwargs))
         context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
 
-    def get_asyncio_future(self) -> Optional[asyncio.Future[Any]]:
+    def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """The task."""
         return self.__future

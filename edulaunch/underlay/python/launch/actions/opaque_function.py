@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import collections.abc
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
@@ -22,8 +22,8 @@ class OpaqueFunction(Action):
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """
 
-    def __init__(self, *, function: Callable[..., Optional[Iterable[LaunchDescriptionEntity]]],
-                 args: Optional[Iterable[Any]] = None, kwargs: Optional[dict[str, Any]] = None,
+    def __init__(self, *, function: Callable[..., Iterable[LaunchDescriptionEntity] | None],
+                 args: Iterable[Any] | None = None, kwargs: dict[str, Any] | None = None,
                  **left_over_kwargs: Any) -> None:
         super().__init__(**left_over_kwargs)
         if not callable(function):
@@ -34,7 +34,7 @@ class OpaqueFunction(Action):
         self.__args = list(args) if args is not None else []
         self.__kwargs = kwargs if kwargs is not None else {}
 
-    def execute(self, context: LaunchContext) -> Optional[Iterable[LaunchDescriptionEntity]]:
+    def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         """Call it."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, ClassVar, Optional
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -23,7 +23,7 @@ class ResetLaunchConfigurations(Action):
     _search_role: ClassVar[str] = 'reset'
     parse = parsed_as_action('reset')
 
-    def __init__(self, launch_configurations: Optional[Mapping[SomeSubstitutionsType, SomeSubstitutionsType]] = None,
+    def __init__(self, launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
                  **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 import collections.abc
 import warnings
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any
 
 from .._parsed_by import parsed_as_action
 from ..action import Action
@@ -37,8 +37,8 @@ class TimerAction(Action):
 
     parse = parsed_as_action('timer')
 
-    def __init__(self, *, period: Union[float, SomeSubstitutionsType], actions: Iterable[LaunchDescriptionEntity],
-                 cancel_on_shutdown: Union[bool, SomeSubstitutionsType] = True, **kwargs: Any) -> None:
+    def __init__(self, *, period: float | SomeSubstitutionsType, actions: Iterable[LaunchDescriptionEntity],
+                 cancel_on_shutdown: bool | SomeSubstitutionsType = True, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         ensure_argument_type(period, (*SomeSubstitutionsType_types_tuple, float), 'period', 'TimerAction')
         ensure_argument_type(actions, collections.abc.Iterable, 'actions', 'TimerAction')
@@ -51,8 +51,8 @@ class TimerAction(Action):
         self.__cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
         self.__context_locals: dict[str, Any] = {}
         self.__canceled = False
-        self._completed_future: Optional[asyncio.Future[Any]] = None
-        self._canceled_future: Optional[asyncio.Future[Any]] = None
+        self._completed_future: asyncio.Future[Any] | None = None
+        self._canceled_future: asyncio.Future[Any] | None = None
 
     @property
     def period(self) -> Any:
@@ -112,7 +112,7 @@ class TimerAction(Action):
         if perform_typed_substitution(context, self.__cancel_on_shutdown, bool):
             context.register_event_handler(OnShutdown(on_shutdown=lambda event, context: self.cancel()))
 
-    def get_asyncio_future(self) -> Optional[asyncio.Future[Any]]:
+    def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the timer has run out or was cancelled."""
         return self._completed_future
 

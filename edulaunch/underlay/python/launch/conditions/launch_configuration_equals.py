@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ..condition import Condition
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -19,7 +19,7 @@ class LaunchConfigurationEquals(Condition):
     Deprecated upstream in favour of `IfCondition(EqualsSubstitution(...))`; making one warns.
     """
 
-    def __init__(self, launch_configuration_name: str, expected_value: Optional[SomeSubstitutionsType]) -> None:
+    def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         warnings.warn(
             "The 'LaunchConfigurationEquals' and 'LaunchConfigurationNotEquals' Conditions are deprecated. "
             "Use the 'EqualsSubstitution' and 'NotEqualsSubstitution' substitutions instead! E.g.:\n"

@@ -5,7 +5,7 @@ import os
 import re
 import shlex
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from .._engine import process_state
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -35,10 +35,10 @@ class Executable:
     :param arguments: further words of the command line.
     """
 
-    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: Optional[SomeSubstitutionsType] = None,
-                 name: Optional[SomeSubstitutionsType] = None, cwd: Optional[SomeSubstitutionsType] = None,
-                 env: Optional[Variables] = None, additional_env: Optional[Variables] = None,
-                 arguments: Optional[Iterable[SomeSubstitutionsType]] = None) -> None:
+    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: SomeSubstitutionsType | None = None,
+                 name: SomeSubstitutionsType | None = None, cwd: SomeSubstitutionsType | None = None,
+                 env: Variables | None = None, additional_env: Variables | None = None,
+                 arguments: Iterable[SomeSubstitutionsType] | None = None) -> None:
         self.__cmd = [normalize_to_list_of_substitutions(word) for word in cmd]
         self.__arguments = None if arguments is None else list(arguments)
         if arguments is not None:
@@ -51,13 +51,13 @@ class Executable:
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
         self.__env = _normalize_variables(env)
         self.__additional_env = _normalize_variables(additional_env)
-        self.__final_name: Optional[str] = None
-        self.__final_cmd: Optional[list[str]] = None
-        self.__final_cwd: Optional[str] = None
-        self.__final_env: Optional[dict[str, str]] = None
+        self.__final_name: str | None = None
+        self.__final_cmd: list[str] | None = None
+        self.__final_cwd: str | None = None
+        self.__final_env: dict[str, str] | None = None
 
     @property
-    def name(self) -> Optional[Substitutions]:
+    def name(self) -> Substitutions | None:
         """The name, as substitutions."""
         return self.__name
 
@@ -72,46 +72,46 @@ class Executable:
         return self.__cmd
 
     @property
-    def cwd(self) -> Optional[Substitutions]:
+    def cwd(self) -> Substitutions | None:
         """The working directory, as substitutions."""
         return self.__cwd
 
     @property
-    def env(self) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+    def env(self) -> list[tuple[Substitutions, Substitutions]] | None:
         """The environment, as substitutions."""
         return self.__env
 
     @property
-    def additional_env(self) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+    def additional_env(self) -> list[tuple[Substitutions, Substitutions]] | None:
         """What is added to the environment, as substitutions."""
         return self.__additional_env
 
     @property
-    def arguments(self) -> Optional[list[SomeSubstitutionsType]]:
+    def arguments(self) -> list[SomeSubstitutionsType] | None:
         """The further words, as given."""
         return self.__arguments
 
     @property
-    def final_name(self) -> Optional[str]:
+    def final_name(self) -> str | None:
         """The unique name, such as 'talker-1'; None before :meth:`prepare`."""
         return self.__final_name
 
     @property
-    def final_cmd(self) -> Optional[list[str]]:
+    def final_cmd(self) -> list[str] | None:
         """The words of the command line; None before :meth:`prepare`."""
         return self.__final_cmd
 
     @property
-    def final_cwd(self) -> Optional[str]:
+    def final_cwd(self) -> str | None:
         """The working directory, None for launch's own."""
         return self.__final_cwd
 
     @property
-    def final_env(self) -> Optional[dict[str, str]]:
+    def final_env(self) -> dict[str, str] | None:
         """The environment; None before :meth:`prepare`."""
         return self.__final_env
 
-    def prepare(self, context: LaunchContext, action: Optional[Action]) -> None:
+    def prepare(self, context: LaunchContext, action: Action | None) -> None:
         """Evaluate everything in `context`, and give the process the next number."""
         cmd = [perform_substitutions(context, word) for word in self.__cmd]
         program = os.path.basename(cmd[0])
@@ -137,7 +137,7 @@ def _next_process_number() -> int:
     return counter[0]
 
 
-def _normalize_variables(variables: Optional[Variables]) -> Optional[list[tuple[Substitutions, Substitutions]]]:
+def _normalize_variables(variables: Variables | None) -> list[tuple[Substitutions, Substitutions]] | None:
     if variables is None:
         return None
     return [(normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value))

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import collections.abc
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..action import Action
     from ..launch_context import LaunchContext
 
-Reaction = Union[SomeEntitiesType, Callable[..., Optional[SomeEntitiesType]]]
+Reaction = Union[SomeEntitiesType, Callable[..., SomeEntitiesType | None]]
 ActionMatcher = Union[Callable[[Any], bool], 'Action', None]
 
 
@@ -57,11 +57,11 @@ class OnActionEventBase(BaseEventHandler):
             return True
         return not isinstance(matcher, LaunchDescriptionEntity) and bool(matcher(action))
 
-    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """The entities, or what the callable returns."""
         super().handle(event, context)
         if self.__on_event is not None:
-            answer: Optional[SomeEntitiesType] = self.__on_event(event, context)
+            answer: SomeEntitiesType | None = self.__on_event(event, context)
             return answer
         return self.__actions_on_event
 

@@ -1,7 +1,7 @@
 """Executing descriptions that were given to the launch service."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -20,7 +20,7 @@ class OnIncludeLaunchDescription(BaseEventHandler):
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)
 
-    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """The description."""
         super().handle(event, context)
         assert isinstance(event, IncludeLaunchDescription)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ..event import Event
 from ..events.process.process_io import ProcessIO
@@ -12,7 +12,7 @@ from .on_action_event_base import ActionMatcher, OnActionEventBase
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
-OnText = Callable[[ProcessIO], Optional[SomeEntitiesType]]
+OnText = Callable[[ProcessIO], SomeEntitiesType | None]
 
 
 class OnProcessIO(OnActionEventBase):
@@ -22,8 +22,8 @@ class OnProcessIO(OnActionEventBase):
     :param on_stdin, on_stdout, on_stderr: each called with the event; may return entities.
     """
 
-    def __init__(self, *, target_action: ActionMatcher = None, on_stdin: Optional[OnText] = None,
-                 on_stdout: Optional[OnText] = None, on_stderr: Optional[OnText] = None, **kwargs: Any) -> None:
+    def __init__(self, *, target_action: ActionMatcher = None, on_stdin: OnText | None = None,
+                 on_stdout: OnText | None = None, on_stderr: OnText | None = None, **kwargs: Any) -> None:
         from ..actions.execute_local import ExecuteLocal
         self.__on_stdin = on_stdin
         self.__on_stdout = on_stdout
@@ -31,7 +31,7 @@ class OnProcessIO(OnActionEventBase):
         super().__init__(action_matcher=target_action, on_event=self.__on_io, target_event_cls=ProcessIO,
                          target_action_cls=ExecuteLocal, **kwargs)
 
-    def __on_io(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def __on_io(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         assert isinstance(event, ProcessIO)
         reaction = self.__on_stderr
         if event.from_stdout:

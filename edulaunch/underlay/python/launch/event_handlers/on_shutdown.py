@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -12,7 +12,7 @@ from ..some_entities_type import SomeEntitiesType
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
-Reaction = Union[SomeEntitiesType, Callable[[Shutdown, 'LaunchContext'], Optional[SomeEntitiesType]]]
+Reaction = Union[SomeEntitiesType, Callable[[Shutdown, 'LaunchContext'], SomeEntitiesType | None]]
 
 
 class OnShutdown(BaseEventHandler):
@@ -27,10 +27,10 @@ class OnShutdown(BaseEventHandler):
         super().__init__(matcher=lambda event: isinstance(event, Shutdown), **kwargs)
         self.__on_shutdown: Any = on_shutdown
 
-    def handle(self, event: Event, context: LaunchContext) -> Optional[SomeEntitiesType]:
+    def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         """The entities, or what the callable returns."""
         super().handle(event, context)
-        answer: Optional[SomeEntitiesType] = (
+        answer: SomeEntitiesType | None = (
             self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown)
         return answer
 

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import typing
 from abc import ABC, abstractmethod
+from collections.abc import Collection
 from typing import Any
 
 from . import hints
@@ -16,7 +17,7 @@ class Entity(ABC):
 
     __slots__ = ('asked',)
 
-    asked: list[str]
+    asked: set[str]
     """The names that a parse function asked for so far: what the element could have."""
 
     @property
@@ -35,9 +36,9 @@ class Entity(ABC):
         """The elements inside, which count as asked for from now on."""
 
     @property
-    @abstractmethod
     def line(self) -> int:
         """Line in the file, from 1; 0 when it is unknown. (edulaunch only.)"""
+        return 0
 
     @property
     def shown(self) -> str:
@@ -55,6 +56,20 @@ class Entity(ABC):
         :raises AttributeError: when it is missing.
         :raises TypeError: when it is of another type.
         """
+
+    def given(self, names: Collection[str]) -> list[str]:
+        """Those of `names` that the element has, as attribute or child; all count as asked for. (edulaunch only.)
+
+        Much quicker than asking for each, where the format overrides it.
+        """
+        return [name for name in names if self._has(name)]
+
+    def _has(self, name: str) -> bool:
+        try:
+            return any(self.get_attr(name, data_type=data_type, optional=True) is not None
+                       for data_type in (None, Entities))
+        except (TypeError, ValueError):
+            return True
 
     @abstractmethod
     def assert_entity_completely_parsed(self) -> None:

@@ -10,6 +10,7 @@ from ..substitutions.text_substitution import TextSubstitution
 from . import hints
 from .expose import substitution_parse_methods
 from .extensions import load_launch_extensions
+from .late_parse import ParseMethod
 from .substitution_errors import VisitError
 from .substitution_grammar import Call, Template, parse_template
 
@@ -32,6 +33,8 @@ def parse_if_substitutions(value: Any) -> Any:
     Other scalars are returned as they are; a list is treated item by item.
     """
     if isinstance(value, str):
+        if '$(' not in value and '\\' not in value:
+            return value
         parsed = parse_substitution(value)
         if len(parsed) == 1 and isinstance(parsed[0], TextSubstitution):
             return parsed[0].text
@@ -51,31 +54,26 @@ def _built(template: Template) -> list[Substitution]:
     return [_piece(piece) for piece in template] or [TextSubstitution(text='')]
 
 
-def _argument(template: Template) -> list[Substitution]:
-    return [_piece(piece) for piece in template]
-
-
 def _piece(piece: str | Call) -> Substitution:
     if isinstance(piece, str):
         return TextSubstitution(text=piece)
-    arguments = [_argument(argument) for argument in piece.arguments]
+    name, arguments = piece
+    made = [[_piece(part) for part in argument] for argument in arguments]
     try:
-        return _substitution(piece.name, arguments)
+        made_by, kwargs = (substitution_parse_methods.get(name) or _parse_method_of_extension(name))(made)
+        substitution: Substitution = made_by(**kwargs)
     except Exception as error:
         # Like lark, of which upstream's users see the outer error only.
-        raise hints.hinted(VisitError('substitution', error), hints.about_call(piece.name)) from error
+        raise hints.hinted(VisitError('substitution', error), hints.about_call(name)) from error
+    return substitution
 
 
-def _substitution(name: str, arguments: list[list[Substitution]]) -> Substitution:
+def _parse_method_of_extension(name: str) -> ParseMethod:
+    _load_extensions_once()
     parse = substitution_parse_methods.get(name)
     if parse is None:
-        _load_extensions_once()
-        parse = substitution_parse_methods.get(name)
-        if parse is None:
-            raise RuntimeError(f'Unknown substitution: {name}')
-    made_by, kwargs = parse(arguments)
-    substitution: Substitution = made_by(**kwargs)
-    return substitution
+        raise RuntimeError(f'Unknown substitution: {name}')
+    return parse
 
 
 @lru_cache(maxsize=1)

@@ -89,17 +89,9 @@ class Parser:
             raise hints.at(error, entity, hints.about_element(entity))
         return parse
 
-    def parse_substitution(self, value: str) -> list[Substitution]:
-        """See :func:`launch.frontend.parse_substitution.parse_substitution`."""
-        return parse_substitution(value)
-
-    def parse_if_substitutions(self, value: Any) -> Any:
-        """See :func:`launch.frontend.parse_substitution.parse_if_substitutions`."""
-        return parse_if_substitutions(value)
-
-    def escape_characters(self, value: str) -> str:
-        """The text without its escaping backslashes, for attributes in which `$(...)` means nothing."""
-        return replace_escaped_characters(value)
+    parse_substitution = staticmethod(parse_substitution)
+    parse_if_substitutions = staticmethod(parse_if_substitutions)
+    escape_characters = staticmethod(replace_escaped_characters)
 
     # The file
 

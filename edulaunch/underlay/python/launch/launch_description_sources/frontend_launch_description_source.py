@@ -1,7 +1,7 @@
 """A launch file in a format with a parser."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ..launch_description_source import LaunchDescriptionSource
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -19,7 +19,7 @@ class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
     """
 
     def __init__(self, launch_file_path: SomeSubstitutionsType, *, method: str = 'interpreted frontend launch file',
-                 parser: Optional[type[Parser]] = None) -> None:
+                 parser: type[Parser] | None = None) -> None:
         super().__init__(None, launch_file_path, method)
         self.__parser = parser
 

@@ -1,7 +1,7 @@
 """Loading launch files written in XML, YAML or any other format with a parser."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ..frontend import InvalidFrontendLaunchFileError, Parser
 
@@ -12,7 +12,7 @@ __all__ = ['InvalidFrontendLaunchFileError', 'get_launch_description_from_fronte
 
 
 def get_launch_description_from_frontend_launch_file(
-        frontend_launch_file_path: str, *, parser: Optional[type[Parser]] = None) -> LaunchDescription:
+        frontend_launch_file_path: str, *, parser: type[Parser] | None = None) -> LaunchDescription:
     """The description in the file.
 
     :param parser: of its format; without one all are tried, those first that know the file's extension.

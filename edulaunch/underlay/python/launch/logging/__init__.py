@@ -50,7 +50,7 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
 
 
-def get_logger(name: Optional[str] = None) -> logging.Logger:
+def get_logger(name: str | None = None) -> logging.Logger:
     """The logger of that name (the root logger without one), writing to the screen and to launch.log."""
     state = logging_state()
     logger = state.get_logger(name)
@@ -91,7 +91,7 @@ def _add(logger: logging.Logger, handler: Any, formatter: logging.Formatter) -> 
         logger.addHandler(handler)
 
 
-def log_launch_config(*, logger: Optional[logging.Logger] = None) -> None:
+def log_launch_config(*, logger: logging.Logger | None = None) -> None:
     """Say where the log files are (if there are any) and which level is logged."""
     logger = logging_state().root if logger is None else logger
     config = logging_state().config

@@ -5,7 +5,7 @@ import logging
 import os
 import warnings
 from collections.abc import Callable
-from typing import Any, Optional
+from typing import Any
 
 from .._engine import environment, running_process
 from . import handlers
@@ -25,10 +25,10 @@ class LaunchConfig:
 
     def __init__(self, root: logging.Logger) -> None:
         self._root = root
-        self._log_dir: Optional[str] = None
+        self._log_dir: str | None = None
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None
-        self.log_handler_factory: Optional[Callable[[str], Any]] = None
+        self.log_handler_factory: Callable[[str], Any] | None = None
         self._silent_handlers: dict[str, Any] = {}
         self._screen_formatter: logging.Formatter
         self._log_formatter: logging.Formatter
@@ -53,7 +53,7 @@ class LaunchConfig:
         return self._log_dir
 
     @log_dir.setter
-    def log_dir(self, new_log_dir: Optional[str]) -> None:
+    def log_dir(self, new_log_dir: str | None) -> None:
         if self.file_handlers:
             warnings.warn(
                 f'Loggers have been already configured to output to log files below {self._log_dir}. '
@@ -67,7 +67,7 @@ class LaunchConfig:
         env = environment()
         return bool(env.get('ROS_LOG_DIR') or env.get('ROS_HOME'))
 
-    def set_screen_format(self, screen_format: Optional[str], *, screen_style: Optional[str] = None) -> None:
+    def set_screen_format(self, screen_format: str | None, *, screen_style: str | None = None) -> None:
         """How lines look on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment comes first.
 
         :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
@@ -79,7 +79,7 @@ class LaunchConfig:
             if self.screen_handler is not None:
                 self.screen_handler.setFormatter(formatter)
 
-    def set_log_format(self, log_format: Optional[str], *, log_style: Optional[str] = None) -> None:
+    def set_log_format(self, log_format: str | None, *, log_style: str | None = None) -> None:
         """How lines look in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment comes first.
 
         :param log_format: 'default' or a format; None changes nothing.
@@ -119,8 +119,8 @@ def _file_handler(path: str) -> Any:
     return handlers.FileHandler(path, encoding='utf-8')
 
 
-def _formatter(what: str, variable: str, text: Optional[str], style: Optional[str],
-               aliases: dict[str, str]) -> Optional[logging.Formatter]:
+def _formatter(what: str, variable: str, text: str | None, style: str | None,
+               aliases: dict[str, str]) -> logging.Formatter | None:
     override = environment().get(variable)
     if override:
         text, style = override.encode('latin1').decode('unicode_escape'), '{'

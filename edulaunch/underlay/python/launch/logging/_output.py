@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Union
 
-OutputConfig = Union[str, dict[str, Union[str, Iterable[str]]]]
+OutputConfig = Union[str, dict[str, str | Iterable[str]]]
 
 SOURCES = ('stdout', 'stderr', 'both')
 DESTINATIONS = ('screen', 'log', 'own_log')

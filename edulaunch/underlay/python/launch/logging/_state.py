@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import logging
-from typing import Any, Optional
+from typing import Any
 
 from .._engine import process_state, running_process
 from ._config import LaunchConfig
@@ -16,7 +16,7 @@ class LaunchLogger(logging.Logger):
         self.propagate = False
         self._is_output = name.endswith(('-stdout', '-stderr'))
 
-    def findCaller(self, stack_info: bool = False, stacklevel: int = 1) -> tuple[str, int, str, Optional[str]]:
+    def findCaller(self, stack_info: bool = False, stacklevel: int = 1) -> tuple[str, int, str, str | None]:
         """No format of launch shows the caller; looking for it would cost more than the rest."""
         return '(unknown file)', 0, '(unknown function)', None
 
@@ -50,7 +50,7 @@ class LoggingState:
         self.root.manager = self._manager
         self.config = LaunchConfig(self.root)
 
-    def get_logger(self, name: Optional[str] = None) -> logging.Logger:
+    def get_logger(self, name: str | None = None) -> logging.Logger:
         """The logger of that name, without adding handlers."""
         return self._manager.getLogger(name) if name else self.root
 

@@ -1,7 +1,7 @@
 """A name that nobody else has."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._engine import running_process
 from .._parsed_by import parsed_as_substitution

@@ -2,8 +2,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._engine import run_command
 from .._parsed_by import parsed_as_substitution

@@ -1,7 +1,7 @@
 """The value of an environment variable."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -21,7 +21,7 @@ class EnvironmentVariable(Substitution):
     :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
     """
 
-    def __init__(self, name: SomeSubstitutionsType, *, default_value: Optional[SomeSubstitutionsType] = None) -> None:
+    def __init__(self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
 
@@ -33,7 +33,7 @@ class EnvironmentVariable(Substitution):
         return self.__name
 
     @property
-    def default_value(self) -> Optional[list[Substitution]]:
+    def default_value(self) -> list[Substitution] | None:
         """The default, as substitutions, or None."""
         return self.__default_value
 

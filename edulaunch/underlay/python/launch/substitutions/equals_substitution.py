@@ -2,10 +2,9 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from .._parsed_by import parsed_as_substitution
-from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
@@ -24,7 +23,7 @@ class EqualsSubstitution(Substitution):
     :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and 'false'.
     """
 
-    def __init__(self, left: Optional[Any], right: Optional[Any]) -> None:
+    def __init__(self, left: Any | None, right: Any | None) -> None:
         self.__left = _normalize_operand(left)
         self.__right = _normalize_operand(right)
 

@@ -1,8 +1,7 @@
 """The text of a file."""
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType

@@ -1,8 +1,7 @@
 """Where a program is."""
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from osrf_pycommon.process_utils import which
 

@@ -1,7 +1,7 @@
 """One of two texts."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType

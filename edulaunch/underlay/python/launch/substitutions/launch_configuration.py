@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import collections.abc
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -26,7 +26,7 @@ class LaunchConfiguration(Substitution):
 
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any = None) -> None:
         self.__variable_name = normalize_to_list_of_substitutions(variable_name)
-        self.__default: Optional[list[Substitution]] = None if default is None else _normalize_default(default)
+        self.__default: list[Substitution] | None = None if default is None else _normalize_default(default)
 
     parse = parsed_as_substitution('var')
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from types import CodeType
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ..substitution import Substitution
 
@@ -19,14 +19,9 @@ class LocalSubstitution(Substitution):
     :raises AttributeError: on evaluation, when there is no such local.
     """
 
-    def __init__(self, expression: str, description: Optional[str] = None) -> None:
+    def __init__(self, expression: str, description: str | None = None) -> None:
         self.__expression = expression
         self.__description = description
-
-    @property
-    def expression(self) -> str:
-        """The dotted name."""
-        return self.__expression
 
     @property
     def expression(self) -> str:

@@ -1,10 +1,9 @@
 """Whether two texts differ."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
-from ..some_substitutions_type import SomeSubstitutionsType
 from .equals_substitution import EqualsSubstitution
 
 if TYPE_CHECKING:

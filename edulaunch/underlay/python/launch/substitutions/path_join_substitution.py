@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING
 
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -19,7 +19,7 @@ class PathJoinSubstitution(Substitution):
     :param substitutions: each a text or one substitution (a list inside the list is a TypeError in Jazzy).
     """
 
-    def __init__(self, substitutions: Iterable[Union[str, Substitution]]) -> None:
+    def __init__(self, substitutions: Iterable[str | Substitution]) -> None:
         self.__substitutions = normalize_to_list_of_substitutions(substitutions)
 
     @property

@@ -10,7 +10,6 @@ from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
 from ._description import describe_all
-from .text_substitution import TextSubstitution
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext

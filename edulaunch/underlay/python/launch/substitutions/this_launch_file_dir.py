@@ -1,10 +1,9 @@
 """The folder of the current launch file."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
-from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from .substitution_failure import SubstitutionFailure
 

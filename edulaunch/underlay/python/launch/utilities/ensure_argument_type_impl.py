@@ -2,11 +2,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Optional, Union
+from typing import Any
 
 
-def ensure_argument_type(argument: Any, types: Union[type, Iterable[type]], argument_name: str,
-                         caller: Optional[str] = None) -> None:
+def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_name: str,
+                         caller: str | None = None) -> None:
     """Check that `argument` is an instance of one of `types`.
 
     :param caller: the function or class named in the message.

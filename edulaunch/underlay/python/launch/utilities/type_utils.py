@@ -5,7 +5,7 @@ Used by parameter values, by typed arguments of actions and by the XML and YAML 
 from __future__ import annotations
 
 import collections.abc
-from typing import TYPE_CHECKING, Any, List, Optional, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from ..substitution import Substitution
 from ._yaml_values import YAML_BOOLEANS, load_yaml_value
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 ScalarTypesTuple = (int, float, bool, str)
-ListTypesTuple = (List[int], List[float], List[bool], List[str])
+ListTypesTuple = (list[int], list[float], list[bool], list[str])
 AllowedTypesTuple = ScalarTypesTuple + ListTypesTuple
 
 AllowedTypesType = Any
 """One of :data:`AllowedTypesTuple`."""
-AllowedValueType = Union[int, float, bool, str, List[int], List[float], List[bool], List[str]]
+AllowedValueType = Union[int, float, bool, str, list[int], list[float], list[bool], list[str]]
 SomeValueType = Any
 """An allowed value, something that contains substitutions, or a list of such."""
 NormalizedValueType = Any
@@ -31,7 +31,7 @@ StrSomeValueType = Any
 
 def is_typing_list(data_type: AllowedTypesType) -> bool:
     """Whether it is `List[...]`, `List` or `list[...]`."""
-    return getattr(data_type, '__origin__', None) in (list, List) or data_type is List
+    return getattr(data_type, '__origin__', None) in (list, list) or data_type is list
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
@@ -146,7 +146,7 @@ def coerce_list(value: list[str], data_type: AllowedTypesType = None, *, can_be_
     return output
 
 
-def get_typed_value(value: Union[str, list[str]], data_type: AllowedTypesType, *, can_be_str: bool = True) -> Any:
+def get_typed_value(value: str | list[str], data_type: AllowedTypesType, *, can_be_str: bool = True) -> Any:
     """Convert a text or a list of texts; see :func:`coerce_to_type` and :func:`coerce_list`."""
     if isinstance(value, list):
         return coerce_list(value, data_type, can_be_str=can_be_str)

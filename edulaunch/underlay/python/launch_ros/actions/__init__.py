@@ -1,4 +1,5 @@
 """Actions that know ROS: nodes, containers, and settings for the nodes that follow."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,7 +1,8 @@
 """A node with a managed life cycle."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List, Optional
+from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch.event_handler import EventHandler
@@ -14,9 +15,9 @@ from ..ros_adapters import get_ros_node
 from .node import Node
 
 if TYPE_CHECKING:
-    from launch.action import Action
     from launch.event import Event
     from launch.launch_context import LaunchContext
+    from launch.launch_description_entity import LaunchDescriptionEntity
 
 
 class LifecycleNode(Node):
@@ -29,17 +30,19 @@ class LifecycleNode(Node):
     :raises RuntimeError: on execution, when name or namespace are not known to the launch file.
     """
 
-    def __init__(self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
+    def __init__(
+        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any
+    ) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
         self.__subscription: Any = None
-        self.__current_state: Optional[int] = None
+        self.__current_state: int | None = None
 
     @property
     def is_lifecycle(self) -> bool:
         """True."""
         return True
 
-    def execute(self, context: LaunchContext) -> Optional[List[Action]]:
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Start the node, listen to its transitions, and be ready for ChangeState events."""
         self._perform_substitutions(context)
         if not self.is_node_name_fully_specified():
@@ -48,17 +51,23 @@ class LifecycleNode(Node):
 
         def on_transition(msg: Any) -> None:
             self.__current_state = msg.goal_state.id
-            context.asyncio_loop.call_soon_threadsafe(context.emit_event_sync, StateTransition(action=self, msg=msg))
+            context.asyncio_loop.call_soon_threadsafe(
+                context.emit_event_sync, StateTransition(action=self, msg=msg)
+            )
 
         self.__subscription = get_ros_node(context).create_subscription(
-            TransitionEvent, f'{self.node_name}/transition_event', on_transition, 10)
-        context.register_event_handler(EventHandler(
-            matcher=lambda event: isinstance(event, ChangeState) and event.lifecycle_node_matcher(self),
-            entities=[_change_state_action(self)]))
+            TransitionEvent, f'{self.node_name}/transition_event', on_transition, 10
+        )
+        context.register_event_handler(
+            EventHandler(
+                matcher=lambda event: isinstance(event, ChangeState) and event.lifecycle_node_matcher(self),
+                entities=[_change_state_action(self)],
+            )
+        )
         return super().execute(context)
 
 
-def _change_state_action(node: LifecycleNode) -> Action:
+def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
     """An action that sends the ChangeState event that is handled just now."""
     from launch.actions.opaque_function import OpaqueFunction
 
@@ -71,7 +80,8 @@ def _change_state_action(node: LifecycleNode) -> Action:
 
 async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any) -> None:
     from lifecycle_msgs.srv import ChangeState as ChangeStateService
-    logger = launch.logging.get_logger(node.name)
+
+    logger = launch.logging.get_logger(node.process_description.final_name)
     request: Any = ChangeStateService.Request()
     request.transition.id = event.transition_id
     service = f'{node.node_name}/change_state'
@@ -79,5 +89,7 @@ async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any)
     if response is None:
         logger.warning(f"Abandoning wait for the '{service}' service response, due to shutdown.")
     elif not response.success:
-        logger.error(f"Failed to make transition '{ChangeState.valid_transitions[event.transition_id]}' "
-                     f"for LifecycleNode '{node.node_name}'")
+        logger.error(
+            f"Failed to make transition '{ChangeState.valid_transitions[event.transition_id]}' "
+            f"for LifecycleNode '{node.node_name}'"
+        )

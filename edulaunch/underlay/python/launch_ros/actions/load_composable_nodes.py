@@ -1,10 +1,11 @@
 """Loading nodes into a running container."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List, Optional, Union
+from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 import launch.logging
+from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
@@ -24,7 +25,6 @@ from ..utilities import (
 from .composable_node_container import ComposableNodeContainer
 
 if TYPE_CHECKING:
-    from collections.abc import Coroutine
     from composition_interfaces.srv import LoadNode
     from launch.launch_context import LaunchContext
 
@@ -40,22 +40,30 @@ class LoadComposableNodes(Action):
     parse = parsed_as_action('load_composable_node')
 
     def __init__(
-        self, *,
-        composable_node_descriptions: List[ComposableNode],
-        target_container: Union[SomeSubstitutionsType, ComposableNodeContainer],
+        self,
+        *,
+        composable_node_descriptions: list[ComposableNode],
+        target_container: SomeSubstitutionsType | ComposableNodeContainer,
         **kwargs: Any,
     ) -> None:
-        ensure_argument_type(target_container, (*SomeSubstitutionsType_types_tuple, ComposableNodeContainer),
-                             'target_container', 'LoadComposableNodes')
+        ensure_argument_type(
+            target_container,
+            (*SomeSubstitutionsType_types_tuple, ComposableNodeContainer),
+            'target_container',
+            'LoadComposableNodes',
+        )
         super().__init__(**kwargs)
         self.__composable_node_descriptions = composable_node_descriptions
         self.__target_container = target_container
-        self.__final_target_container_name: Optional[str] = None
+        self.__final_target_container_name: str | None = None
 
     def execute(self, context: LaunchContext) -> None:
         """Build the requests now, while the scope is there, and send them when the container answers."""
         self.__final_target_container_name = self.__container_name(context)
-        requests = [get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions]
+        requests = [
+            get_composable_node_load_request(description, context)
+            for description in self.__composable_node_descriptions
+        ]
         wanted = [request for request in requests if request is not None]
         if wanted:
             context.add_completion_future(context.asyncio_loop.create_task(self.__load_all(context, wanted)))
@@ -67,10 +75,11 @@ class LoadComposableNodes(Action):
         if target.is_node_name_fully_specified():
             return target.node_name
         launch.logging.get_logger(_LOGGER).warning(
-            f"node name '{target.node_name}' is not fully specified; loading into the container may fail")
+            f"node name '{target.node_name}' is not fully specified; loading into the container may fail"
+        )
         return target.node_name.replace(target.UNSPECIFIED_NODE_NAMESPACE, '')
 
-    async def __load_all(self, context: LaunchContext, requests: List[LoadNode.Request]) -> None:
+    async def __load_all(self, context: LaunchContext, requests: list[LoadNode.Request]) -> None:
         for request in requests:
             if not await self.__load(context, request):
                 return
@@ -78,6 +87,7 @@ class LoadComposableNodes(Action):
     async def __load(self, context: LaunchContext, request: LoadNode.Request) -> bool:
         """Load one; False when launch shuts down meanwhile."""
         from composition_interfaces.srv import LoadNode
+
         logger = launch.logging.get_logger(_LOGGER)
         container = self.__final_target_container_name
         service = f'{container}/_container/load_node'
@@ -86,26 +96,32 @@ class LoadComposableNodes(Action):
             logger.warning(f"Abandoning wait for the '{service}' service, due to shutdown.")
             return False
         if not response.success:
-            logger.error(f"Failed to load node '{response.full_node_name or request.node_name}' of type '{request.plugin_name}' "
-                         f"in container '{container}': {response.error_message}")
+            logger.error(
+                f"Failed to load node '{response.full_node_name or request.node_name}' of type '{request.plugin_name}' "
+                f"in container '{container}': {response.error_message}"
+            )
             return True
         name = response.full_node_name or request.node_name
         add_node_name(context, name)
         count = get_node_name_count(context, name)
         if count > 1:
             launch.logging.get_logger(container).warning(
-                f'there are now at least {count} nodes with the name {name} created within this launch context')
+                f'there are now at least {count} nodes with the name {name} created within this launch context'
+            )
         logger.info(f"Loaded node '{response.full_node_name}' in container '{container}'")
         return True
 
 
-def get_composable_node_load_request(composable_node_description: ComposableNode,
-                                     context: LaunchContext) -> Optional[LoadNode.Request]:
-    """The request that loads a node, with all substitutions performed; None when its condition does not hold."""
+def get_composable_node_load_request(
+    composable_node_description: ComposableNode, context: LaunchContext
+) -> LoadNode.Request | None:
+    """The request that loads a node, with all substitutions performed; None when its condition does not
+    hold."""
     condition = composable_node_description.condition()
     if condition is not None and not condition.evaluate(context):
         return None
     from composition_interfaces.srv import LoadNode
+
     request: Any = LoadNode.Request()
     request.package_name = perform_substitutions(context, composable_node_description.package)
     request.plugin_name = perform_substitutions(context, composable_node_description.node_plugin)
@@ -122,28 +138,35 @@ def get_composable_node_load_request(composable_node_description: ComposableNode
 
 
 def _namespace(description: ComposableNode, context: LaunchContext) -> str:
-    given = None if description.node_namespace is None else perform_substitutions(context, description.node_namespace)
+    given = (
+        None
+        if description.node_namespace is None
+        else perform_substitutions(context, description.node_namespace)
+    )
     base = context.launch_configurations.get('ros_namespace')
     return make_namespace_absolute(prefix_namespace(base, given)) or ''
 
 
-def _remap_rules(description: ComposableNode, context: LaunchContext) -> List[str]:
+def _remap_rules(description: ComposableNode, context: LaunchContext) -> list[str]:
     rules = [f'{source}:={target}' for source, target in context.launch_configurations.get('ros_remaps', ())]
     return rules + [
         f'{perform_substitutions(context, source)}:={perform_substitutions(context, target)}'
-        for source, target in description.remappings or ()]
+        for source, target in description.remappings or ()
+    ]
 
 
-def _parameters(description: ComposableNode, request: Any, context: LaunchContext) -> List[Any]:
+def _parameters(description: ComposableNode, request: Any, context: LaunchContext) -> list[Any]:
     from pathlib import Path
-    evaluated: List[Any] = [
+
+    evaluated: list[Any] = [
         dict([entry]) if isinstance(entry, tuple) else Path(entry).absolute()
-        for entry in context.launch_configurations.get('global_params', ())]
+        for entry in context.launch_configurations.get('global_params', ())
+    ]
     if description.parameters is not None:
         evaluated += evaluate_parameters(context, description.parameters)
     return _messages(context, request, tuple(evaluated))
 
 
-def _messages(context: LaunchContext, request: Any, evaluated: Any) -> List[Any]:
+def _messages(context: LaunchContext, request: Any, evaluated: Any) -> list[Any]:
     parameters = to_parameters_list(context, request.node_name, request.node_namespace, evaluated)
     return [parameter.to_parameter_msg() for parameter in parameters]

@@ -1,12 +1,12 @@
 """A ROS node, started as a program of a package."""
+
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 import launch.logging
+from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitutions.local_substitution import LocalSubstitution
@@ -29,8 +29,8 @@ from ..utilities import (
 )
 
 if TYPE_CHECKING:
-    from launch.action import Action
     from launch.launch_context import LaunchContext
+    from launch.launch_description_entity import LaunchDescriptionEntity
 
 
 class Node(ExecuteProcess):
@@ -41,7 +41,8 @@ class Node(ExecuteProcess):
     :param name: the node's name; without one the program's own is kept.
     :param namespace: put the node there; relative to the namespaces pushed around it.
     :param exec_name: the name of the process in the log.
-    :param parameters: a list of parameter files, dicts, and :class:`~launch_ros.parameter_descriptions.Parameter`.
+    :param parameters: a list of parameter files, dicts, and
+        :class:`~launch_ros.parameter_descriptions.Parameter`.
     :param remappings: (from, to) pairs for topics and services.
     :param ros_arguments: further arguments after `--ros-args`.
     :param arguments: the program's own arguments.
@@ -58,19 +59,22 @@ class Node(ExecuteProcess):
     UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
 
     def __init__(
-        self, *,
+        self,
+        *,
         executable: SomeSubstitutionsType,
-        package: Optional[SomeSubstitutionsType] = None,
-        name: Optional[SomeSubstitutionsType] = None,
-        namespace: Optional[SomeSubstitutionsType] = None,
-        exec_name: Optional[SomeSubstitutionsType] = None,
-        parameters: Optional[SomeParameters] = None,
-        remappings: Optional[SomeRemapRules] = None,
-        ros_arguments: Optional[Iterable[SomeSubstitutionsType]] = None,
-        arguments: Optional[Iterable[SomeSubstitutionsType]] = None,
+        package: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        namespace: SomeSubstitutionsType | None = None,
+        exec_name: SomeSubstitutionsType | None = None,
+        parameters: SomeParameters | None = None,
+        remappings: SomeRemapRules | None = None,
+        ros_arguments: Iterable[SomeSubstitutionsType] | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
         **kwargs: Any,
     ) -> None:
-        command: Any = executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        command: Any = (
+            executable if package is None else ExecutableInPackage(package=package, executable=executable)
+        )
         cmd = [command, *(arguments or ())]
         if ros_arguments is not None:
             cmd += ['--ros-args', *ros_arguments]
@@ -90,15 +94,15 @@ class Node(ExecuteProcess):
         self.__ros_arguments = ros_arguments
         self.__expanded_node_name = self.UNSPECIFIED_NODE_NAME
         self.__expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
-        self.__final_node_name: Optional[str] = None
-        self.__expanded_parameter_arguments: Optional[List[Tuple[str, bool]]] = None
-        self.__expanded_remappings: List[Tuple[str, str]] = []
-        self.__parameter_origins: Dict[str, str] = {}
+        self.__final_node_name: str | None = None
+        self.__expanded_parameter_arguments: list[tuple[str, bool]] | None = None
+        self.__expanded_remappings: list[tuple[str, str]] = []
         self.__substitutions_performed = False
-        self.__parameter_arguments: Optional[ParameterArguments] = None
+        self.__parameter_arguments: ParameterArguments | None = None
+        self.__spec_details: dict[str, Any] = {}
 
     @property
-    def node_package(self) -> Optional[SomeSubstitutionsType]:
+    def node_package(self) -> SomeSubstitutionsType | None:
         """The package, as given."""
         return self.__package
 
@@ -123,35 +127,61 @@ class Node(ExecuteProcess):
         return self.__expanded_node_namespace
 
     @property
-    def expanded_remapping_rules(self) -> List[Tuple[str, str]]:
+    def expanded_remapping_rules(self) -> list[tuple[str, str]]:
         """All (from, to) pairs, global ones first, after execution."""
         return self.__expanded_remappings
 
-    @property
-    def parameter_origins(self) -> Dict[str, str]:
-        """For each parameter that this launch gives by value: where the value was written. (edulaunch only.)"""
-        return self.__parameter_origins
-
     def is_node_name_fully_specified(self) -> bool:
         """Whether both name and namespace are known to the launch file."""
-        return not any(part in self.node_name for part in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE))
+        return not any(
+            part in self.node_name for part in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
+        )
 
-    def execute(self, context: LaunchContext) -> Optional[List[Action]]:
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Resolve names, parameters and remappings, and schedule the process."""
         self._perform_substitutions(context)
-        context.extend_locals({'ros_specific_arguments': {
-            'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}})
+        context.extend_locals(
+            {
+                'ros_specific_arguments': {
+                    'name': f'__node:={self.__expanded_node_name}',
+                    'ns': f'__ns:={self.__expanded_node_namespace}',
+                }
+            }
+        )
+        self.__spec_details = self.__make_spec_details(context)
         result = super().execute(context)
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name)
             count = get_node_name_count(context, self.node_name)
             if count > 1:
-                launch.logging.get_logger(self.name).warning(
-                    f'there are now at least {count} nodes with the name {self.node_name} created within this launch context')
+                launch.logging.get_logger(self.process_description.final_name).warning(
+                    f'there are now at least {count} nodes with the name {self.node_name} created within this launch context'
+                )
         return result
 
+    def _process_spec_details(self) -> dict[str, Any]:
+        """What a checker may want to know of the node: package, executable, and where its parameter values
+        were written."""
+        return self.__spec_details
+
+    def __make_spec_details(self, context: LaunchContext) -> dict[str, Any]:
+        def text(value: SomeSubstitutionsType | None) -> str | None:
+            return (
+                None
+                if value is None
+                else perform_substitutions(context, normalize_to_list_of_substitutions(value))
+            )
+
+        assert self.__parameter_arguments is not None
+        return {
+            'package': text(self.__package),
+            'executable': text(self.__node_executable),
+            'parameter_origins': self.__parameter_arguments.origins,
+        }
+
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Complete the command line; the parts that belong to the process itself stay for :meth:`execute`. Works once."""
+        """Complete the command line; the parts that belong to the process itself stay for :meth:`execute`.
+        Works once."""
         if self.__substitutions_performed:
             return
         self.__substitutions_performed = True
@@ -159,9 +189,10 @@ class Node(ExecuteProcess):
             self.__expand_name(context)
         except Exception:
             launch.logging.get_logger('launch_ros.actions.node').error(
-                "Error while expanding or validating node name or namespace for "
+                'Error while expanding or validating node name or namespace for '
                 f"'package={self.__package}, executable={self.__node_executable}, name={self.__node_name}, "
-                f"namespace={self.__node_namespace}':")
+                f"namespace={self.__node_namespace}':"
+            )
             raise
         namespace = '' if self.__expanded_node_namespace == '/' else self.__expanded_node_namespace
         self.__final_node_name = f'{namespace}/{self.__expanded_node_name}'
@@ -172,13 +203,17 @@ class Node(ExecuteProcess):
         if self.__node_name is not None:
             name = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_name))
             self.__expanded_node_name = validated_name(name)
-        given: Optional[str] = None
+        given: str | None = None
         if self.__node_namespace is not None:
             given = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_namespace))
-        namespace = make_namespace_absolute(prefix_namespace(context.launch_configurations.get('ros_namespace'), given))
+        namespace = make_namespace_absolute(
+            prefix_namespace(context.launch_configurations.get('ros_namespace'), given)
+        )
         if namespace is not None:
             self.__expanded_node_namespace = namespace
-            self.__extend_command('-r', LocalSubstitution("ros_specific_arguments['ns']", description='node namespace'))
+            self.__extend_command(
+                '-r', LocalSubstitution("ros_specific_arguments['ns']", description='node namespace')
+            )
             validated_namespace(namespace)
 
     def __expand_parameters(self, context: LaunchContext) -> None:
@@ -190,14 +225,15 @@ class Node(ExecuteProcess):
             arguments.add_own(context, self.__parameters)
         if arguments.items or self.__parameters is not None:
             self.__expanded_parameter_arguments = arguments.items
-        self.__parameter_origins = arguments.origins
         for text, is_file in arguments.items:
             self.__extend_command('--params-file' if is_file else '-p', text)
 
     def __expand_remappings(self, context: LaunchContext) -> None:
         self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
         self.__expanded_remappings += [
-            (perform_substitutions(context, source), perform_substitutions(context, target)) for source, target in self.__remappings]
+            (perform_substitutions(context, source), perform_substitutions(context, target))
+            for source, target in self.__remappings
+        ]
         for source_name, target_name in self.__expanded_remappings:
             self.__extend_command('-r', f'{source_name}:={target_name}')
 

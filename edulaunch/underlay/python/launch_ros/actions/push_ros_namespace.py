@@ -1,7 +1,8 @@
 """A namespace for all nodes that follow in the same scope."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
 from launch.action import Action
@@ -31,7 +32,7 @@ class PushROSNamespace(Action):
         self.__namespace = normalize_to_list_of_substitutions(namespace)
 
     @property
-    def namespace(self) -> List[Substitution]:
+    def namespace(self) -> list[Substitution]:
         """The namespace, to be evaluated."""
         return self.__namespace
 
@@ -41,9 +42,11 @@ class PushROSNamespace(Action):
         previous = context.launch_configurations.get('ros_namespace')
         namespace = make_namespace_absolute(prefix_namespace(previous, pushed))
         if namespace is None or namespace_problem(namespace) is not None:
-            from launch.substitutions import SubstitutionFailure
+            from launch.substitutions.substitution_failure import SubstitutionFailure
+
             raise SubstitutionFailure(
-                f"The resulting namespace is invalid: [previous_namespace='{previous}', pushed_namespace='{pushed}']")
+                f"The resulting namespace is invalid: [previous_namespace='{previous}', pushed_namespace='{pushed}']"
+            )
         context.launch_configurations['ros_namespace'] = namespace
 
 

@@ -1,6 +1,8 @@
 """A timer on ROS time."""
+
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
@@ -14,18 +16,19 @@ if TYPE_CHECKING:
     import asyncio
 
     from launch.launch_context import LaunchContext
-    from launch.some_entities_type import SomeEntitiesType
+    from launch.launch_description_entity import LaunchDescriptionEntity
 
 
 class ROSTimer(TimerAction):
-    """A TimerAction whose period counts on the clock of launch's own node: `/clock` when SetUseSimTime(True) came before.
+    """A TimerAction whose period counts on the clock of launch's own node: `/clock` when SetUseSimTime(True)
+    came before.
 
     :param period: seconds, as a float, a text or substitutions.
     """
 
     parse = parsed_as_action('ros_timer')
 
-    def __init__(self, *, period: Any, actions: SomeEntitiesType, **kwargs: Any) -> None:
+    def __init__(self, *, period: Any, actions: Iterable[LaunchDescriptionEntity], **kwargs: Any) -> None:
         super().__init__(period=period, actions=actions, **kwargs)
 
     async def _wait_to_fire_event(self, context: LaunchContext) -> None:
@@ -41,13 +44,17 @@ class ROSTimer(TimerAction):
     async def __fires(self, context: LaunchContext) -> bool:
         """Wait; False when cancelled."""
         import asyncio
+
         loop, node = context.asyncio_loop, get_ros_node(context)
         fired: asyncio.Future[None] = loop.create_future()
 
-        def on_timer() -> None:
-            loop.call_soon_threadsafe(lambda: fired.done() or fired.set_result(None))
+        def fire() -> None:
+            if not fired.done():
+                fired.set_result(None)
 
-        timer = node.create_timer(perform_typed_substitution(context, self.period, float), on_timer)
+        timer = node.create_timer(
+            perform_typed_substitution(context, self.period, float), lambda: loop.call_soon_threadsafe(fire)
+        )
         assert self._canceled_future is not None
         await asyncio.wait([fired, self._canceled_future], return_when=asyncio.FIRST_COMPLETED)
         node.destroy_timer(timer)

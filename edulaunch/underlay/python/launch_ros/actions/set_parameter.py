@@ -1,7 +1,8 @@
 """A parameter for all nodes that follow in the same scope."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
 from launch.action import Action
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
 
 
 class SetParameter(Action):
-    """Give a parameter to every node that is started later in this scope; a node's own parameters come after it.
+    """Give a parameter to every node that is started later in this scope; a node's own parameters come after
+    it.
 
     As in ROS, a list of values is passed on in a form that the node reads as a text.
     """
@@ -26,10 +28,12 @@ class SetParameter(Action):
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        self.__param_dict = normalize_parameter_dict({name if isinstance(name, (str, Substitution)) else tuple(name): value})
+        self.__param_dict = normalize_parameter_dict(
+            {name if isinstance(name, (str, Substitution)) else tuple(name): value}
+        )
 
     @property
-    def name(self) -> List[Substitution]:
+    def name(self) -> list[Substitution]:
         """The parameter's name, to be evaluated."""
         return list(next(iter(self.__param_dict)))
 

@@ -1,7 +1,8 @@
 """A parameter file for all nodes that follow in the same scope."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
 from launch.action import Action
@@ -27,7 +28,7 @@ class SetParametersFromFile(Action):
         self.__filename = normalize_to_list_of_substitutions(filename)
 
     @property
-    def filename(self) -> List[Substitution]:
+    def filename(self) -> list[Substitution]:
         """The path, to be evaluated."""
         return self.__filename
 

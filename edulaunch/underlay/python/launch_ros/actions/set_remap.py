@@ -1,7 +1,8 @@
 """A remapping for all nodes that follow in the same scope."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
 from launch.action import Action
@@ -15,7 +16,8 @@ if TYPE_CHECKING:
 
 
 class SetRemap(Action):
-    """Remap `src` to `dst` in every node that is started later in this scope; such rules come before a node's own."""
+    """Remap `src` to `dst` in every node that is started later in this scope; such rules come before a node's
+    own."""
 
     parse = parsed_as_action('set_remap')
 
@@ -25,12 +27,12 @@ class SetRemap(Action):
         self.__dst = normalize_to_list_of_substitutions(dst)
 
     @property
-    def src(self) -> List[Substitution]:
+    def src(self) -> list[Substitution]:
         """The name to replace, to be evaluated."""
         return self.__src
 
     @property
-    def dst(self) -> List[Substitution]:
+    def dst(self) -> list[Substitution]:
         """The new name, to be evaluated."""
         return self.__dst
 

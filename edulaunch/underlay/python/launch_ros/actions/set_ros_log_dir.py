@@ -1,8 +1,9 @@
 """Where nodes write their log files."""
+
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any
 
 from launch._parsed_by import parsed_as_action
 from launch.action import Action
@@ -16,7 +17,8 @@ if TYPE_CHECKING:
 
 
 class SetROSLogDir(Action):
-    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder is put below the current one."""
+    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder is put below the current
+    one."""
 
     parse = parsed_as_action('set_ros_log_dir')
 
@@ -25,13 +27,14 @@ class SetROSLogDir(Action):
         self.__log_dir = normalize_to_list_of_substitutions(new_log_dir)
 
     @property
-    def log_dir(self) -> List[Substitution]:
+    def log_dir(self) -> list[Substitution]:
         """The folder, to be evaluated."""
         return self.__log_dir
 
     def execute(self, context: LaunchContext) -> None:
         """Set the environment variable."""
-        from launch.substitutions import LaunchLogDir
+        from launch.substitutions.launch_log_dir import LaunchLogDir
+
         new = perform_substitutions(context, self.__log_dir)
         current = context.environment.get('ROS_LOG_DIR') or LaunchLogDir().perform(context)
         context.environment['ROS_LOG_DIR'] = os.path.join(current, new)

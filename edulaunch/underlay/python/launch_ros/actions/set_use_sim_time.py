@@ -1,4 +1,5 @@
 """Launch's own node and simulated clocks."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -33,5 +34,6 @@ class SetUseSimTime(Action):
     def execute(self, context: LaunchContext) -> None:
         """Set the parameter."""
         from rclpy.parameter import Parameter
+
         value = perform_typed_substitution(context, self.__value, bool)
         get_ros_node(context).set_parameters([Parameter('use_sim_time', Parameter.Type.BOOL, value)])

@@ -1,4 +1,5 @@
 """Descriptions of composable nodes and of parameters."""
+
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from .composable_node import ComposableNode
 

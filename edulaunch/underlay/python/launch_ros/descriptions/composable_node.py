@@ -1,7 +1,8 @@
 """A node that is loaded into a container."""
+
 from __future__ import annotations
 
-from typing import Any, List, Optional
+from typing import Any
 
 from launch.condition import Condition
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -23,15 +24,16 @@ class ComposableNode:
     """
 
     def __init__(
-        self, *,
+        self,
+        *,
         package: SomeSubstitutionsType,
         plugin: SomeSubstitutionsType,
-        name: Optional[SomeSubstitutionsType] = None,
-        namespace: Optional[SomeSubstitutionsType] = None,
-        parameters: Optional[SomeParameters] = None,
-        remappings: Optional[SomeRemapRules] = None,
-        extra_arguments: Optional[SomeParameters] = None,
-        condition: Optional[Condition] = None,
+        name: SomeSubstitutionsType | None = None,
+        namespace: SomeSubstitutionsType | None = None,
+        parameters: SomeParameters | None = None,
+        remappings: SomeRemapRules | None = None,
+        extra_arguments: SomeParameters | None = None,
+        condition: Condition | None = None,
     ) -> None:
         self.__package = normalize_to_list_of_substitutions(package)
         self.__node_plugin = normalize_to_list_of_substitutions(plugin)
@@ -43,40 +45,40 @@ class ComposableNode:
         self.__condition = condition
 
     @property
-    def package(self) -> List[Substitution]:
+    def package(self) -> list[Substitution]:
         """The package."""
         return self.__package
 
     @property
-    def node_plugin(self) -> List[Substitution]:
+    def node_plugin(self) -> list[Substitution]:
         """The class name."""
         return self.__node_plugin
 
     @property
-    def node_name(self) -> Optional[List[Substitution]]:
+    def node_name(self) -> list[Substitution] | None:
         """The node's name, or None for the plugin's own."""
         return self.__node_name
 
     @property
-    def node_namespace(self) -> Optional[List[Substitution]]:
+    def node_namespace(self) -> list[Substitution] | None:
         """The node's namespace, or None."""
         return self.__node_namespace
 
     @property
-    def parameters(self) -> Optional[Parameters]:
+    def parameters(self) -> Parameters | None:
         """Normalized parameters, or None."""
         return self.__parameters
 
     @property
-    def remappings(self) -> Optional[RemapRules]:
+    def remappings(self) -> RemapRules | None:
         """Normalized remap rules, or None."""
         return self.__remappings
 
     @property
-    def extra_arguments(self) -> Optional[Any]:
+    def extra_arguments(self) -> Any | None:
         """Normalized arguments for the container, or None."""
         return self.__extra_arguments
 
-    def condition(self) -> Optional[Condition]:
+    def condition(self) -> Condition | None:
         """The condition, or None. A method, as upstream."""
         return self.__condition

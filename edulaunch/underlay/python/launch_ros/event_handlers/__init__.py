@@ -1,4 +1,5 @@
 """Event handlers that know ROS."""
+
 from .on_state_transition import OnStateTransition
 
 __all__ = ['OnStateTransition']

@@ -1,8 +1,9 @@
 """Reacting to a lifecycle node's change of state."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from launch.event_handler import EventHandler
 from launch.some_entities_type import SomeEntitiesType
@@ -14,7 +15,6 @@ from ..events.lifecycle.state_transition import StateTransition
 
 if TYPE_CHECKING:
     from launch.event import Event
-    from launch.launch_context import LaunchContext
 
     from ..actions.lifecycle_node import LifecycleNode
 
@@ -23,34 +23,48 @@ class OnStateTransition(EventHandler):
     """Visit entities when a lifecycle node makes a transition.
 
     :param target_lifecycle_node: only this node's; None: any.
-    :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive' ...); None: any.
+    :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive'
+        ...); None: any.
     :param matcher: instead of all of these.
     :raises RuntimeError: when `matcher` is combined with them.
     """
 
     def __init__(
-        self, *,
+        self,
+        *,
         entities: SomeEntitiesType,
-        target_lifecycle_node: Optional[LifecycleNode] = None,
-        transition: Optional[SomeSubstitutionsType] = None,
-        start_state: Optional[SomeSubstitutionsType] = None,
-        goal_state: Optional[SomeSubstitutionsType] = None,
-        matcher: Optional[Callable[[Event], bool]] = None,
+        target_lifecycle_node: LifecycleNode | None = None,
+        transition: SomeSubstitutionsType | None = None,
+        start_state: SomeSubstitutionsType | None = None,
+        goal_state: SomeSubstitutionsType | None = None,
+        matcher: Callable[[Event], bool] | None = None,
         **kwargs: Any,
     ) -> None:
-        narrowed = any(one is not None for one in (target_lifecycle_node, transition, start_state, goal_state))
+        narrowed = any(
+            one is not None for one in (target_lifecycle_node, transition, start_state, goal_state)
+        )
         if matcher is not None and narrowed:
-            raise RuntimeError("the 'matcher' argument cannot be used together with a target node, transition or state")
+            raise RuntimeError(
+                "the 'matcher' argument cannot be used together with a target node, transition or state"
+            )
         super().__init__(matcher=matcher or self.__matches, entities=entities, **kwargs)
         self.__target = target_lifecycle_node
         self.__labels = {
-            name: _label(value) for name, value in
-            (('transition', transition), ('start_state', start_state), ('goal_state', goal_state)) if value is not None}
+            name: _label(value)
+            for name, value in (
+                ('transition', transition),
+                ('start_state', start_state),
+                ('goal_state', goal_state),
+            )
+            if value is not None
+        }
 
     def __matches(self, event: Event) -> bool:
-        return (isinstance(event, StateTransition)
-                and (self.__target is None or event.action is self.__target)
-                and all(getattr(event, name) == label for name, label in self.__labels.items()))
+        return (
+            isinstance(event, StateTransition)
+            and (self.__target is None or event.action is self.__target)
+            and all(getattr(event, name) == label for name, label in self.__labels.items())
+        )
 
     @property
     def matcher_description(self) -> str:
@@ -61,4 +75,5 @@ class OnStateTransition(EventHandler):
 def _label(value: SomeSubstitutionsType) -> str:
     """A label is needed before there is a context, so only plain texts can be used."""
     from launch.launch_context import LaunchContext
+
     return perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(value))

@@ -1,4 +1,5 @@
 """Events that know ROS."""
+
 from . import lifecycle
 from .matches_node_name import matches_node_name
 

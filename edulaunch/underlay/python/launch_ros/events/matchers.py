@@ -1,4 +1,5 @@
 """Matchers for events that are addressed to nodes."""
+
 from .matches_node_name import matches_node_name
 
 __all__ = ['matches_node_name']

@@ -1,4 +1,5 @@
 """Substitutions that look things up in packages and among global parameters."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,4 +1,5 @@
 """The path of a package's executable."""
+
 from __future__ import annotations
 
 import os
@@ -7,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
+from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
@@ -14,13 +16,13 @@ from .find_package import FindPackagePrefix
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
-    from launch.substitutions import SubstitutionFailure
 
 
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, when the package has no such executable; its `help` says what to try.
+    :raises SubstitutionFailure: on evaluation, when the package has no such executable; its `edulaunch_hint` says
+        what to try.
     """
 
     parse = parsed_as_substitution('exec-in-pkg')
@@ -43,6 +45,7 @@ class ExecutableInPackage(FindPackagePrefix):
     def perform(self, context: LaunchContext) -> str:
         """The path; the file need not exist for an entry point, which the index knows."""
         from edulaunch.processes import current_process
+
         executable = perform_substitutions(context, self.executable)
         package = perform_substitutions(context, self.package)
         prefix = super().perform(context)
@@ -51,26 +54,37 @@ class ExecutableInPackage(FindPackagePrefix):
         if index.find_executable(package, executable):
             return os.path.join(folder, executable)
         if not index.executables(package) and not os.path.isdir(folder):
-            raise _failure(f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist", index, package, executable)
-        raise _failure(f"executable '{executable}' not found on the libexec directory '{folder}' ", index, package, executable)
+            raise _failure(
+                f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist",
+                index,
+                package,
+                executable,
+            )
+        raise _failure(
+            f"executable '{executable}' not found on the libexec directory '{folder}' ",
+            index,
+            package,
+            executable,
+        )
 
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
-    """ROS's own error, with one line of help in `help`."""
-    from launch.substitutions import SubstitutionFailure
-
+    """ROS's own error, with one line of help in `edulaunch_hint`."""
     from edulaunch.packages import nearest
+
     error: Any = SubstitutionFailure(message)
     names = index.executables(package)
     native = index.native_executables(package)
     close = nearest(executable, names)
     if executable in native:
-        error.help = f'{executable} is built from C++ ({native[executable]}); edulaunch runs Python programs only'
+        error.edulaunch_hint = (
+            f'{executable} is built from C++ ({native[executable]}); edulaunch runs Python programs only'
+        )
     elif close is not None:
-        error.help = f'did you mean {close!r}?'
+        error.edulaunch_hint = f'did you mean {close!r}?'
     elif names:
-        error.help = f'{package} has: {", ".join(names)}'
+        error.edulaunch_hint = f'{package} has: {", ".join(names)}'
     else:
-        error.help = f'{package} installs no executable; see entry_points in its setup.py, or install(PROGRAMS ...) in its CMakeLists.txt'
+        error.edulaunch_hint = f'{package} installs no executable; see entry_points in its setup.py, or install(PROGRAMS ...) in its CMakeLists.txt'
     failure: SubstitutionFailure = error
     return failure

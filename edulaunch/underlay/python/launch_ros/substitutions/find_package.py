@@ -1,4 +1,5 @@
 """Where a package is installed."""
+
 from __future__ import annotations
 
 import os
@@ -55,6 +56,7 @@ class FindPackagePrefix(FindPackage):
     def find(self, package_name: str) -> str:
         """`<prefix>`."""
         from ament_index_python.packages import get_package_prefix
+
         return get_package_prefix(package_name)
 
 

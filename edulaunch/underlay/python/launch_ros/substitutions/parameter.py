@@ -1,7 +1,8 @@
 """A global parameter's value."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -22,7 +23,7 @@ class Parameter(Substitution):
 
     parse = parsed_as_substitution('param')
 
-    def __init__(self, name: SomeSubstitutionsType, *, default: Optional[SomeSubstitutionsType] = None) -> None:
+    def __init__(self, name: SomeSubstitutionsType, *, default: SomeSubstitutionsType | None = None) -> None:
         super().__init__()
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default = None if default is None else normalize_to_list_of_substitutions(default)
@@ -33,7 +34,7 @@ class Parameter(Substitution):
         return self.__name
 
     @property
-    def default(self) -> Optional[list[Substitution]]:
+    def default(self) -> list[Substitution] | None:
         """The default."""
         return self.__default
 
@@ -50,5 +51,6 @@ class Parameter(Substitution):
                 return str(entry[1])
         if self.__default is not None:
             return perform_substitutions(context, self.__default)
-        from launch.substitutions import SubstitutionFailure
+        from launch.substitutions.substitution_failure import SubstitutionFailure
+
         raise SubstitutionFailure(f"parameter '{name}' not found")

@@ -1,7 +1,8 @@
 """Values of node parameters, once the substitutions are known."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict
+from typing import TYPE_CHECKING, Any
 
 from launch.substitution import Substitution
 from launch.utilities._yaml_values import load_yaml_value
@@ -16,8 +17,10 @@ if TYPE_CHECKING:
 
 _SCALARS = (bool, int, float, str, bytes)
 _ITEMS = (bool, int, float, str)
-_WRAP = ('If the parameter is meant to be a string, try wrapping it in '
-         'launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)')
+_WRAP = (
+    'If the parameter is meant to be a string, try wrapping it in '
+    'launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)'
+)
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
@@ -35,7 +38,9 @@ def _evaluate(context: LaunchContext, item: Any) -> Any:
     return evaluate_parameter_dict(context, item) if isinstance(item, dict) else item
 
 
-def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) -> Dict[str, EvaluatedParameterValue]:
+def evaluate_parameter_dict(
+    context: LaunchContext, parameters: ParametersDict
+) -> dict[str, EvaluatedParameterValue]:
     """Names and values of one normalized dict."""
     evaluated = {}
     for substitutions, value in parameters.items():
@@ -67,8 +72,10 @@ def _typed(name: str, text: str) -> Any:
     if isinstance(value, list):
         return _uniform(name, value)
     if not isinstance(value, _SCALARS):
-        raise TypeError('Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], Sequence[float], '
-                        f'Sequence[str]. Got {type(value)} for "{name}". {_WRAP}')
+        raise TypeError(
+            'Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], Sequence[float], '
+            f'Sequence[str]. Got {type(value)} for "{name}". {_WRAP}'
+        )
     return value
 
 
@@ -77,15 +84,19 @@ def _load(name: str, text: str) -> Any:
         return load_yaml_value(text)
     except Exception as error:
         import yaml
+
         if not isinstance(error, (yaml.YAMLError, ValueError)):
             raise
         raise TypeError(f'Unable to parse the value of parameter {name} as yaml. {_WRAP}') from None
 
 
 def _uniform(name: str, items: list[Any]) -> tuple[Any, ...]:
-    """The items as a tuple, if there are any and all have the type of the first (True passes for an int, as in Python)."""
+    """The items as a tuple, if there are any and all have the type of the first (True passes for an int, as
+    in Python)."""
     kind = type(items[0]) if items else None
     if kind not in _ITEMS or not all(isinstance(item, kind) for item in items):
-        raise TypeError('Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, '
-                        f'float, str. Got inconsistent input for "{name}"')
+        raise TypeError(
+            'Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, '
+            f'float, str. Got inconsistent input for "{name}"'
+        )
     return tuple(items)

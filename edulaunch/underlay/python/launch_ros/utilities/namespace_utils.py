@@ -1,7 +1,6 @@
 """Joining namespaces."""
-from __future__ import annotations
 
-from typing import Optional
+from __future__ import annotations
 
 
 def is_root_namespace(ns: str) -> bool:
@@ -14,7 +13,7 @@ def is_namespace_absolute(ns: str) -> bool:
     return ns.startswith('/')
 
 
-def prefix_namespace(base_ns: Optional[str], ns: Optional[str]) -> Optional[str]:
+def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
     """`ns` inside `base_ns`; an absolute `ns` stays. None means "not given", and None in both stays None."""
     if base_ns is None and ns is None:
         return None
@@ -29,7 +28,7 @@ def prefix_namespace(base_ns: Optional[str], ns: Optional[str]) -> Optional[str]
     return joined.rstrip('/') if joined.endswith('/') and not is_root_namespace(joined) else joined
 
 
-def make_namespace_absolute(ns: Optional[str]) -> Optional[str]:
+def make_namespace_absolute(ns: str | None) -> str | None:
     """`ns` with a leading `/`; None stays None."""
     if ns is None or is_namespace_absolute(ns):
         return ns

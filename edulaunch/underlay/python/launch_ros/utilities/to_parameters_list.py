@@ -1,58 +1,69 @@
 """Parameters as message-like objects, for nodes that are loaded into a container."""
+
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, List
+from typing import TYPE_CHECKING, Any
 
 from ..parameter_descriptions import Parameter as ParameterDescription
 from ..parameters_type import EvaluatedParameters
 
 if TYPE_CHECKING:
-    from launch.launch_context import LaunchContext
     from pathlib import Path
+
+    from launch.launch_context import LaunchContext
     from rclpy.parameter import Parameter
 
 _KEY = 'ros__parameters'
 
 
-def to_parameters_list(context: LaunchContext, node_name: str, namespace: str,
-                       evaluated_parameters: EvaluatedParameters) -> List[Parameter]:
+def to_parameters_list(
+    context: LaunchContext, node_name: str, namespace: str, evaluated_parameters: EvaluatedParameters
+) -> list[Parameter]:
     """One `rclpy.parameter.Parameter` for each evaluated value, in order.
 
-    Files are read by launch_ros's own rules: the patterns `/**` and `**`, then the exact name; a file without any
-    `ros__parameters` is taken as a plain mapping.
+    Files are read by launch_ros's own rules: the patterns `/**` and `**`, then the exact name; a file without
+    any `ros__parameters` is taken as a plain mapping.
     """
     from rclpy.parameter import Parameter
-    found: List[Parameter] = []
+
+    found: list[Parameter] = []
     for item in evaluated_parameters:
         if isinstance(item, ParameterDescription):
             name, value = item.evaluate(context)
-            values: Dict[str, Any] = {name: value}
+            values: dict[str, Any] = {name: value}
         elif isinstance(item, dict):
             values = item
         else:
             values = _from_file(item, node_name, namespace)
-        found += [Parameter(name, value=list(value) if isinstance(value, tuple) else value) for name, value in values.items()]
+        found += [
+            Parameter(name, value=list(value) if isinstance(value, tuple) else value)
+            for name, value in values.items()
+        ]
     return found
 
 
-def _from_file(path: Path, node_name: str, namespace: str) -> Dict[str, Any]:
+def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     import yaml
+
     content = yaml.safe_load(path.read_text(encoding='utf-8')) or {}
     if not _has_parameters(content):
         return _flat(content)
     full_name = f'{namespace.rstrip("/")}/{node_name}' if namespace else f'/{node_name}'
-    values: Dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for pattern in ('/**', '**', full_name):
         values.update(_flat(_section(content, pattern)))
     return values
 
 
 def _has_parameters(content: Any) -> bool:
-    return isinstance(content, dict) and (_KEY in content or any(_has_parameters(value) for value in content.values()))
+    return isinstance(content, dict) and (
+        _KEY in content or any(_has_parameters(value) for value in content.values())
+    )
 
 
-def _section(content: Dict[str, Any], pattern: str) -> Dict[str, Any]:
-    """What stands below `ros__parameters` of a node name, which may be written as one key or as nested namespaces."""
+def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
+    """What stands below `ros__parameters` of a node name, which may be written as one key or as nested
+    namespaces."""
     for key, value in content.items():
         rest = pattern.lstrip('/')
         name = str(key).strip('/')
@@ -61,14 +72,16 @@ def _section(content: Dict[str, Any], pattern: str) -> Dict[str, Any]:
         if name == rest and _KEY in value:
             return dict(value[_KEY] or {})
         if rest.startswith(name + '/'):
-            found = _section(value, rest[len(name) + 1:])
+            found = _section(value, rest[len(name) + 1 :])
             if found:
                 return found
     return {}
 
 
-def _flat(values: Dict[str, Any], prefix: str = '') -> Dict[str, Any]:
-    flat: Dict[str, Any] = {}
+def _flat(values: dict[str, Any], prefix: str = '') -> dict[str, Any]:
+    flat: dict[str, Any] = {}
     for name, value in values.items():
-        flat.update(_flat(value, f'{prefix}{name}.') if isinstance(value, dict) else {f'{prefix}{name}': value})
+        flat.update(
+            _flat(value, f'{prefix}{name}.') if isinstance(value, dict) else {f'{prefix}{name}': value}
+        )
     return flat

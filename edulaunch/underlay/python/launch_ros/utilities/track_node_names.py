@@ -1,4 +1,5 @@
 """How many nodes of one launch have the same name."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,10 +1,8 @@
 """Finding programs."""
 from __future__ import annotations
 
-from typing import Optional
 
-
-def which(cmd: str, mode: int = 1, path: Optional[str] = None, **kwargs: object) -> Optional[str]:
+def which(cmd: str, mode: int = 1, path: str | None = None, **kwargs: object) -> str | None:
     """As `shutil.which`: the path of a program on `path` (default: the PATH of the running process), or None."""
     import shutil
 

@@ -62,7 +62,8 @@ class Executor(Waiting):
         if node in self._nodes:
             return False
         self._nodes.append(node)
-        node.executor = self
+        if node.executor is not self:
+            node.executor = self
         ready_list = node._rclpy.ready_list
         ready_list.executor = self
         self._lists.append(ready_list)

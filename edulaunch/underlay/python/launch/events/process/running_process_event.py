@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING
 
 from ...event import Event
 
@@ -15,8 +15,8 @@ class RunningProcessEvent(Event):
 
     name = 'launch.events.process.RunningProcessEvent'
 
-    def __init__(self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: Optional[str],
-                 env: Optional[Mapping[str, str]], pid: int) -> None:
+    def __init__(self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: str | None,
+                 env: Mapping[str, str] | None, pid: int) -> None:
         self.__action = action
         self.__name = name
         self.__cmd = cmd
@@ -45,12 +45,12 @@ class RunningProcessEvent(Event):
         return self.__cmd
 
     @property
-    def cwd(self) -> Optional[str]:
+    def cwd(self) -> str | None:
         """The working directory, None for launch's own."""
         return self.__cwd
 
     @property
-    def env(self) -> Optional[Mapping[str, str]]:
+    def env(self) -> Mapping[str, str] | None:
         """The environment."""
         return self.__env
 

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import signal
-from typing import Union
 
 from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent
 
@@ -15,7 +14,7 @@ class SignalProcess(ProcessTargetedEvent):
 
     name = 'launch.events.process.SignalProcess'
 
-    def __init__(self, *, signal_number: Union[str, signal.Signals], process_matcher: ProcessMatcher) -> None:
+    def __init__(self, *, signal_number: str | signal.Signals, process_matcher: ProcessMatcher) -> None:
         super().__init__(process_matcher=process_matcher)
         self.__signal = signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
 

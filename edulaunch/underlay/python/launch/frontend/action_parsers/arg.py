@@ -6,6 +6,7 @@ from launch.actions.declare_launch_argument import DeclareLaunchArgument
 from ..entity import Entities, Entity
 from ..late_parse import Parsed
 from ..parser import Parser
+from .attributes import Optionals, add_optionals, text
 from .condition import condition_of
 
 
@@ -13,19 +14,21 @@ def parse_arg(entity: Entity, parser: Parser) -> Parsed:
     """A declared launch argument."""
     kwargs = condition_of(entity, parser)
     kwargs['name'] = parser.escape_characters(entity.get_attr('name'))
-    default = entity.get_attr('default', optional=True)
-    if default is not None:
-        kwargs['default_value'] = parser.parse_substitution(default)
-    description = entity.get_attr('description', optional=True)
-    if description is not None:
-        kwargs['description'] = parser.escape_characters(description)
-    choices = entity.get_attr('choice', data_type=Entities, optional=True)
-    if choices is not None:
-        kwargs['choices'] = [_choice(choice, parser) for choice in choices]
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     return DeclareLaunchArgument, kwargs
 
 
-def _choice(entity: Entity, parser: Parser) -> str:
-    value = parser.escape_characters(entity.get_attr('value'))
-    entity.assert_entity_completely_parsed()
-    return value
+def _literal(entity: Entity, parser: Parser, name: str) -> str:
+    return parser.escape_characters(entity.get_attr(name))
+
+
+def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
+    choices = []
+    for child in entity.get_attr(name, data_type=Entities):
+        choices.append(_literal(child, parser, 'value'))
+        child.assert_entity_completely_parsed()
+    return choices
+
+
+_OPTIONALS: Optionals = {
+    'default': ('default_value', text), 'description': ('description', _literal), 'choice': ('choices', _choices)}

@@ -1,6 +1,7 @@
-"""What several elements have in common: optional attributes, and children with a name and a value."""
+"""What elements have in common: optional attributes of several kinds, and children with a name and a value."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from launch.substitution import Substitution
@@ -9,41 +10,41 @@ from ..entity import Entities, Entity
 from ..parser import Parser
 
 Substitutions = list[Substitution]
+Reader = Callable[[Entity, Parser, str], Any]
+Optionals = dict[str, tuple[str, Reader]]
+"""What an element may have: name of the attribute or child -> (keyword argument, how it is read)."""
 
 
-def add_texts(kwargs: dict[str, Any], entity: Entity, parser: Parser, **keywords: str) -> None:
-    """For each keyword=attribute that the element has: parse its text into `kwargs`."""
-    get_attr = entity.get_attr
-    for keyword, attribute in keywords.items():
-        text = get_attr(attribute, optional=True)
-        if text is not None:
-            kwargs[keyword] = parser.parse_substitution(text)
+def add_optionals(kwargs: dict[str, Any], entity: Entity, parser: Parser, optionals: Optionals) -> None:
+    """Read those of the `optionals` that the element has into `kwargs`."""
+    for name in entity.given(optionals):
+        keyword, reader = optionals[name]
+        kwargs[keyword] = reader(entity, parser, name)
 
 
-def add_typed(kwargs: dict[str, Any], entity: Entity, parser: Parser, data_type: type, *names: str) -> None:
-    """For each attribute of that type (or a text with substitutions) that the element has: into `kwargs`."""
-    get_attr = entity.get_attr
-    for name in names:
-        value = get_attr(name, data_type=data_type, optional=True)
-        if value is not None:
-            kwargs[name] = parser.parse_if_substitutions(value)
+def text(entity: Entity, parser: Parser, name: str) -> Substitutions:
+    """An attribute that is a text with substitutions."""
+    return parser.parse_substitution(entity.get_attr(name))
+
+
+def typed(data_type: type) -> Reader:
+    """An attribute of that type, or a text with substitutions."""
+    def read(entity: Entity, parser: Parser, name: str) -> Any:
+        return parser.parse_if_substitutions(entity.get_attr(name, data_type=data_type))
+    return read
 
 
 def pairs(entity: Entity, parser: Parser, tag: str, first: str = 'name',
-          second: str = 'value') -> list[tuple[Substitutions, Substitutions]] | None:
-    """Children like `<env name="A" value="b"/>`, in order; None when there are none."""
-    children = entity.get_attr(tag, data_type=Entities, optional=True)
-    if children is None:
-        return None
+          second: str = 'value') -> list[tuple[Substitutions, Substitutions]]:
+    """Children like `<arg name="a" value="b"/>`, in order."""
     found = []
-    for child in children:
+    for child in entity.get_attr(tag, data_type=Entities):
         found.append((parser.parse_substitution(child.get_attr(first)),
                       parser.parse_substitution(child.get_attr(second))))
         child.assert_entity_completely_parsed()
     return found
 
 
-def mapping(entity: Entity, parser: Parser, tag: str) -> dict[tuple[Substitution, ...], Substitutions] | None:
+def mapping(entity: Entity, parser: Parser, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
     """The same as :func:`pairs`, as a dictionary."""
-    found = pairs(entity, parser, tag)
-    return None if found is None else {tuple(name): value for name, value in found}
+    return {tuple(name): value for name, value in pairs(entity, parser, tag)}

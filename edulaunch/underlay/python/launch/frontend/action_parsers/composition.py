@@ -10,47 +10,47 @@ from launch_ros.descriptions import ComposableNode
 from ..entity import Entities, Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import add_texts, pairs
+from .attributes import Optionals, add_optionals, pairs, text
 from .condition import condition_of
-from .node import add_names_and_parameters, node_attributes
+from .node import NODE_CHILDREN, node_attributes
 
 
 def parse_node_container(entity: Entity, parser: Parser) -> Parsed:
     """`<node_container>`: a container with the nodes it loads."""
     kwargs = node_attributes(entity, parser)
-    entities = entity.get_attr('composable_node', data_type=Entities, optional=True)
-    if entities is not None:
-        kwargs['composable_node_descriptions'] = _descriptions(entities, parser)
+    add_optionals(kwargs, entity, parser, {'composable_node': ('composable_node_descriptions', _descriptions)})
     return ComposableNodeContainer, kwargs
 
 
 def parse_load_composable_node(entity: Entity, parser: Parser) -> Parsed:
     """`<load_composable_node target=>`: nodes for a container that runs already."""
     kwargs = condition_of(entity, parser)
-    kwargs['target_container'] = parser.parse_substitution(entity.get_attr('target'))
-    entities = entity.get_attr('composable_node', data_type=Entities)
-    kwargs['composable_node_descriptions'] = _descriptions(entities, parser)
+    kwargs['target_container'] = text(entity, parser, 'target')
+    kwargs['composable_node_descriptions'] = _descriptions(entity, parser, 'composable_node')
     return LoadComposableNodes, kwargs
 
 
 def parse_composable_node(entity: Entity, parser: Parser) -> Parsed:
     """`<composable_node pkg= plugin= name= namespace=>` with `<param>`, `<remap>` and `<extra_arg>`."""
-    kwargs: dict[str, Any] = condition_of(entity, parser)
-    kwargs['package'] = parser.parse_substitution(entity.get_attr('pkg'))
-    kwargs['plugin'] = parser.parse_substitution(entity.get_attr('plugin'))
-    kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
-    add_texts(kwargs, entity, parser, namespace='namespace')
-    add_names_and_parameters(kwargs, entity, parser)
-    extra_arguments = pairs(entity, parser, 'extra_arg')
-    if extra_arguments is not None:
-        kwargs['extra_arguments'] = [{tuple(name): value} for name, value in extra_arguments]
+    kwargs = condition_of(entity, parser)
+    for keyword, name in (('package', 'pkg'), ('plugin', 'plugin'), ('name', 'name')):
+        kwargs[keyword] = text(entity, parser, name)
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     entity.assert_entity_completely_parsed()
     return ComposableNode, kwargs
 
 
-def _descriptions(entities: list[Entity], parser: Parser) -> list[ComposableNode]:
+def _descriptions(entity: Entity, parser: Parser, name: str) -> list[ComposableNode]:
     descriptions = []
-    for entity in entities:
-        made_by, kwargs = parse_composable_node(entity, parser)
+    for child in entity.get_attr(name, data_type=Entities):
+        made_by, kwargs = parse_composable_node(child, parser)
         descriptions.append(made_by(**kwargs))
     return descriptions
+
+
+def _extra_arguments(entity: Entity, parser: Parser, name: str) -> list[Any]:
+    return [{tuple(key): value} for key, value in pairs(entity, parser, name)]
+
+
+_OPTIONALS: Optionals = {
+    **NODE_CHILDREN, 'namespace': ('namespace', text), 'extra_arg': ('extra_arguments', _extra_arguments)}

@@ -11,8 +11,10 @@ from launch.actions.unset_environment_variable import UnsetEnvironmentVariable
 from ..entity import Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import add_texts, add_typed
+from .attributes import Optionals, add_optionals, text, typed
 from .condition import condition_of
+
+_OPTIONALS: Optionals = {'prepend': ('prepend', typed(bool)), 'separator': ('separator', text)}
 
 
 def parse_set_env(entity: Entity, parser: Parser) -> Parsed:
@@ -30,8 +32,7 @@ def parse_unset_env(entity: Entity, parser: Parser) -> Parsed:
 def parse_append_env(entity: Entity, parser: Parser) -> Parsed:
     """`<append_env name= value= prepend= separator=/>`."""
     kwargs = _name_and_value(entity, parser)
-    add_typed(kwargs, entity, parser, bool, 'prepend')
-    add_texts(kwargs, entity, parser, separator='separator')
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     return AppendEnvironmentVariable, kwargs
 
 

@@ -6,19 +6,22 @@ from launch.actions.group_action import GroupAction
 from ..entity import Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import mapping
+from .attributes import Optionals, add_optionals, mapping
 from .condition import condition_of
+
+
+def _boolean(entity: Entity, parser: Parser, name: str) -> bool:
+    value: bool = entity.get_attr(name, data_type=bool, can_be_str=False)
+    return value
+
+
+_OPTIONALS: Optionals = {
+    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean), 'keep': ('launch_configurations', mapping)}
 
 
 def parse_group(entity: Entity, parser: Parser) -> Parsed:
     """A group; `scoped` and `forwarding` are plain booleans, without substitutions."""
     kwargs = condition_of(entity, parser)
-    for name in ('scoped', 'forwarding'):
-        value = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
-        if value is not None:
-            kwargs[name] = value
-    kept = mapping(entity, parser, 'keep')
-    if kept is not None:
-        kwargs['launch_configurations'] = kept
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     kwargs['actions'] = [parser.parse_action(child) for child in entity.children if child.type_name != 'keep']
     return GroupAction, kwargs

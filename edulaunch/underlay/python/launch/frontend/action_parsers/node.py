@@ -8,13 +8,31 @@ from launch_ros.actions.node import Node
 from ..entity import Entities, Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import add_texts, pairs
+from .attributes import Optionals, Substitutions, add_optionals, pairs, text
 from .command_line import words_of
-from .executable import process_attributes
+from .condition import condition_of
+from .executable import PROCESS_OPTIONALS
 from .param import parameters_of
 
-_READ_HERE = frozenset(('cmd', 'name'))
-_TEXTS = {'package': 'pkg', 'name': 'name', 'namespace': 'namespace', 'exec_name': 'exec_name'}
+
+def _words(entity: Entity, parser: Parser, name: str) -> list[Substitutions]:
+    return words_of(entity.get_attr(name), parser)
+
+
+def _remappings(entity: Entity, parser: Parser, name: str) -> list[tuple[Substitutions, Substitutions]]:
+    return pairs(entity, parser, name, 'from', 'to')
+
+
+def _parameters(entity: Entity, parser: Parser, name: str) -> list[Any]:
+    return parameters_of(entity.get_attr(name, data_type=Entities), parser)
+
+
+NODE_CHILDREN: Optionals = {'remap': ('remappings', _remappings), 'param': ('parameters', _parameters)}
+"""What composable nodes have too."""
+_OPTIONALS: Optionals = {
+    **PROCESS_OPTIONALS, **NODE_CHILDREN,
+    'pkg': ('package', text), 'namespace': ('namespace', text), 'exec_name': ('exec_name', text),
+    'args': ('arguments', _words), 'ros_args': ('ros_arguments', _words)}
 
 
 def parse_node(entity: Entity, parser: Parser) -> Parsed:
@@ -24,22 +42,7 @@ def parse_node(entity: Entity, parser: Parser) -> Parsed:
 
 def node_attributes(entity: Entity, parser: Parser) -> dict[str, Any]:
     """Keyword arguments of every action that starts a ROS node."""
-    kwargs = process_attributes(entity, parser, _READ_HERE)
-    for keyword, attribute in (('arguments', 'args'), ('ros_arguments', 'ros_args')):
-        text = entity.get_attr(attribute, optional=True)
-        if text is not None:
-            kwargs[keyword] = words_of(text, parser)
-    kwargs['executable'] = parser.parse_substitution(entity.get_attr('exec'))
-    add_texts(kwargs, entity, parser, **_TEXTS)
-    add_names_and_parameters(kwargs, entity, parser)
+    kwargs = condition_of(entity, parser)
+    kwargs['executable'] = text(entity, parser, 'exec')
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     return kwargs
-
-
-def add_names_and_parameters(kwargs: dict[str, Any], entity: Entity, parser: Parser) -> None:
-    """The children `<remap from= to=/>` and `<param .../>`, which composable nodes have too."""
-    remappings = pairs(entity, parser, 'remap', 'from', 'to')
-    if remappings is not None:
-        kwargs['remappings'] = remappings
-    parameters = entity.get_attr('param', data_type=Entities, optional=True)
-    if parameters is not None:
-        kwargs['parameters'] = parameters_of(parameters, parser)

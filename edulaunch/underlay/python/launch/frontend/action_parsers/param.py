@@ -15,6 +15,8 @@ _TYPES: dict[str, Any] = {
     **dict(zip(_SCALARS, ScalarTypesTuple, strict=True)),
     **{f'list_of_{name}': data_type for name, data_type in zip(_SCALARS, ListTypesTuple, strict=True)},
     'yaml': None}
+_WHICH = frozenset(('name', 'from', 'allow_substs'))
+_WHAT = frozenset(('value', 'type', 'param'))
 
 
 def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
@@ -25,16 +27,12 @@ def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
     parameters: list[Any] = []
     named = []
     for param in params:
-        from_text = param.get_attr('from', optional=True)
-        allow_substs = param.get_attr('allow_substs', data_type=bool, optional=True)
-        name = param.get_attr('name', optional=True)
-        if from_text is not None and name is not None:
-            raise _wrong(param, 'name and from attributes are mutually exclusive')
-        if from_text is None and allow_substs is not None:
+        given = param.given(_WHICH)
+        if 'from' in given:
+            parameters.append(_file(param, given, parser))
+        elif 'allow_substs' in given:
             raise _wrong(param, "'allow_substs' can only be used together with 'from' attribute")
-        if from_text is not None:
-            parameters.append(_file(param, from_text, allow_substs, parser))
-        elif name is not None:
+        elif 'name' in given:
             named.append(param)
         else:
             raise hints.at(ValueError('param Entity should have name or from attribute'), param, None)
@@ -43,11 +41,13 @@ def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
     return parameters
 
 
-def _file(param: Entity, from_text: str, allow_substs: Any, parser: Parser) -> ParameterFile:
+def _file(param: Entity, given: list[str], parser: Parser) -> ParameterFile:
+    if 'name' in given:
+        raise _wrong(param, 'name and from attributes are mutually exclusive')
     param.assert_entity_completely_parsed()
-    if isinstance(allow_substs, str):
-        allow_substs = parser.parse_substitution(allow_substs)
-    return ParameterFile(parser.parse_substitution(from_text), allow_substs=allow_substs or False)
+    path = parser.parse_substitution(param.get_attr('from'))
+    allow_substs = param.get_attr('allow_substs', data_type=bool) if 'allow_substs' in given else False
+    return ParameterFile(path, allow_substs=parser.parse_if_substitutions(allow_substs))
 
 
 def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
@@ -56,23 +56,27 @@ def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
 
 
 def _value(param: Entity, parser: Parser) -> Any:
-    type_name = param.get_attr('type', optional=True)
-    if type_name is not None and type_name not in _TYPES:
-        error = ValueError(f'Got invalid type identifier {type_name!r}')
-        raise hints.at(error, param, f"the types are {', '.join(_TYPES)}")
-    data_type = None if type_name is None else _TYPES[type_name]
-    value = param.get_attr('value', data_type=data_type, optional=True)
-    nested = param.get_attr('param', data_type=Entities, optional=True)
-    param.assert_entity_completely_parsed()
-    if nested is not None:
-        if value is not None:
-            raise _wrong(param, 'nested parameters and value attributes are mutually exclusive')
-        if data_type is not None:
-            raise _wrong(param, 'nested parameters and type attributes are mutually exclusive')
-        return _dictionary(nested, parser)
-    if value is None:
+    given = param.given(_WHAT)
+    data_type = _data_type(param) if 'type' in given else None
+    if 'param' in given:
+        for name in ('value', 'type'):
+            if name in given:
+                raise _wrong(param, f'nested parameters and {name} attributes are mutually exclusive')
+        param.assert_entity_completely_parsed()
+        return _dictionary(param.get_attr('param', data_type=Entities), parser)
+    if 'value' not in given:
         raise _wrong(param, 'either a value attribute or nested params are needed')
-    return ParameterValue(parser.parse_if_substitutions(value), value_type=data_type)
+    value = parser.parse_if_substitutions(param.get_attr('value', data_type=data_type))
+    param.assert_entity_completely_parsed()
+    return ParameterValue(value, value_type=data_type)
+
+
+def _data_type(param: Entity) -> Any:
+    name = param.get_attr('type')
+    if name not in _TYPES:
+        error = ValueError(f'Got invalid type identifier {name!r}')
+        raise hints.at(error, param, f"the types are {', '.join(_TYPES)}")
+    return _TYPES[name]
 
 
 def _wrong(param: Entity, message: str) -> RuntimeError:

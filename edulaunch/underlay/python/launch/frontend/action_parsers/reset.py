@@ -6,14 +6,14 @@ from launch.actions.reset_launch_configurations import ResetLaunchConfigurations
 from ..entity import Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import mapping
+from .attributes import Optionals, add_optionals, mapping
 from .condition import condition_of
+
+_OPTIONALS: Optionals = {'keep': ('launch_configurations', mapping)}
 
 
 def parse_reset(entity: Entity, parser: Parser) -> Parsed:
     """Launch configurations that are cleared."""
     kwargs = condition_of(entity, parser)
-    kept = mapping(entity, parser, 'keep')
-    if kept is not None:
-        kwargs['launch_configurations'] = kept
+    add_optionals(kwargs, entity, parser, _OPTIONALS)
     return ResetLaunchConfigurations, kwargs

@@ -1,8 +1,9 @@
 """The wish that a lifecycle node changes its state."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar, Dict
+from typing import TYPE_CHECKING, ClassVar
 
 from launch.event import Event
 
@@ -19,16 +20,32 @@ class ChangeState(Event):
     """
 
     name = 'launch_ros.events.lifecycle.ChangeState'
-    valid_states: ClassVar[Dict[int, str]] = {
-        0: 'PRIMARY_STATE_UNKNOWN', 1: 'PRIMARY_STATE_UNCONFIGURED', 2: 'PRIMARY_STATE_INACTIVE', 3: 'PRIMARY_STATE_ACTIVE',
-        4: 'PRIMARY_STATE_FINALIZED', 10: 'TRANSITION_STATE_CONFIGURING', 11: 'TRANSITION_STATE_CLEANINGUP',
-        12: 'TRANSITION_STATE_SHUTTINGDOWN', 13: 'TRANSITION_STATE_ACTIVATING', 14: 'TRANSITION_STATE_DEACTIVATING',
-        15: 'TRANSITION_STATE_ERRORPROCESSING'}
-    valid_transitions: ClassVar[Dict[int, str]] = {
-        1: 'TRANSITION_CONFIGURE', 2: 'TRANSITION_CLEANUP', 3: 'TRANSITION_ACTIVATE', 4: 'TRANSITION_DEACTIVATE',
-        5: 'TRANSITION_UNCONFIGURED_SHUTDOWN', 6: 'TRANSITION_INACTIVE_SHUTDOWN', 7: 'TRANSITION_ACTIVE_SHUTDOWN'}
+    valid_states: ClassVar[dict[int, str]] = {
+        0: 'PRIMARY_STATE_UNKNOWN',
+        1: 'PRIMARY_STATE_UNCONFIGURED',
+        2: 'PRIMARY_STATE_INACTIVE',
+        3: 'PRIMARY_STATE_ACTIVE',
+        4: 'PRIMARY_STATE_FINALIZED',
+        10: 'TRANSITION_STATE_CONFIGURING',
+        11: 'TRANSITION_STATE_CLEANINGUP',
+        12: 'TRANSITION_STATE_SHUTTINGDOWN',
+        13: 'TRANSITION_STATE_ACTIVATING',
+        14: 'TRANSITION_STATE_DEACTIVATING',
+        15: 'TRANSITION_STATE_ERRORPROCESSING',
+    }
+    valid_transitions: ClassVar[dict[int, str]] = {
+        1: 'TRANSITION_CONFIGURE',
+        2: 'TRANSITION_CLEANUP',
+        3: 'TRANSITION_ACTIVATE',
+        4: 'TRANSITION_DEACTIVATE',
+        5: 'TRANSITION_UNCONFIGURED_SHUTDOWN',
+        6: 'TRANSITION_INACTIVE_SHUTDOWN',
+        7: 'TRANSITION_ACTIVE_SHUTDOWN',
+    }
 
-    def __init__(self, *, lifecycle_node_matcher: Callable[[LifecycleNode], bool], transition_id: int) -> None:
+    def __init__(
+        self, *, lifecycle_node_matcher: Callable[[LifecycleNode], bool], transition_id: int
+    ) -> None:
         super().__init__()
         if transition_id not in self.valid_transitions:
             valid = ', '.join(f'{name} ({number})' for number, name in self.valid_transitions.items())

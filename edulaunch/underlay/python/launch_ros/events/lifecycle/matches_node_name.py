@@ -1,4 +1,5 @@
 """The old place of :func:`launch_ros.events.matchers.matches_node_name`."""
+
 from __future__ import annotations
 
 import warnings
@@ -10,6 +11,8 @@ from ..matches_node_name import matches_node_name as _matches_node_name
 
 def matches_node_name(node_name: str) -> Callable[[Any], bool]:
     """As in the new place, with a warning."""
-    warnings.warn('launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
-                  stacklevel=2)
+    warnings.warn(
+        'launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
+        stacklevel=2,
+    )
     return _matches_node_name(node_name)

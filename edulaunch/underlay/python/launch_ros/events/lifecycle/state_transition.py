@@ -1,10 +1,10 @@
 """The news that a lifecycle node has changed its state."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from launch.event import Event
-
 
 if TYPE_CHECKING:
     from lifecycle_msgs.msg import TransitionEvent
@@ -56,5 +56,3 @@ class StateTransition(Event):
     def goal_state(self) -> str:
         """The label of the state now."""
         return str(self.__msg.goal_state.label)
-
-

@@ -1,0 +1,101 @@
+"""What runs inside the process of `ros2 launch`, and how its end is told. Loaded when the first launch runs."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.packages import nearest
+from edulaunch.processes.current import current_process
+
+if TYPE_CHECKING:
+    from edulaunch.launching import LaunchRun
+    from edulaunch.session import Session
+
+
+class Told(NamedTuple):
+    """An error in words: ROS 2's text with the place in the student's file, and what to try."""
+
+    text: str
+    help: str | None
+    file: str | None
+    line: int | None
+
+
+def run_launch_service(launch: LaunchRun) -> int:
+    """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""
+    from launch import LaunchDescription, LaunchService
+    from launch.actions import IncludeLaunchDescription
+    from launch.launch_description_sources import AnyLaunchDescriptionSource
+    include = IncludeLaunchDescription(AnyLaunchDescriptionSource(launch.path), launch_arguments=list(launch.arguments.items()))
+    service = LaunchService(argv=list(launch.process.argv), noninteractive=not launch.interactive, debug=launch.debug)
+    service.include_launch_description(LaunchDescription([include]))
+    return int(service.run())
+
+
+def first_error(launch: LaunchRun) -> BaseException | None:
+    """The first exception that launch caught, if any."""
+    errors = launch.process.state.get('launch.exceptions')
+    return errors[0] if errors else None
+
+
+def explain(error: BaseException) -> Told:
+    """An exception from a launch file as a message for people."""
+    from launch._help import launch_help, launch_origin
+    place = launch_origin(error)
+    text = str(error) or type(error).__name__
+    return Told(text if place is None else f'{text}\n  at {place}', launch_help(error), *(place or (None, None)))
+
+
+def describe(launch: LaunchRun) -> dict[str, Any]:
+    """What a recording keeps of a launch."""
+    state = launch.process.state
+    declared = [_declared(argument) for argument in state.get('launch.declared', ())]
+    told = None if (error := first_error(launch)) is None else explain(error)
+    return {
+        'file': launch.path, 'arguments': launch.arguments, 'declared': declared, 'includes': list(state.get('launch.includes', ())),
+        'returncode': launch.process.returncode, 'error': told.text if told else None, 'error_file': told.file if told else None,
+        'error_line': told.line if told else None, 'help': told.help if told else None,
+        'warnings': [*_unknown_arguments(launch, [row[0] for row in declared]), *_dead_programs(launch)]}
+
+
+def _declared(argument: Any) -> list[Any]:
+    default = None if argument.default_value is None else ' + '.join(part.describe() for part in argument.default_value)
+    place = argument.origin or (None, None)
+    return [argument.name, default, argument.description, argument.choices, place[0], place[1]]
+
+
+def _unknown_arguments(launch: LaunchRun, declared: list[str]) -> list[str]:
+    """ROS 2 accepts a misspelt launch argument in silence; we say so."""
+    known = {*declared, *launch.process.state.get('launch.read', ())}
+    lines = []
+    for name in launch.arguments:
+        if name not in known and declared:
+            near = nearest(name, declared)
+            lines.append(f"launch argument '{name}' is not declared by any of the launch files; "
+                         + (f"did you mean '{near}'?" if near else f'declared are: {", ".join(declared)}'))
+        elif name not in known:
+            lines.append(f"launch argument '{name}' is not declared: these launch files declare no arguments")
+    return lines
+
+
+def _dead_programs(launch: LaunchRun) -> list[str]:
+    """A node that died leaves launch's exit code at 0; we say which and why."""
+    lines = []
+    for row in launch.recorder.processes:
+        if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name:
+            error = row['exception']
+            why = f" ({error['type']}: {error['message']})" if error else ''
+            where = f" at {error['file']}:{error['line']}" if error and error['file'] else ''
+            lines.append(f"{row['name']} died with exit code {row['returncode']}{why}{where}")
+    return lines
+
+
+def show_arguments(session: Session, package_or_path: str, file: str | None) -> int:
+    """`ros2 launch ... -s`: print the arguments that may be given."""
+    from edulaunch.launching import find_launch_file
+    from ros2launch.api import print_arguments_of_launch_file
+    path = find_launch_file(session.index, package_or_path, file)
+    process = current_process()
+    process.index, process.host.index = session.index, session.index
+    process.env.update(session.host.env)
+    print_arguments_of_launch_file(launch_file_path=path)
+    return 0

@@ -1,0 +1,141 @@
+"""Items of processes and nodes: everything that is decided before they start."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.perform_substitutions_impl import perform_substitutions
+
+from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+Item = dict[str, Any]
+
+
+def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
+    """The item of an ExecuteLocal action that was just executed; a Node action's has more in it.
+
+    :param environ: what launch saw at its start.
+    :param index: how many processes came before.
+    """
+    details = action.process_description
+    item = {
+        'kind': 'process',
+        'index': index,
+        'cmd': list(details.final_cmd),
+        'cwd': details.final_cwd,
+        'process_name': details.final_name.rpartition('-')[0],
+        'env_changes': _changes(environ, details.final_env),
+        'shell': action.shell,
+        'output': action.output,
+        'emulate_tty': action.emulate_tty,
+        'respawn': _private(action, 'respawn'),
+        'respawn_delay': _private(action, 'respawn_delay'),
+        'sigterm_timeout': _text(context, action.sigterm_timeout),
+        'sigkill_timeout': _text(context, action.sigkill_timeout),
+    }
+    if hasattr(action, 'node_executable'):
+        item.update(_node_part(action, context, details))
+    return item
+
+
+def _text(context: LaunchContext, value: Any) -> str:
+    return perform_substitutions(context, normalize_to_list_of_substitutions(value))
+
+
+def _private(action: Any, name: str) -> Any:
+    """What upstream keeps without a property."""
+    return getattr(action, f'_ExecuteLocal__{name}')
+
+
+def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
+    """Variables that the process sees differently from launch at its start; None: taken away."""
+    changed: dict[str, str | None] = {
+        name: value for name, value in sorted(env.items()) if base.get(name) != value
+    }
+    return {**changed, **{name: None for name in sorted(base) if name not in env}}
+
+
+def _node_part(action: Any, context: LaunchContext, details: Any) -> Item:
+    own = len(details.cmd)
+    prefix, command = details.final_cmd[:-own], details.final_cmd[-own:]
+    package = None if action.node_package is None else _text(context, action.node_package)
+    name, namespace = (
+        _given(action.node_name.rpartition('/')[2], action),
+        _given(action.expanded_node_namespace, action),
+    )
+    arguments, others = _split(command[1:])
+    return {
+        'kind': 'node',
+        'package': package,
+        'executable': _text(context, action.node_executable),
+        'name': name,
+        'namespace': namespace,
+        'prefix': prefix,
+        'arguments': arguments,
+        'other_ros_arguments': others,
+        'fully_qualified_name': action.node_name if action.is_node_name_fully_specified() else None,
+        'runtime_name': None if name is None else _join(namespace or '/', name),
+        'remappings': [list(rule) for rule in action.expanded_remapping_rules],
+        **_parameters(command, _join(namespace or '/', name or 'unnamed')),
+    }
+
+
+def _given(part: str, action: Any) -> str | None:
+    return None if part in (action.UNSPECIFIED_NODE_NAME, action.UNSPECIFIED_NODE_NAMESPACE) else part
+
+
+def _join(namespace: str, name: str) -> str:
+    return f'/{name}' if namespace == '/' else f'{namespace}/{name}'
+
+
+def _split(words: list[str]) -> tuple[list[str], list[str]]:
+    """The program's own arguments, and those for ROS which are no names, remappings or parameters."""
+    arguments: list[str] = []
+    others: list[str] = []
+    inside = False
+    rest = iter(words)
+    for word in rest:
+        if word in ('--ros-args', '--'):
+            inside = word == '--ros-args'
+        elif not inside:
+            arguments.append(word)
+        elif word in ('-r', '--remap', '-p', '--param', '--params-file'):
+            next(rest, None)
+        else:
+            others.append(word)
+    return arguments, others
+
+
+def _parameters(command: list[str], full_name: str) -> Item:
+    """What the node would get by the rules of rcl, and each file with its content."""
+    sources = [
+        {'file': path, 'content': _content(path)}
+        for flag, path in zip(command, command[1:], strict=False)
+        if flag == '--params-file'
+    ]
+    try:
+        overrides = parse_ros_arguments(command).overrides_for(full_name)
+    except RosArgumentsError as error:
+        return {'parameters': {}, 'parameter_sources': sources, 'parameter_error': str(error)}
+    return {
+        'parameters': {name: override.value for name, override in sorted(overrides.items())},
+        'parameter_sources': sources,
+    }
+
+
+def _content(path: str) -> Any:
+    import yaml
+
+    if not os.path.isfile(path):
+        return None
+    with open(path, encoding='utf-8') as stream:
+        try:
+            return yaml.safe_load(stream)
+        except yaml.YAMLError:
+            return None

@@ -1,0 +1,101 @@
+"""A host that starts nothing: it notes what it is asked to start, and lets each process end when told to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.graph.tracer import Tracer
+from edulaunch.processes.host import Host
+from edulaunch.processes.process import OnExit, OnOutput, Process
+from edulaunch.processes.spec import ProcessSpec
+
+WARNING = 30
+
+
+class ImaginaryProcess:
+    """A process that does nothing but be there; a signal ends it.
+
+    :param on_exit: told the return code.
+    """
+
+    def __init__(self, spec: ProcessSpec, pid: int, on_exit: OnExit | None) -> None:
+        self.spec = spec
+        self.pid = pid
+        self.returncode: int | None = None
+        self._on_exit = on_exit
+
+    def send_signal(self, signum: int) -> None:
+        """End, as a program does that has no handler."""
+        self.end(-int(signum))
+
+    def end(self, code: int) -> None:
+        """End with a return code, once."""
+        if self.returncode is None:
+            self.returncode = code
+            if self._on_exit is not None:
+                self._on_exit(code)
+
+
+class RehearsalHost(Host):
+    """Runs the launch process itself; every other process is imaginary."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.imaginary: list[ImaginaryProcess] = []
+        self._ended_names: set[str] = set()
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None
+    ) -> Any:
+        """Note the process; it is there at once."""
+        process = ImaginaryProcess(spec, self.next_pid(), on_exit)
+        self.imaginary.append(process)
+        return process
+
+    def run_launch(self, main: Callable[[Process], object]) -> Process:
+        """Start the process in which launch runs."""
+        spec = ProcessSpec(argv=('ros2', 'launch'), name='launch')
+        return self.adopt(Process(self, spec, self.next_pid(), list(spec.argv), main))
+
+    def end_next(self) -> bool:
+        """Let the next process end with code 0: plain commands first, then nodes, each in the order they
+        started.
+
+        A process that came back by `respawn` does not end again. False when none is left to end.
+        """
+        waiting = [
+            process
+            for process in self.imaginary
+            if process.returncode is None and process.spec.name not in self._ended_names
+        ]
+        for process in sorted(waiting, key=lambda one: one.spec.package is not None):
+            self._ended_names.add(process.spec.name)
+            process.end(0)
+            return True
+        return False
+
+    def end_all(self) -> None:
+        """Let those that came back end as well."""
+        for process in list(self.imaginary):
+            process.end(0)
+
+
+class Notes(Tracer):
+    """Keeps what launch logs from WARNING on, and what launch files print."""
+
+    def __init__(self) -> None:
+        self.logs: list[list[str]] = []
+        self.stdout = ''
+
+    def log(self, process: Any, level: int, logger: str, message: str) -> None:
+        """Keep warnings and errors."""
+        if level >= WARNING:
+            import logging
+
+            self.logs.append([logging.getLevelName(level), logger, message])
+
+    def output(self, process: Any, stream: str, text: str) -> None:
+        """Keep what was printed."""
+        if stream == 'stdout':
+            self.stdout += text

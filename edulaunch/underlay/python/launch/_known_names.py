@@ -1,0 +1,63 @@
+"""Where the names that launch files import live."""
+from __future__ import annotations
+
+from typing import Any
+
+from edulaunch.packages.nearest import nearest
+
+from ._help import loaded
+
+MODULES = (
+    'launch', 'launch.actions', 'launch.conditions', 'launch.substitutions', 'launch.event_handlers', 'launch.events',
+    'launch.events.process', 'launch.launch_description_sources', 'launch.descriptions', 'launch_ros.actions',
+    'launch_ros.substitutions', 'launch_ros.descriptions', 'launch_ros.parameter_descriptions',
+    'launch_ros.event_handlers', 'launch_ros.events.lifecycle', 'ament_index_python.packages')
+STANDARD = {name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')}
+
+
+def names_in(module: str) -> list[str]:
+    """What a module exports."""
+    found = loaded(module)
+    return list(getattr(found, '__all__', ())) if found is not None else []
+
+
+def home_of(name: str) -> str | None:
+    """The module that exports the name, or None."""
+    for module in MODULES:
+        if name in names_in(module) and f'{module}.{name}' not in MODULES:
+            return module
+    return None
+
+
+def class_named(name: str) -> Any:
+    """The exported class of this name, or None."""
+    home = home_of(name)
+    return getattr(loaded(home), name) if home is not None else None
+
+
+def import_line(name: str) -> str | None:
+    """The import statement for a name, or None when nothing exports it."""
+    if name in STANDARD:
+        return f'import {name}'
+    home = home_of(name)
+    return f'from {home} import {name}' if home is not None else None
+
+
+def nearest_anywhere(name: str) -> str | None:
+    """The exported name of any module that is nearest to `name`."""
+    return nearest(name, [known for module in MODULES for known in names_in(module)])
+
+
+def keywords_of(cls: type) -> list[str]:
+    """The keyword arguments that the constructor takes, inherited ones included while it passes `**kwargs` on."""
+    found: list[str] = []
+    for base in cls.__mro__:
+        init = base.__dict__.get('__init__')
+        code = getattr(init, '__code__', None)
+        if code is None:
+            continue
+        count = code.co_argcount + code.co_kwonlyargcount
+        found += [name for name in code.co_varnames[1:count] if name not in found]
+        if not code.co_flags & 0x08:  # without **kwargs nothing is passed on
+            break
+    return found

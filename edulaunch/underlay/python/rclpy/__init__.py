@@ -1,0 +1,133 @@
+"""The ROS 2 client library for Python, as a face over edulaunch's simulation: same names, defaults and errors as ROS 2 Jazzy's."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.context import Context
+from rclpy.parameter import Parameter
+from rclpy.process_state import process_state
+from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
+from rclpy.utilities import (
+    get_available_rmw_implementations,
+    get_default_context,
+    get_rmw_implementation_identifier,
+    ok,
+    remove_ros_args,
+    timeout_sec_to_nsec,
+    try_shutdown,
+)
+from rclpy.utilities import shutdown as _shutdown
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+    from rclpy.task import Future
+
+__all__ = [
+    'Context', 'Parameter', 'SignalHandlerOptions', 'create_node', 'get_available_rmw_implementations', 'get_default_context',
+    'get_global_executor', 'get_rmw_implementation_identifier', 'init', 'ok', 'remove_ros_args', 'shutdown', 'spin',
+    'spin_once', 'spin_until_future_complete', 'timeout_sec_to_nsec', 'try_shutdown',
+]
+
+
+def init(*, args: list[str] | None = None, context: Context | None = None, domain_id: int | None = None,
+         signal_handler_options: SignalHandlerOptions | None = None) -> None:
+    """Begin to use ROS 2.
+
+    :param args: the command line; the program's own if None.
+    :param signal_handler_options: which signals shut ROS 2 down; all for the default context, else none.
+    :raises RuntimeError: when the context was initialised before.
+    """
+    if signal_handler_options is None:
+        signal_handler_options = SignalHandlerOptions.ALL if context is None else SignalHandlerOptions.NO
+    install_signal_handlers(signal_handler_options)
+    (context or get_default_context()).init(args, domain_id=domain_id)
+
+
+def get_global_executor() -> Executor:
+    """The single-threaded executor of the program, used when none is named; made at first use."""
+    state = process_state()
+    if state.global_executor is None:
+        from rclpy.executors import SingleThreadedExecutor
+        state.global_executor = SingleThreadedExecutor()
+    return state.global_executor
+
+
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End the use of ROS 2.
+
+    :raises RuntimeError: when it was never initialised.
+    :raises RCLError: when Ctrl-C has shut it down already; `try_shutdown()` does not mind.
+    """
+    _end_global_executor()
+    _shutdown(context=context)
+    if uninstall_handlers or (uninstall_handlers is None and context is None):
+        uninstall_signal_handlers()
+
+
+def _end_global_executor() -> None:
+    state = process_state()
+    if state.global_executor is not None:
+        state.global_executor.shutdown()
+        state.global_executor = None
+
+
+def create_node(node_name: str, *, context: Context | None = None, cli_args: list[str] | None = None,
+                namespace: str | None = None, use_global_arguments: bool = True, enable_rosout: bool = True,
+                start_parameter_services: bool = True, parameter_overrides: Iterable[Parameter] | None = None,
+                allow_undeclared_parameters: bool = False, automatically_declare_parameters_from_overrides: bool = False,
+                enable_logger_service: bool = False) -> Node:
+    """Make a node; the arguments are those of :class:`rclpy.node.Node`."""
+    from rclpy.node import Node
+    return Node(
+        node_name, context=context, cli_args=cli_args, namespace=namespace, use_global_arguments=use_global_arguments,
+        enable_rosout=enable_rosout, start_parameter_services=start_parameter_services,
+        parameter_overrides=None if parameter_overrides is None else list(parameter_overrides),
+        allow_undeclared_parameters=allow_undeclared_parameters,
+        automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
+        enable_logger_service=enable_logger_service)
+
+
+def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+    """Execute one callback of the node, or wait until `timeout_sec` is over (None: for ever; 0: do not wait)."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin_once(timeout_sec=timeout_sec)
+    finally:
+        executor.remove_node(node)
+
+
+def spin(node: Node, executor: Executor | None = None) -> None:
+    """Execute the node's callbacks until ROS 2 is shut down.
+
+    :raises KeyboardInterrupt: on Ctrl-C.
+    :raises rclpy.executors.ExternalShutdownException: when ROS 2 is shut down by a signal while nothing is executed.
+    """
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin()
+    finally:
+        executor.remove_node(node)
+
+
+def spin_until_future_complete(node: Node, future: Future, executor: Executor | None = None,
+                               timeout_sec: float | None = None) -> None:
+    """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
+    executor = get_global_executor() if executor is None else executor
+    try:
+        executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec)
+    finally:
+        executor.remove_node(node)
+
+
+def __getattr__(name: str) -> Any:
+    """Sub-modules that rclpy itself loads at once are loaded here when they are first asked for."""
+    if name in ('node', 'executors', 'qos', 'task', 'time', 'duration', 'clock', 'timer', 'logging', 'exceptions', 'action',
+                'callback_groups', 'subscription', 'publisher', 'client', 'service', 'utilities', 'parameter', 'constants'):
+        from importlib import import_module
+        return import_module(f'rclpy.{name}')
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

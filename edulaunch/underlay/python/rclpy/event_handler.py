@@ -1,0 +1,230 @@
+"""Callbacks for what happens to an endpoint: incompatible quality of service, matches, deadlines, liveliness, losses."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.graph.qos import incompatible_policy
+from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
+from rclpy.waitable import Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+
+EventCallback = Callable[[Any], object]
+
+
+class QoSPublisherEventType(IntEnum):
+    """What can happen to a publisher."""
+
+    RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
+    RCL_PUBLISHER_LIVELINESS_LOST = 1
+    RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 2
+    RCL_PUBLISHER_INCOMPATIBLE_TYPE = 3
+    RCL_PUBLISHER_MATCHED = 4
+
+
+class QoSSubscriptionEventType(IntEnum):
+    """What can happen to a subscription."""
+
+    RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
+    RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
+    RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2
+    RCL_SUBSCRIPTION_MESSAGE_LOST = 3
+    RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
+    RCL_SUBSCRIPTION_MATCHED = 5
+
+
+class QoSOfferedIncompatibleQoSInfo(NamedTuple):
+    """A subscription wants more than this publisher offers."""
+
+    total_count: int
+    total_count_change: int
+    last_policy_kind: int
+
+
+class QoSRequestedIncompatibleQoSInfo(NamedTuple):
+    """A publisher offers less than this subscription wants."""
+
+    total_count: int
+    total_count_change: int
+    last_policy_kind: int
+
+
+class MatchedInfo(NamedTuple):
+    """Endpoints came or went that this one is connected to."""
+
+    total_count: int
+    total_count_change: int
+    current_count: int
+    current_count_change: int
+
+
+PublisherMatchedInfo = MatchedInfo
+QoSSubscriptionMatchedInfo = MatchedInfo
+
+
+class EventHandler(Waitable):
+    """Calls back, on the executor's turn, with what has happened since the last time."""
+
+    def __init__(self, callback_group: CallbackGroup, callback: EventCallback, take: Callable[[], Any]) -> None:
+        super().__init__(callback_group)
+        self.callback = callback
+        self._take_info = take
+
+    def _run(self, executor: Executor) -> Any:
+        self._queued = False
+        info = self._take_info()
+        if info is not None and not self._destroyed:
+            self.callback(info)
+        return None
+
+    is_async = False
+
+    def destroy(self) -> None:
+        """Call back no more."""
+        self._destroyed = True
+
+
+QoSEventHandler = EventHandler
+
+
+class _IncompatibleCount:
+    """Counts incompatible partners between two calls of the callback."""
+
+    def __init__(self, info_class: Any) -> None:
+        self._info_class = info_class
+        self.total = 0
+        self.change = 0
+        self.policy = 0
+
+    def add(self, policy: str) -> None:
+        self.total += 1
+        self.change += 1
+        self.policy = int(QoSPolicyKind[policy])
+
+    def take(self) -> Any:
+        info = self._info_class(self.total, self.change, self.policy) if self.change else None
+        self.change = 0
+        return info
+
+
+class _MatchCount:
+    """Counts matches between two calls of the callback."""
+
+    def __init__(self, current: int) -> None:
+        self.total = self.total_change = self.current = self.current_change = current
+
+    def add(self, change: int) -> None:
+        self.total += max(change, 0)
+        self.total_change += max(change, 0)
+        self.current += change
+        self.current_change += change
+
+    def take(self) -> MatchedInfo | None:
+        info = MatchedInfo(self.total, self.total_change, self.current, self.current_change)
+        changed = self.total_change or self.current_change
+        self.total_change = self.current_change = 0
+        return info if changed else None
+
+
+class _EventCallbacks:
+    """What both kinds of callbacks share. `incompatible_qos` defaults to a warning in the log."""
+
+    _info_class: Any
+    _warning: str
+
+    def __init__(self, *, incompatible_qos: EventCallback | None = None, matched: EventCallback | None = None,
+                 use_default_callbacks: bool = True) -> None:
+        self.incompatible_qos = incompatible_qos
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def _attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
+        """Watch an endpoint that was just made; partners that it found at once count too."""
+        callback = self.incompatible_qos
+        if callback is None and self.use_default_callbacks:
+            def callback(info: Any) -> None:
+                policy = qos_policy_name_from_kind(info.last_policy_kind)
+                node.get_logger().warning(self._warning.format(impl.topic_name, policy))
+        if callback is not None:
+            self._watch_incompatible(node, entity, impl, group, callback)
+        if self.matched is not None:
+            self._watch_matched(node, entity, impl, group, self.matched)
+
+    def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        count = _IncompatibleCount(self._info_class)
+        handlers: list[EventHandler] = []
+
+        def on_incompatible(policy: str) -> None:
+            count.add(policy)
+            if not handlers:
+                handlers.append(_added(node, entity, EventHandler(group, callback, count.take)))
+            handlers[0].ready_changed()
+
+        impl.on_incompatible = on_incompatible
+        for policy in _incompatible_partners(impl):
+            on_incompatible(policy)
+
+    def _watch_matched(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        count = _MatchCount(impl.subscription_count if impl.kind == 'publisher' else impl.publisher_count)
+        handler = _added(node, entity, EventHandler(group, callback, count.take))
+
+        def on_matched(change: int) -> None:
+            count.add(change)
+            handler.ready_changed()
+
+        impl.on_matched = on_matched
+
+
+def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
+    entity.event_handlers.append(handler)
+    node.add_waitable(handler)
+    return handler
+
+
+def _incompatible_partners(impl: Any) -> list[str]:
+    """The clashing policies of the partners that were there before this endpoint."""
+    if impl.kind == 'publisher':
+        pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
+    else:
+        pairs = [(other, impl) for other in impl.graph.publishers.get(impl.topic_name, ())]
+    policies = [incompatible_policy(publisher.qos, subscription.qos) for publisher, subscription in pairs
+                if publisher.type_name == subscription.type_name]
+    return [policy for policy in policies if policy is not None]
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """Callbacks of a publisher. Deadlines are always kept and publishers always alive, so those two never come."""
+
+    _info_class = QoSOfferedIncompatibleQoSInfo
+    _warning = ("New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
+                'Last incompatible policy: {}')
+
+    def __init__(self, *, deadline: EventCallback | None = None, liveliness: EventCallback | None = None,
+                 incompatible_qos: EventCallback | None = None, incompatible_type: EventCallback | None = None,
+                 matched: EventCallback | None = None, use_default_callbacks: bool = True) -> None:
+        super().__init__(incompatible_qos=incompatible_qos, matched=matched, use_default_callbacks=use_default_callbacks)
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_type = incompatible_type
+
+
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """Callbacks of a subscription. Only `incompatible_qos` and `matched` ever come: nothing is lost or late on the way."""
+
+    _info_class = QoSRequestedIncompatibleQoSInfo
+    _warning = ("New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
+                'Last incompatible policy: {}')
+
+    def __init__(self, *, deadline: EventCallback | None = None, incompatible_qos: EventCallback | None = None,
+                 liveliness: EventCallback | None = None, message_lost: EventCallback | None = None,
+                 incompatible_type: EventCallback | None = None, matched: EventCallback | None = None,
+                 use_default_callbacks: bool = True) -> None:
+        super().__init__(incompatible_qos=incompatible_qos, matched=matched, use_default_callbacks=use_default_callbacks)
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.message_lost = message_lost
+        self.incompatible_type = incompatible_type

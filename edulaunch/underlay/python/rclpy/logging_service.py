@@ -1,0 +1,39 @@
+"""The two services by which others read and change a node's log levels (`enable_logger_service`)."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy.logging import LoggingSeverity, get_logger_level, set_logger_level
+from rclpy.qos import qos_profile_services_default
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+
+class LoggingService:
+    """Makes the services `<node>/get_logger_levels` and `<node>/set_logger_levels`."""
+
+    def __init__(self, node: Node) -> None:
+        from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
+        name = node.get_name()
+        node.create_service(GetLoggerLevels, f'{name}/get_logger_levels', self._get_logger_levels,
+                            qos_profile=qos_profile_services_default)
+        node.create_service(SetLoggerLevels, f'{name}/set_logger_levels', self._set_logger_levels,
+                            qos_profile=qos_profile_services_default)
+
+    def _get_logger_levels(self, request: Any, response: Any) -> Any:
+        from rcl_interfaces.msg import LoggerLevel
+        response.levels = [LoggerLevel(name=name, level=int(get_logger_level(name))) for name in request.names]
+        return response
+
+    def _set_logger_levels(self, request: Any, response: Any) -> Any:
+        from rcl_interfaces.msg import SetLoggerLevelsResult
+        results = []
+        for level in request.levels:
+            try:
+                set_logger_level(level.name, LoggingSeverity(level.level))
+                results.append(SetLoggerLevelsResult(successful=True))
+            except ValueError as error:
+                results.append(SetLoggerLevelsResult(successful=False, reason=str(error)))
+        response.results = results
+        return response

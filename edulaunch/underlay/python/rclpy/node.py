@@ -1,0 +1,169 @@
+"""Nodes."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from rclpy.clock import ROSClock
+from rclpy.context import Context, parse_or_raise
+from rclpy.exceptions import NotInitializedException
+from rclpy.impl.logging_state import logging_state
+from rclpy.impl.rcutils_logger import RcutilsLogger
+from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.entities import NodeEntities
+from rclpy.node_parts.graph_queries import NodeGraphQueries
+from rclpy.node_parts.parameter_events import ParameterEvents
+from rclpy.node_parts.parameter_store import ParameterStore
+from rclpy.node_parts.parameters import NodeParameters
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from rclpy.qos import engine_qos, qos_profile_rosout_default
+from rclpy.time_source import TimeSource
+from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+
+__all__ = ['Node', 'PARAMETER_SEPARATOR_STRING']
+
+
+class _MissingCore:
+    """Stands for the state of a node whose `__init__` was not called."""
+
+    def __get__(self, node: object, owner: type) -> NodeCore:
+        raise AttributeError(f"'{owner.__name__}' object has no attribute '_default_callback_group'\n"
+                             "  help: call super().__init__('node_name') in __init__ before anything else of the node")
+
+
+class Node(NodeEntities, NodeParameters, NodeGraphQueries):
+    """A node of the ROS graph.
+
+    :param node_name: its own name; remap rules may change it.
+    :param context: the context it lives in; the default one if None.
+    :param cli_args: arguments for this node only, `--ros-args` first; they come before those of the program.
+    :param namespace: where its relative names begin.
+    :param use_global_arguments: whether the program's own `--ros-args` count.
+    :param parameter_overrides: Parameters whose values take the place of declared defaults.
+    :param allow_undeclared_parameters: whether parameters may be set without being declared.
+    :param automatically_declare_parameters_from_overrides: whether every parameter given from outside is declared at once.
+    :raises NotInitializedException: before `rclpy.init()`.
+    :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+    """
+
+    _rclpy: NodeCore = _MissingCore()  # type: ignore[assignment]
+
+    def __init__(self, node_name: str, *, context: Context | None = None, cli_args: list[str] | None = None,
+                 namespace: str | None = None, use_global_arguments: bool = True, enable_rosout: bool = True,
+                 start_parameter_services: bool = True, parameter_overrides: list[Parameter] | None = None,
+                 allow_undeclared_parameters: bool = False, automatically_declare_parameters_from_overrides: bool = False,
+                 enable_logger_service: bool = False) -> None:
+        context = context or get_default_context()
+        if not context._ok:
+            raise NotInitializedException('cannot create node')
+        arguments = [parse_or_raise(cli_args)] if cli_args else []
+        if use_global_arguments:
+            arguments.append(context._arguments)
+        core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
+        core.logger = RcutilsLogger(core.logger_name)
+        core.default_callback_group = MutuallyExclusiveCallbackGroup()
+        core.clock = ROSClock()
+        if enable_rosout:
+            _create_rosout(core)
+        core.overrides = core.given_parameters()
+        events = ParameterEvents(self)
+        core.overrides.update(events.from_arguments(parameter_overrides or ()))
+        core.parameters = ParameterStore(allow_undeclared_parameters, events.publish)
+        context.track_node(self)
+        core.time_source = TimeSource(node=self)
+        core.time_source.attach_clock(core.clock)
+        if automatically_declare_parameters_from_overrides:
+            from rcl_interfaces.msg import ParameterDescriptor
+            self.declare_parameters('', [(name, override.value, ParameterDescriptor())
+                                         for name, override in core.overrides.items()], ignore_override=True)
+        core.time_source.declare_parameter()
+        self._start_services(start_parameter_services, enable_logger_service)
+
+    def _start_services(self, parameters: bool, logger: bool) -> None:
+        if parameters:
+            from rclpy.parameter_service import ParameterService
+            ParameterService(self)
+        from rclpy.type_description_service import TypeDescriptionService
+        TypeDescriptionService(self)
+        if logger:
+            from rclpy.logging_service import LoggingService
+            LoggingService(self)
+
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that calls the callbacks; setting it moves the node there."""
+        return self._rclpy.executor
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None:
+        core = self._rclpy
+        current = core.executor
+        if current is new_executor:
+            return
+        if current is not None:
+            current.remove_node(self)
+        core.executor = new_executor
+        if new_executor is not None:
+            new_executor.add_node(self)
+
+    @property
+    def context(self) -> Context:
+        """The context that the node lives in."""
+        return self._rclpy.context
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """The group of entities that name none: one callback at a time."""
+        return self._rclpy.default_callback_group
+
+    @property
+    def handle(self) -> Any:
+        """The node in the graph."""
+        return self._rclpy.entry
+
+    def get_clock(self) -> ROSClock:
+        """The node's clock."""
+        return self._rclpy.clock
+
+    def get_logger(self) -> RcutilsLogger:
+        """The node's logger."""
+        return self._rclpy.logger
+
+    def destroy_node(self) -> None:
+        """Destroy the node with everything it has. Doing it twice is doing it once."""
+        core = self._rclpy
+        if core.destroyed:
+            return
+        core.destroyed = True
+        for rate in list(core.rates):
+            self.destroy_rate(rate)
+        for entities in (core.publishers, core.subscriptions, core.clients, core.services, core.timers, core.guards):
+            while entities:
+                entities.pop().destroy()
+        for waitable in list(core.waitables):
+            self.remove_waitable(waitable)
+        core.context.untrack_node(self)
+        core.graph.remove_node(core.entry)
+        core.ready_list.notify()
+
+    def __repr__(self) -> str:
+        return f'<{type(self).__name__} {self._rclpy.full_name}>'
+
+
+def _create_rosout(core: NodeCore) -> None:
+    """The publisher of the node's log messages; the first node of a name keeps it."""
+    from rcl_interfaces.msg import Log
+    publisher = core.graph.create_publisher(core.entry, '/rosout', Log, engine_qos(qos_profile_rosout_default))
+    rosout = logging_state().rosout
+    present = rosout.get(core.logger_name)
+    if present is None or present.destroyed:
+        rosout[core.logger_name] = publisher
+        return
+    logging_state().output(30, 'rcl.logging_rosout', (
+        f"Publisher already registered for node name: '{core.name}'. If this is due to multiple nodes with the same name then "
+        f"all logs for the logger named '{core.logger_name}' will go out over the existing publisher. As soon as any node with "
+        'that name is destructed it will unregister the publisher, preventing any further logs for that name from being '
+        'published on the rosout topic.'))

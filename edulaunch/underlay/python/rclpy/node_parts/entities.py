@@ -1,0 +1,274 @@
+"""Making and destroying the entities of a node."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.names import fully_qualified_name
+from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+from rclpy.client import Client
+from rclpy.constants import S_TO_NS
+from rclpy.guard_condition import GuardCondition
+from rclpy.node_parts.core import NodeCore
+from rclpy.publisher import Publisher
+from rclpy.qos import QoSProfile, engine_qos, qos_profile_services_default, validate_qos
+from rclpy.service import Service
+from rclpy.subscription import Subscription
+from rclpy.timer import Rate, Timer
+from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.clock import Clock
+    from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+    from rclpy.qos_overriding_options import QoSOverridingOptions
+    from rclpy.waitable import Waitable
+
+
+class NodeEntities:
+    """The part of `Node` that makes and destroys publishers, subscriptions, clients, services, timers and the like."""
+
+    _rclpy: NodeCore
+
+    @property
+    def publishers(self) -> Iterator[Publisher]:
+        """All publishers."""
+        yield from self._rclpy.publishers
+
+    @property
+    def subscriptions(self) -> Iterator[Subscription]:
+        """All subscriptions."""
+        yield from self._rclpy.subscriptions
+
+    @property
+    def clients(self) -> Iterator[Client]:
+        """All clients."""
+        yield from self._rclpy.clients
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """All services."""
+        yield from self._rclpy.services
+
+    @property
+    def timers(self) -> Iterator[Timer]:
+        """All timers."""
+        yield from self._rclpy.timers
+
+    @property
+    def guards(self) -> Iterator[GuardCondition]:
+        """All guard conditions."""
+        yield from self._rclpy.guards
+
+    @property
+    def waitables(self) -> Iterator[Waitable]:
+        """All waitables."""
+        yield from self._rclpy.waitables
+
+    def add_waitable(self, waitable: Waitable) -> None:
+        """Let the node's executor wait for this too."""
+        core = self._rclpy
+        waitable._ready_list = core.ready_list
+        waitable._order = core.next_number()
+        core.waitables.append(waitable)
+        waitable._queued = False
+        waitable._signal()
+
+    def remove_waitable(self, waitable: Waitable) -> None:
+        """Wait for it no more."""
+        waitable._destroyed = True
+        if waitable in self._rclpy.waitables:
+            self._rclpy.waitables.remove(waitable)
+
+    def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *,
+                         callback_group: CallbackGroup | None = None, event_callbacks: PublisherEventCallbacks | None = None,
+                         qos_overriding_options: QoSOverridingOptions | None = None,
+                         publisher_class: type[Publisher] = Publisher) -> Publisher:
+        """Make a publisher.
+
+        :param msg_type: the message class.
+        :param topic: its name: absolute, relative to the namespace, or private (`~/x`).
+        :param qos_profile: a profile, or the depth.
+        :raises InvalidTopicNameException: for a name that breaks the rules.
+        """
+        core = self._rclpy
+        profile = validate_qos(qos_profile)
+        check_is_valid_msg_type(msg_type)
+        name = core.resolve(topic, 'topic')
+        profile = self._overridden(qos_overriding_options, profile, name, 'publisher')
+        impl = core.graph.create_publisher(core.entry, name, msg_type, engine_qos(profile))
+        publisher = publisher_class(impl, msg_type, topic, profile, core.context)
+        core.publishers.append(publisher)
+        self._watch_events(publisher, impl, event_callbacks, callback_group, 'publisher')
+        return publisher
+
+    def create_subscription(self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, *,
+                            callback_group: CallbackGroup | None = None,
+                            event_callbacks: SubscriptionEventCallbacks | None = None,
+                            qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> Subscription:
+        """Make a subscription.
+
+        :param callback: called with each message, or with (message, info).
+        :param raw: give the callback serialized bytes.
+        :raises InvalidTopicNameException: for a name that breaks the rules.
+        :raises RuntimeError: when the callback takes neither one nor two arguments.
+        """
+        core = self._rclpy
+        profile = validate_qos(qos_profile)
+        check_is_valid_msg_type(msg_type)
+        name = core.resolve(topic, 'topic')
+        profile = self._overridden(qos_overriding_options, profile, name, 'subscription')
+        group = callback_group or core.default_callback_group
+        subscription = Subscription(core.ready_list, msg_type, topic, callback, group, profile, raw, core.next_number())
+        group.add_entity(subscription)
+        impl = core.graph.create_subscription(core.entry, name, msg_type, engine_qos(profile), subscription._signal)
+        subscription._connect(impl)
+        core.subscriptions.append(subscription)
+        self._watch_events(subscription, impl, event_callbacks, callback_group, 'subscription')
+        return subscription
+
+    def create_client(self, srv_type: Any, srv_name: str, *, qos_profile: QoSProfile = qos_profile_services_default,
+                      callback_group: CallbackGroup | None = None) -> Client:
+        """Make a client of a service.
+
+        :raises InvalidServiceNameException: for a name that breaks the rules.
+        """
+        core = self._rclpy
+        check_is_valid_srv_type(srv_type)
+        name = core.resolve(srv_name, 'service')
+        group = callback_group or core.default_callback_group
+        client = Client(core.context, core.ready_list, srv_type, srv_name, qos_profile, group, core.next_number())
+        client._connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client._signal))
+        group.add_entity(client)
+        core.clients.append(client)
+        return client
+
+    def create_service(self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any], *,
+                       qos_profile: QoSProfile = qos_profile_services_default,
+                       callback_group: CallbackGroup | None = None) -> Service:
+        """Make a service; `callback(request, response)` returns the response.
+
+        :raises InvalidServiceNameException: for a name that breaks the rules.
+        """
+        core = self._rclpy
+        check_is_valid_srv_type(srv_type)
+        name = core.resolve(srv_name, 'service')
+        group = callback_group or core.default_callback_group
+        service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
+        service._connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service._signal))
+        group.add_entity(service)
+        core.services.append(service)
+        return service
+
+    def create_timer(self, timer_period_sec: float, callback: Callable[[], Any] | None,
+                     callback_group: CallbackGroup | None = None, clock: Clock | None = None, autostart: bool = True) -> Timer:
+        """Make a timer; the first call is one period from now.
+
+        :param clock: the clock that it goes by; the node's own by default.
+        :param autostart: False makes it cancelled, until `reset()`.
+        """
+        core = self._rclpy
+        period_ns = int(float(timer_period_sec) * S_TO_NS)
+        if period_ns < 0:
+            raise RCLError('Failed to create timer: timer period must be non-negative')
+        group = callback_group or core.default_callback_group
+        timer = Timer(callback, group, period_ns, clock or core.clock, context=core.context, autostart=autostart,
+                      ready_list=core.ready_list, number=core.next_number())
+        group.add_entity(timer)
+        core.timers.append(timer)
+        return timer
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Make a rate of `frequency` per second. Raises ValueError unless that is positive."""
+        if frequency <= 0:
+            raise ValueError('frequency must be > 0')
+        from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+        timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        rate = Rate(timer, context=self._rclpy.context)
+        self._rclpy.rates.append(rate)
+        return rate
+
+    def create_guard_condition(self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None) -> GuardCondition:
+        """Make a guard condition."""
+        core = self._rclpy
+        group = callback_group or core.default_callback_group
+        guard = GuardCondition(callback, group, core.context, ready_list=core.ready_list, number=core.next_number())
+        group.add_entity(guard)
+        core.guards.append(guard)
+        return guard
+
+    def _watch_events(self, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
+        from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+        if callbacks is None:
+            callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
+        callbacks._attach(self, entity, impl, group or self._rclpy.default_callback_group)
+
+    def _overridden(self, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:
+        if options is None or not options.policy_kinds:
+            return profile
+        from rclpy.qos_overriding_options import declare_qos_parameters
+        return declare_qos_parameters(self, side, topic, profile, options)
+
+    def destroy_publisher(self, publisher: Publisher) -> bool:
+        """Destroy a publisher; whether it was one of this node."""
+        return _destroy(self._rclpy.publishers, publisher)
+
+    def destroy_subscription(self, subscription: Subscription) -> bool:
+        """Destroy a subscription; whether it was one of this node."""
+        return _destroy(self._rclpy.subscriptions, subscription)
+
+    def destroy_client(self, client: Client) -> bool:
+        """Destroy a client; whether it was one of this node."""
+        return _destroy(self._rclpy.clients, client)
+
+    def destroy_service(self, service: Service) -> bool:
+        """Destroy a service; whether it was one of this node."""
+        return _destroy(self._rclpy.services, service)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer; whether it was one of this node."""
+        return _destroy(self._rclpy.timers, timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition; whether it was one of this node."""
+        return _destroy(self._rclpy.guards, guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate."""
+        if rate in self._rclpy.rates:
+            self._rclpy.rates.remove(rate)
+        if rate._timer in self._rclpy.timers:
+            self._rclpy.timers.remove(rate._timer)
+        rate.destroy()
+        return True
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """The absolute, remapped form of a topic name."""
+        return self._rclpy.resolve(topic, 'topic', only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """The absolute, remapped form of a service name."""
+        return self._rclpy.resolve(service, 'service', only_expand)
+
+    def get_name(self) -> str:
+        """The node's own name."""
+        return self._rclpy.name
+
+    def get_namespace(self) -> str:
+        """The namespace, '/' for the root."""
+        return self._rclpy.namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """The namespace and the name."""
+        return fully_qualified_name(self._rclpy.namespace, self._rclpy.name)
+
+
+def _destroy(entities: list[Any], entity: Any) -> bool:
+    if entity not in entities:
+        return False
+    entities.remove(entity)
+    try:
+        entity.destroy()
+    except InvalidHandle:
+        return False
+    return True

@@ -1,0 +1,50 @@
+"""Telling others about a node's parameters: /parameter_events, and the record."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from edulaunch.graph.ros_arguments import Override
+from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_parameter_events
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+
+class ParameterEvents:
+    """Publishes one rcl_interfaces/ParameterEvent for each successful declaration or change of a node."""
+
+    def __init__(self, node: Node) -> None:
+        from rcl_interfaces.msg import ParameterEvent
+        self._core = node._rclpy
+        self._event_class = ParameterEvent
+        self._publisher = node.create_publisher(ParameterEvent, '/parameter_events', qos_profile_parameter_events)
+        self._declared: set[str] = set()
+
+    @staticmethod
+    def from_arguments(parameters: Iterable[Parameter]) -> dict[str, Override]:
+        """The constructor's `parameter_overrides`, in the form of those of the command line."""
+        return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
+
+    def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
+        """Tell of one transaction."""
+        core = self._core
+        for parameter in (*new, *changed):
+            core.graph.tracer.parameter(core.entry, parameter.name, parameter.value, self._origin(parameter))
+        for parameter in deleted:
+            core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
+        if core.context._ok:
+            event = self._event_class(stamp=core.clock.now().to_msg(), node=core.full_name)
+            event.new_parameters = [parameter.to_parameter_msg() for parameter in new]
+            event.changed_parameters = [parameter.to_parameter_msg() for parameter in changed]
+            event.deleted_parameters = [parameter.to_parameter_msg() for parameter in deleted]
+            self._publisher.publish(event)
+
+    def _origin(self, parameter: Parameter) -> str:
+        """Where a value came from, in words: at its declaration from outside or the program, later from a change."""
+        if parameter.name in self._declared:
+            return 'set_parameters'
+        self._declared.add(parameter.name)
+        override = self._core.overrides.get(parameter.name)
+        return 'default' if override is None or override.value != parameter.value else override.origin

@@ -1,0 +1,150 @@
+"""The parameters of one node and the rules by which they change."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.parameters import float_range_problem, integer_range_problem
+from rclpy.exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterNotDeclaredException,
+)
+from rclpy.parameter import Parameter, ParameterType
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+
+OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
+"""Told of one transaction: the parameters that are new, those that changed, and those that were deleted."""
+
+EMPTY_LIST = ('parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original '
+              'parameters list.')
+
+
+class ParameterStore:
+    """Values and descriptors by name, and the callbacks that may refuse a change.
+
+    :param on_change: told of each successful transaction, after the values are in place.
+    """
+
+    def __init__(self, allow_undeclared: bool, on_change: OnChange) -> None:
+        self.values: dict[str, Parameter] = {}
+        self.descriptors: dict[str, ParameterDescriptor] = {}
+        self.allow_undeclared = allow_undeclared
+        self.pre_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
+        self.on_callbacks: list[Callable[[list[Parameter]], SetParametersResult]] = []
+        self.post_callbacks: list[Callable[[list[Parameter]], None]] = []
+        self._on_change = on_change
+
+    def descriptor(self, name: str) -> ParameterDescriptor:
+        """The descriptor of a parameter.
+
+        :raises ParameterNotDeclaredException: when it was not declared, and undeclared ones are not allowed.
+        """
+        if name in self.descriptors:
+            return self.descriptors[name]
+        if not self.allow_undeclared:
+            raise ParameterNotDeclaredException(name)
+        from rcl_interfaces.msg import ParameterDescriptor
+        return ParameterDescriptor()
+
+    def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
+        """Add a parameter; its value is checked as in a change, but may be not set, and read-only does not matter.
+
+        :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is refused.
+        """
+        result = self._checked([parameter], {parameter.name: descriptor}, check_read_only=False)
+        if result.successful:
+            self._store([parameter], {parameter.name: descriptor})
+        elif result.reason.startswith('Wrong parameter type'):
+            raise InvalidParameterTypeException(parameter, ParameterType(descriptor.type).name)
+        else:
+            raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
+
+    def set_atomically(self, parameters: list[Parameter]) -> SetParametersResult:
+        """Change several parameters, or none of them when one is refused."""
+        if self.pre_callbacks:
+            parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
+            if not parameters:
+                return _result(EMPTY_LIST)
+        result = self._checked(parameters, self.descriptors, check_read_only=True)
+        if result.successful:
+            self._store(parameters, None)
+        return result
+
+    def check_declared(self, parameters: Iterable[Parameter]) -> None:
+        """Refuse undeclared parameters, unless they are allowed.
+
+        As in rclpy the names in the text leave out the first one: it was used up by looking whether there is any.
+
+        :raises ParameterNotDeclaredException: when there are any.
+        """
+        undeclared = [parameter.name for parameter in parameters if parameter.name not in self.values]
+        if undeclared and not self.allow_undeclared:
+            raise ParameterNotDeclaredException(undeclared[1:])
+
+    def _checked(self, parameters: list[Parameter], descriptors: dict[str, ParameterDescriptor],
+                 check_read_only: bool) -> SetParametersResult:
+        for parameter in parameters:
+            descriptor = descriptors.get(parameter.name)
+            reason = None if descriptor is None else self.problem(parameter, descriptor, check_read_only)
+            if reason is not None:
+                return _result(reason)
+        for callback in self.on_callbacks:
+            result = callback(parameters)
+            if not result.successful:
+                return result
+        return _result(None)
+
+    def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
+        """Why a descriptor does not allow a value, in rclpy's words, or None."""
+        type_ = parameter.type_
+        if check_read_only and descriptor.read_only:
+            return f'Trying to set a read-only parameter: {parameter.name}.'
+        if descriptor.dynamic_typing:
+            descriptor.type = type_.value
+        elif type_ is ParameterType.NOT_SET:
+            if parameter.name in self.values:
+                return 'Static parameter cannot be undeclared'
+        elif type_.value != descriptor.type:
+            return f"Wrong parameter type, expected '{ParameterType(descriptor.type)}' got '{type_}'"
+        if type_ is ParameterType.INTEGER and descriptor.integer_range:
+            limits = descriptor.integer_range[0]
+            return integer_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
+        if type_ is ParameterType.DOUBLE and descriptor.floating_point_range:
+            limits = descriptor.floating_point_range[0]
+            return float_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
+        return None
+
+    def _store(self, parameters: Sequence[Parameter], new_descriptors: dict[str, ParameterDescriptor] | None) -> None:
+        new: list[Parameter] = []
+        changed: list[Parameter] = []
+        deleted: list[Parameter] = []
+        for parameter in parameters:
+            name = parameter.name
+            known = self.values.get(name)
+            if new_descriptors is None and parameter.type_ is ParameterType.NOT_SET:
+                deleted.append(parameter)
+                self.values.pop(name, None)
+                self.descriptors.pop(name, None)
+                continue
+            if new_descriptors is not None:
+                self.descriptors[name] = new_descriptors[name]
+            elif name not in self.descriptors:
+                self.descriptors[name] = _dynamic_descriptor(parameter)
+            (new if known is None or known.type_ is ParameterType.NOT_SET else changed).append(parameter)
+            self.values[name] = parameter
+        self._on_change(new, changed, deleted)
+        for callback in self.post_callbacks:
+            callback(list(parameters))
+
+
+def _result(problem: str | None) -> SetParametersResult:
+    from rcl_interfaces.msg import SetParametersResult
+    return SetParametersResult(successful=problem is None, reason=problem or '')
+
+
+def _dynamic_descriptor(parameter: Parameter) -> Any:
+    from rcl_interfaces.msg import ParameterDescriptor
+    return ParameterDescriptor(name=parameter.name, type=parameter.type_.value, dynamic_typing=True)

@@ -1,0 +1,173 @@
+"""Parameters: a name, a type, a value; and their message and YAML forms."""
+from __future__ import annotations
+
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph import parameters as rules
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+    from rcl_interfaces.msg import ParameterValue
+
+PARAMETER_SEPARATOR_STRING = '.'
+
+_VALUE_FIELDS = ('', 'bool_value', 'integer_value', 'double_value', 'string_value', 'byte_array_value', 'bool_array_value',
+                 'integer_array_value', 'double_array_value', 'string_array_value')
+
+
+class ParameterType(Enum):
+    """The types of parameters, as `Parameter.Type`."""
+
+    NOT_SET = rules.NOT_SET
+    BOOL = rules.BOOL
+    INTEGER = rules.INTEGER
+    DOUBLE = rules.DOUBLE
+    STRING = rules.STRING
+    BYTE_ARRAY = rules.BYTE_ARRAY
+    BOOL_ARRAY = rules.BOOL_ARRAY
+    INTEGER_ARRAY = rules.INTEGER_ARRAY
+    DOUBLE_ARRAY = rules.DOUBLE_ARRAY
+    STRING_ARRAY = rules.STRING_ARRAY
+
+    def __str__(self) -> str:
+        return f'Parameter.Type.{self.name}'
+
+    @classmethod
+    def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
+        """The type that a value has: bool before int; an empty list is a BYTE_ARRAY.
+
+        :raises TypeError: when no parameter can hold the value.
+        """
+        return cls(rules.type_of_value(parameter_value))
+
+    def check(self, parameter_value: Any) -> bool:
+        """Whether a value is of this type."""
+        return rules.value_fits(parameter_value, self.value)
+
+
+class Parameter:
+    """One parameter.
+
+    :param name: its name.
+    :param type_: its type; taken from the value when None.
+    :raises TypeError: when no parameter can hold the value, or `type_` is no `Parameter.Type`.
+    :raises ValueError: when type and value do not agree.
+    """
+
+    Type = ParameterType
+
+    __slots__ = ('_name', '_type_', '_value')
+
+    def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+        if type_ is None:
+            type_ = ParameterType.from_parameter_value(value)
+        if not isinstance(type_, ParameterType):
+            raise TypeError("type must be an instance of '{}'".format(repr(ParameterType)))
+        if not type_.check(value):
+            raise ValueError("Type '{}' and value '{}' do not agree".format(type_, value))
+        self._name = name
+        self._type_ = type_
+        self._value = value
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg: Any) -> Parameter:
+        """From rcl_interfaces/Parameter."""
+        return cls(param_msg.name, ParameterType(param_msg.value.type), parameter_value_to_python(param_msg.value))
+
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self._name
+
+    @property
+    def type_(self) -> ParameterType:
+        """The type."""
+        return self._type_
+
+    @property
+    def value(self) -> Any:
+        """The value; None when not set."""
+        return self._value
+
+    def __repr__(self) -> str:
+        return f'Parameter(name={self._name!r}, type_={self._type_}, value={self._value!r})'
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Parameter) and (self._name, self._type_, self._value) == (other._name, other._type_, other._value)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def get_parameter_value(self) -> ParameterValue:
+        """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
+        from rcl_interfaces.msg import ParameterValue
+        message = ParameterValue(type=self._type_.value)
+        if self._type_ is not ParameterType.NOT_SET:
+            value = list(self._value) if isinstance(self._value, tuple) else self._value
+            setattr(message, _VALUE_FIELDS[self._type_.value], value)
+        return message
+
+    def to_parameter_msg(self) -> ParameterMsg:
+        """As rcl_interfaces/Parameter."""
+        from rcl_interfaces.msg import Parameter as ParameterMsg
+        return ParameterMsg(name=self._name, value=self.get_parameter_value())
+
+
+def parameter_value_to_python(parameter_value: Any) -> Any:
+    """The Python value of rcl_interfaces/ParameterValue. Raises RuntimeError for an unknown type."""
+    number = parameter_value.type
+    if number == rules.NOT_SET:
+        return None
+    if number >= len(_VALUE_FIELDS):
+        raise RuntimeError(f'unexpected parameter type {number}')
+    return getattr(parameter_value, _VALUE_FIELDS[number])
+
+
+def get_parameter_value(string_value: str) -> ParameterValue:
+    """What a text means as YAML 1.1 (`off` is a bool, `5` an integer): what `ros2 param set` does with its value."""
+    import yaml
+    try:
+        value = yaml.safe_load(string_value)
+    except yaml.YAMLError:
+        value = string_value
+    try:
+        parameter = Parameter('', value=value)
+    except TypeError:
+        parameter = Parameter('', value=string_value)
+    if parameter.type_ in (ParameterType.NOT_SET, ParameterType.BYTE_ARRAY):
+        parameter = Parameter('', value=string_value)
+    return parameter.get_parameter_value()
+
+
+def parameter_dict_from_yaml_file(parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None,
+                                  namespace: str = '') -> dict[str, ParameterMsg]:
+    """The parameters of a parameter file as messages, by name with `namespace.` before it.
+
+    :param use_wildcard: whether entries under `/**` count.
+    :param target_nodes: the full names of the nodes that count; None for all of the file.
+    :raises RuntimeError: when the file has none of them, or is no parameter file.
+    """
+    import yaml
+    with open(parameter_file, encoding='utf-8') as file:
+        content = yaml.safe_load(file) or {}
+    keys = ['/**'] if use_wildcard and '/**' in content else []
+    keys += [key for key in content if key != '/**' and (target_nodes is None or key in target_nodes)]
+    if not keys:
+        raise RuntimeError('Param file does not contain any valid parameters')
+    found: dict[str, Any] = {}
+    for key in keys:
+        body = content[key]
+        if not isinstance(body, dict) or 'ros__parameters' not in body:
+            raise RuntimeError(f'YAML file is not a valid ROS parameter file for node {key}')
+        found.update(_flattened(body['ros__parameters'], f'{namespace}.' if namespace else ''))
+    return {name: Parameter(name, value=value).to_parameter_msg() for name, value in found.items()}
+
+
+def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for name, value in values.items():
+        if isinstance(value, dict):
+            flat.update(_flattened(value, f'{prefix}{name}{PARAMETER_SEPARATOR_STRING}'))
+        else:
+            flat[prefix + name] = value
+    return flat

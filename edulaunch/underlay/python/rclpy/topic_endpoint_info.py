@@ -1,0 +1,110 @@
+"""What graph queries tell about one publisher or subscription."""
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Any
+
+from rclpy.qos import QoSHistoryPolicy, QoSProfile, profile_from_engine
+
+
+class TopicEndpointTypeEnum(IntEnum):
+    """Which side of a topic."""
+
+    INVALID = 0
+    PUBLISHER = 1
+    SUBSCRIPTION = 2
+
+
+class TypeHash:
+    """The hash of a type, as `RIHS01_...`."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.version = 1
+        self.value = bytes.fromhex(text.partition('_')[2])
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TypeHash) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+
+class TopicEndpointInfo:
+    """One endpoint of a topic."""
+
+    def __init__(self, endpoint: Any) -> None:
+        self._endpoint = endpoint
+
+    @property
+    def node_name(self) -> str:
+        """The own name of its node."""
+        name: str = self._endpoint.node.name
+        return name
+
+    @property
+    def node_namespace(self) -> str:
+        """The namespace of its node."""
+        namespace: str = self._endpoint.node.namespace
+        return namespace
+
+    @property
+    def topic_type(self) -> str:
+        """Its type, such as 'std_msgs/msg/String'."""
+        name: str = self._endpoint.type_name
+        return name
+
+    @property
+    def topic_type_hash(self) -> TypeHash:
+        """The hash of its type."""
+        from edulaunch.interfaces import current_registry
+        from edulaunch.interfaces.description import type_hash
+        return TypeHash(type_hash(self.topic_type, current_registry().spec))
+
+    @property
+    def endpoint_type(self) -> TopicEndpointTypeEnum:
+        """Publisher or subscription."""
+        return TopicEndpointTypeEnum[self._endpoint.kind.upper()]
+
+    @property
+    def endpoint_gid(self) -> list[int]:
+        """A number of its own, as 16 bytes."""
+        return list(self._endpoint.index.to_bytes(16, 'big'))
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """Its quality of service."""
+        return profile_from_engine(self._endpoint.qos)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TopicEndpointInfo) and self._endpoint is other._endpoint
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __str__(self) -> str:
+        gid = '.'.join(format(byte, '02x') for byte in self.endpoint_gid)
+        return '\n'.join((
+            f'Node name: {self.node_name}', f'Node namespace: {self.node_namespace}', f'Topic type: {self.topic_type}',
+            f'Topic type hash: {self.topic_type_hash}', f'Endpoint type: {self.endpoint_type.name}', f'GID: {gid}',
+            'QoS profile:', *_profile_lines(self.qos_profile)))
+
+
+def _profile_lines(profile: QoSProfile) -> list[str]:
+    depth = '' if profile.history == QoSHistoryPolicy.KEEP_ALL else f' ({profile.depth})'
+
+    def duration(value: Any) -> str:
+        return 'Infinite' if value.nanoseconds == (1 << 63) - 1 else f'{value.nanoseconds} nanoseconds'
+
+    return [
+        f'  Reliability: {profile.reliability.name}', f'  History (Depth): {profile.history.name}{depth}',
+        f'  Durability: {profile.durability.name}', f'  Lifespan: {duration(profile.lifespan)}',
+        f'  Deadline: {duration(profile.deadline)}', f'  Liveliness: {profile.liveliness.name}',
+        f'  Liveliness lease duration: {duration(profile.liveliness_lease_duration)}']
+
+
+def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
+    """The info of an endpoint of the graph."""
+    return TopicEndpointInfo(endpoint)

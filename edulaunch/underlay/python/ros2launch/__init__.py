@@ -1,0 +1,1 @@
+"""What the command `ros2 launch` does."""

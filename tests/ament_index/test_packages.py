@@ -1,0 +1,48 @@
+"""ament_index_python.packages, and the texts of its errors."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from ament_index_python.packages import (
+    PackageNotFoundError,
+    get_package_prefix,
+    get_package_share_directory,
+    get_package_share_path,
+    get_packages_with_prefixes,
+)
+
+
+def test_the_first_prefix_with_the_package_wins(ask: Any, two_prefixes: tuple[str, str]) -> None:
+    over, under = two_prefixes
+    assert ask(lambda: get_package_prefix('alpha')) == over
+    assert ask(lambda: get_package_share_directory('gamma_robot')) == f'{under}/share/gamma_robot'
+    assert ask(lambda: get_package_share_path('alpha')) == Path(over) / 'share' / 'alpha'
+    assert ask(get_packages_with_prefixes) == {'alpha': over, 'beta': over, 'gamma_robot': under}
+
+
+def test_a_missing_package_gives_the_text_of_ros_and_help_beside_it(
+    ask: Any, two_prefixes: tuple[str, str]
+) -> None:
+    over, under = two_prefixes
+    error = ask(lambda: get_package_share_directory('gama_robot'))
+    assert isinstance(error, PackageNotFoundError)
+    assert isinstance(error, KeyError)
+    assert str(error) == f"\"package 'gama_robot' not found, searching: ['{over}', '{under}']\""
+    assert error.edulaunch_hint == "did you mean the package 'gamma_robot'?"
+
+
+@pytest.mark.parametrize('name', ['bad/name', '', 'x', '-ab'])
+def test_names_that_no_package_has_are_a_value_error(ask: Any, name: str) -> None:
+    error = ask(lambda: get_package_prefix(name))
+    assert (type(error), str(error)) == (ValueError, f"'{name}' is not a valid package name")
+
+
+def test_a_missing_share_folder_only_warns(ask: Any, two_prefixes: tuple[str, str]) -> None:
+    share = Path(two_prefixes[0]) / 'share' / 'beta'
+    share.rmdir()
+    with pytest.warns(UserWarning, match=f'Share directory for beta .{share}. does not exist.'):
+        assert ask(lambda: get_package_share_directory('beta')) == str(share)
+    assert ask(lambda: get_package_share_directory('beta', print_warning=False)) == str(share)

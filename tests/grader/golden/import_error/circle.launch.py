@@ -1,0 +1,5 @@
+from launch import LaunchDescripton
+
+
+def generate_launch_description():
+    return LaunchDescripton([])

@@ -1,0 +1,7 @@
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return [
+        Node(package='turtlesim', executable='turtlesim_node'),
+    ]

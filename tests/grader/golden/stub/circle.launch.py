@@ -1,0 +1,27 @@
+"""A robot that drives a circle, with its world, in one launch.
+
+    ros2 launch circle.launch.py circle_radius:=0.8
+
+The node param_circle.py of the package part3_beyond_basics sends velocities for a circle. Its parameter
+`radius` is the radius in metres, 0.5 when nobody sets it. There is no robot yet to obey it, and nothing
+outside can choose the radius. Fill the three gaps.
+
+Grade it: edugrade exercises/circle.launch.py        A hint: edugrade exercises/circle.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        # TODO 1: declare the launch argument circle_radius, with a description and the default value 1.0
+
+        # TODO 2: include empty_world.launch.py from the folder launch of the package turtlebot3_gazebo
+
+        Node(
+            package='part3_beyond_basics',
+            executable='param_circle.py',
+            name='my_param_circle_node',
+            # TODO 3: set the parameter radius to the value of the launch argument circle_radius
+        ),
+    ])

@@ -1,0 +1,88 @@
+"""The command: what it refuses, and with which exit code."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from edugrade.cli import main
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+CIRCLE = str(REPOSITORY / 'exercises' / 'circle.launch.py')
+
+
+def refused(capsys: pytest.CaptureFixture[str], *argv: str) -> tuple[int, str]:
+    code = main(argv)
+    shown = capsys.readouterr()
+    assert shown.out == ''
+    return code, shown.err
+
+
+def test_a_missing_file_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
+    code, text = refused(capsys, CIRCLE.replace('circle.', 'cirle.'))
+    assert code == 2
+    assert text.endswith(f'help: did you mean {CIRCLE}?\n')
+
+
+def test_a_directory_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
+    code, text = refused(capsys, str(REPOSITORY / 'exercises'))
+    assert code == 2
+    assert 'is a directory' in text
+    assert 'circle.launch.py' in text
+
+
+def test_a_file_without_a_rubric_names_the_known_ones(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    file = tmp_path / 'cirlce.launch.py'
+    file.write_text('')
+    code, text = refused(capsys, str(file))
+    assert code == 2
+    assert 'there is no rubric for "cirlce"; there are: circle, follow\n  help: did you mean circle?' in text
+
+
+def test_a_rubric_that_breaks_is_the_graders_fault(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    rubric = tmp_path / 'bad.py'
+    rubric.write_text('1 / 0\n')
+    code, text = refused(capsys, CIRCLE, '--rubric', str(rubric))
+    assert (code, text) == (3, 'edugrade: the grader broke: ZeroDivisionError: division by zero\n')
+
+
+def test_a_missing_rubric_file_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
+    code, text = refused(capsys, CIRCLE, '--rubric', 'nowhere.py')
+    assert code == 2
+    assert text.startswith('edugrade: the rubric nowhere.py does not exist')
+
+
+def test_hints_come_in_three_levels(capsys: pytest.CaptureFixture[str]) -> None:
+    assert [main([CIRCLE, '--hint', level]) for level in '123'] == [0, 0, 0]
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split(':')[0] for line in lines] == [
+        f'A circle of any radius, hint {n} of 3' for n in (1, 2, 3)
+    ]
+
+
+def test_help_shows_examples_and_exit_codes(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(['--help'])
+    text = capsys.readouterr().out
+    assert 'edugrade exercises/circle.launch.py' in text
+    assert '3  the grader broke' in text
+
+
+def test_the_module_is_the_command_and_loads_no_heavy_package() -> None:
+    code = (
+        'import sys, edugrade.cli, edugrade.runner, edugrade.judging, edugrade.terminal, edugrade.library.launched\n'
+        'print([name for name in ("numpy", "matplotlib", "rich", "yaml", "asyncio", "greenlet") if name in sys.modules])'
+    )
+    path = {'PYTHONPATH': f'{REPOSITORY}:{REPOSITORY / "grader"}'}
+    shown = subprocess.run([sys.executable, '-c', code], env=path, capture_output=True, text=True, check=True)
+    assert shown.stdout == '[]\n'
+    module = subprocess.run(
+        [sys.executable, '-m', 'edugrade', 'nowhere.launch.py'], env=path, capture_output=True, text=True
+    )
+    assert (module.returncode, module.stdout) == (2, '')

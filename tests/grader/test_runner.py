@@ -1,0 +1,129 @@
+"""Every way in which a child can end is a verdict in words, and nothing of it runs afterwards."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+
+import pytest
+from edugrade import Scenario
+from edugrade.limits import Limits
+from edugrade.outcome import Outcome
+from edugrade.runner import Runner
+from edugrade.submission import Submission
+
+WRITE_TO_ALL = """import os
+for fd in range(3, 30):
+    try: os.write(fd, {})
+    except OSError: pass
+"""
+EXIT = 'os._exit(0)\n'
+HOSTILE = {
+    'exits at once': (
+        'import os\n' + EXIT,
+        'the program ended itself with exit code 0 before the run was over',
+    ),
+    'exits with a number': (
+        'import os\nos._exit(7)\n',
+        'the program ended itself with exit code 7 before the run was over',
+    ),
+    'kills itself': (
+        'import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\n',
+        'the program was ended by SIGKILL before the run was over',
+    ),
+    'crashes': (
+        'import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)\n',
+        'the program was ended by SIGSEGV before the run was over',
+    ),
+    'sends garbage': (
+        WRITE_TO_ALL.format('b"hello"') + EXIT,
+        'what came back from the run is not a recording of it',
+    ),
+    'sends a false recording': (
+        WRITE_TO_ALL.format('b"R" + (5).to_bytes(8, "big") + b"12345"') + EXIT,
+        'what came back from the run is not a recording of it',
+    ),
+    'sends half a frame': (
+        WRITE_TO_ALL.format('b"R" + (500).to_bytes(8, "big") + b"12345"') + EXIT,
+        'the program ended itself with exit code 0 before the run was over',
+    ),
+    'sends deep JSON': (
+        WRITE_TO_ALL.format('b"U" + (9000).to_bytes(8, "big") + b"[" * 9000') + EXIT,
+        'what came back from the run is not a recording of it',
+    ),
+    'announces too much': (
+        WRITE_TO_ALL.format('b"R" + (1 << 62).to_bytes(8, "big")') + EXIT,
+        'its recording grew larger than 128 MiB',
+    ),
+    'closes its pipes': (
+        'import os\nos.closerange(3, 30)\n' + EXIT,
+        'the program ended itself with exit code 0 before the run was over',
+    ),
+    'prints without end': (
+        'import os\nwhile True: os.write(1, b"x" * 100000)\n',
+        'it printed more than 1 MiB',
+    ),
+    'leaves a child': (
+        'import os, time\nif os.fork() == 0:\n    time.sleep(100)\n' + EXIT,
+        'the program ended itself with exit code 0 before the run was over',
+    ),
+}
+
+
+def run(folder: Path, text: str, wall_s: float = 10.0, memory_mib: int = 2048) -> Outcome:
+    file = folder / 'circle.launch.py'
+    file.write_text(text)
+    limits = Limits(wall_s, memory_mib=memory_mib, output_mib=1)
+    with Runner(Submission(str(file)), [Scenario('only')], limits) as runner:
+        return runner.wait()[0]
+
+
+@pytest.mark.parametrize(('text', 'verdict'), HOSTILE.values(), ids=HOSTILE)
+def test_a_hostile_submission_gets_a_verdict(tmp_path: Path, text: str, verdict: str) -> None:
+    outcome = run(tmp_path, text)
+    assert (outcome.kind, outcome.text) == ('stopped', verdict)
+
+
+def test_an_endless_loop_is_stopped_and_its_line_named(tmp_path: Path) -> None:
+    outcome = run(tmp_path, 'x = 1\nwhile True:\n    pass\n', wall_s=1.0)
+    assert (outcome.kind, outcome.text) == ('stopped', 'it did not finish within 1 s of real time')
+    assert outcome.where is not None
+    assert outcome.where.file == str(tmp_path / 'circle.launch.py')
+    assert outcome.where.line in (2, 3)
+
+
+def test_blocking_all_signals_does_not_help_a_loop(tmp_path: Path) -> None:
+    text = 'import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, range(1, 65))\nwhile True:\n    pass\n'
+    started = time.monotonic()
+    outcome = run(tmp_path, text, wall_s=0.5)
+    assert (outcome.text, outcome.where) == ('it did not finish within 0.5 s of real time', None)
+    assert time.monotonic() - started < 5.0
+
+
+def test_memory_is_limited(tmp_path: Path) -> None:
+    outcome = run(tmp_path, 'x = []\nwhile True:\n    x.append(bytearray(10 ** 7))\n', memory_mib=300)
+    assert outcome.kind in ('stopped', 'unusable')
+    assert 'memory' in outcome.text.lower()
+
+
+def test_nothing_of_the_process_group_is_left(tmp_path: Path) -> None:
+    pids = tmp_path / 'pids'
+    child = f'    open({str(pids)!r}, "w").write(str(os.getpid()))\n    time.sleep(100)\n'
+    parent = f'while not os.path.exists({str(pids)!r}): pass\nos._exit(0)\n'
+    run(tmp_path, 'import os, time\nif os.fork() == 0:\n' + child + parent)
+    assert not is_alive(int(pids.read_text() or 0))
+
+
+def test_the_private_folder_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv('TMPDIR', str(tmp_path))
+    run(tmp_path, 'import os\nopen("left.txt", "w").close()\nos._exit(0)\n')
+    assert os.listdir(tmp_path) == ['circle.launch.py']
+
+
+def is_alive(pid: int) -> bool:
+    """Whether the process runs; a killed one whose parent has not asked for it is dead."""
+    try:
+        return Path(f'/proc/{pid}/stat').read_text().rsplit(')', 1)[1].split()[0] not in 'ZX'
+    except OSError:
+        return False

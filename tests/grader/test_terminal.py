@@ -1,0 +1,60 @@
+"""The report for people says everything in words."""
+
+from __future__ import annotations
+
+import re
+
+from edugrade.terminal import render
+from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
+
+EXPECTED = """\
+work/a.launch.py: A robot (rubric a, seed 7)
+
+FAILED   It drives  [0 of 3]
+         the robot stands
+         expected: a circle
+         seen:     no movement
+         where:    work/a.launch.py:12
+         try:      look at work/a.launch.py:12
+not run  It arrives  [0 of 4]
+         because "It drives" failed
+ok       It starts  [2 of 2]
+
+1 of 3 checks passed: 2 of 9 points.
+Next: repair "It drives" and grade again.
+"""
+
+
+def test_the_cause_comes_first_and_what_is_right_last() -> None:
+    assert render(report(PASSED, FAILED, NOT_RUN)) == EXPECTED
+
+
+def test_colour_adds_nothing_but_colour() -> None:
+    coloured = render(report(PASSED, FAILED, NOT_RUN), colour=True)
+    assert coloured != EXPECTED
+    assert re.sub('\x1b\\[[0-9]*m', '', coloured) == EXPECTED
+
+
+def test_an_open_gap_is_the_next_step() -> None:
+    text = render(report(FAILED, gaps=((4, '# TODO 1: drive'),)))
+    assert text.endswith(
+        'Next: line 4 of work/a.launch.py still says "# TODO 1: drive". Fill it in and grade again.\n'
+    )
+
+
+def test_a_broken_grader_gives_no_mark() -> None:
+    text = render(report(PASSED, BROKE))
+    assert '1 of 2 checks passed: no mark, because the grader broke.' in text
+    assert 'Next: this is not your mistake.' in text
+
+
+def test_when_all_passed_the_next_step_is_the_next_exercise() -> None:
+    assert render(report(PASSED)).splitlines()[-1].startswith('Next: done.')
+
+
+def test_long_texts_are_wrapped_under_their_label() -> None:
+    lines = render(
+        report(FAILED.__class__('a', 'A', 'failed', reason='word ' * 40, seen='thing ' * 40))
+    ).splitlines()
+    assert max(map(len, lines)) <= 100
+    assert [line for line in lines if 'thing' in line][1].startswith(' ' * 19 + 'thing')

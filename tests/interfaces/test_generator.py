@@ -1,0 +1,158 @@
+import copy
+import pickle
+from array import array
+
+import pytest
+
+from edulaunch.interfaces.generator import module_of
+
+EVERYTHING = """
+byte LEVEL=2
+uint8 MODE=7
+string NAME=robot
+bool flag true
+byte level
+char letter
+int8 small -3
+float32 third 0.1
+string<=5 short "abc"
+wstring wide
+float64[3] fixed
+uint8[2] id [1, 2]
+int32[] many [4, 5]
+float64[<=2] few
+string[] words ["a", "b"]
+bool[2] pair
+byte[] raw
+geometry_msgs/Point[2] ends
+geometry_msgs/Point[<=1] middle
+geometry_msgs/Quaternion turn
+"""
+
+
+@pytest.fixture
+def everything(define):
+    return define('Everything.msg', EVERYTHING)
+
+
+def test_a_class_is_named_as_ros_names_it(get):
+    cls = get('geometry_msgs/msg/TransformStamped')
+    assert (cls.__module__, cls.__name__, cls.TYPE) == (
+        'geometry_msgs.msg._transform_stamped',
+        'TransformStamped',
+        'geometry_msgs/msg/TransformStamped',
+    )
+    assert module_of('turtlesim/srv/Spawn_Request') == 'turtlesim.srv._spawn'
+
+
+def test_fields_start_with_their_defaults(everything):
+    msg = everything()
+    assert (msg.flag, msg.level, msg.letter, msg.small, msg.third, msg.short) == (
+        True,
+        b'\0',
+        0,
+        -3,
+        0.1,
+        'abc',
+    )
+    assert (msg.many, msg.few, msg.words, msg.pair, msg.raw) == (
+        array('i', [4, 5]),
+        array('d'),
+        ['a', 'b'],
+        [False] * 2,
+        [],
+    )
+    assert (msg.fixed.tolist(), msg.id.tolist(), str(msg.id.dtype)) == ([0.0] * 3, [1, 2], 'uint8')
+    assert (len(msg.ends), msg.middle, msg.turn.w) == (2, [], 1.0)
+
+
+def test_constants_and_defaults_are_on_the_class(everything):
+    assert (everything.LEVEL, everything.MODE, everything.NAME) == (b'\2', 7, 'robot')
+    assert (True, array('i', [4, 5]), ['a', 'b']) == (
+        everything.FLAG__DEFAULT,
+        everything.MANY__DEFAULT,
+        everything.WORDS__DEFAULT,
+    )
+    assert everything.ID__DEFAULT.tolist() == [1, 2]
+
+
+def test_two_messages_never_share_a_default(everything):
+    first = everything()
+    first.many.append(6)
+    first.words.append('c')
+    first.fixed[0] = 1.0
+    first.ends[0].x = 1.0
+    assert everything() == everything() != first
+
+
+def test_slots_and_field_types_are_those_of_ros(get):
+    cls = get('geometry_msgs/msg/Twist')
+    assert cls.__slots__ == ('_linear', '_angular', '_check_fields')
+    assert cls.get_fields_and_field_types() == {
+        'linear': 'geometry_msgs/Vector3',
+        'angular': 'geometry_msgs/Vector3',
+    }
+
+
+@pytest.mark.parametrize(
+    'how', [copy.deepcopy, lambda msg: pickle.loads(pickle.dumps(msg))], ids=['deepcopy', 'pickle']
+)
+def test_a_copy_is_equal_and_shares_nothing(get, how):
+    msg = get('geometry_msgs/msg/PoseWithCovariance')()
+    msg.pose.position.x = 0.1
+    msg.covariance[3] = 2.0
+    other = how(msg)
+    assert other == msg
+    other.covariance[3] = 0.0
+    other.pose.position.x = 0.2
+    assert (msg.covariance[3], msg.pose.position.x) == (2.0, 0.1)
+
+
+def test_copy_shares_what_the_original_holds(get):
+    msg = get('geometry_msgs/msg/Twist')()
+    assert copy.copy(msg).linear is msg.linear
+
+
+def test_messages_are_equal_by_class_and_fields(get):
+    point, vector = get('geometry_msgs/msg/Point'), get('geometry_msgs/msg/Vector3')
+    assert point(x=1.0) == point(x=1.0) != point(x=2.0)
+    assert point() != vector()
+    with pytest.raises(TypeError):
+        hash(point())
+
+
+def test_a_misspelt_field_cannot_be_assigned(get):
+    with pytest.raises(AttributeError, match="^'Twist' object has no attribute 'linaer'"):
+        get('geometry_msgs/msg/Twist')().linaer = 1.0
+
+
+def test_an_array_is_kept_and_a_list_is_copied(everything):
+    msg, mine, listed = everything(), array('i', [1]), [1]
+    msg.many = mine
+    assert msg.many is mine
+    msg.many = listed
+    listed.append(2)
+    assert msg.many == array('i', [1])
+
+
+def test_a_numpy_array_is_kept(everything):
+    import numpy
+
+    msg, mine = everything(), numpy.ones(3)
+    msg.fixed = mine
+    assert msg.fixed is mine
+
+
+def test_positional_arguments_are_refused(get):
+    with pytest.raises(TypeError, match='takes 1 positional argument but 2 were given'):
+        get('std_msgs/msg/String')('hello')
+
+
+def test_a_field_may_have_the_name_of_a_generated_variable(define):
+    cls = define(
+        'Names.msg',
+        'float64 m\nfloat64 wire\nfloat64 self\nfloat64 type\nfloat64 kwargs\nint8 property\nfloat32 f0',
+    )
+    assert cls(m=1.0, self=2.0, kwargs=3.0).to_wire(cls.from_wire((1.0, 2.0, 3.0, 4.0, 5.0, 6, 0.5)))[
+        2:4
+    ] == (3.0, 4.0)

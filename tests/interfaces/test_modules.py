@@ -1,0 +1,60 @@
+import inspect
+import sys
+
+import pytest
+
+from edulaunch.interfaces.modules import InterfaceModule, PartModule
+
+
+@pytest.fixture
+def module(registry, monkeypatch):
+    module = InterfaceModule('std_msgs.msg', registry)
+    monkeypatch.setitem(sys.modules, 'std_msgs.msg', module)
+    return module
+
+
+@pytest.mark.parametrize(
+    ('name', 'help'),
+    [
+        ('Twist', 'Twist is in geometry_msgs.msg'),
+        ('Strnig', "did you mean 'String'?"),
+        ('SetBool', 'SetBool is in example_interfaces.srv and std_srvs.srv'),
+    ],
+)
+def test_a_wrong_name_in_from_import_is_an_import_error_with_help(module, name, help):
+    with pytest.raises(ImportError) as caught:
+        exec(f'from std_msgs.msg import {name}')
+    assert (
+        str(caught.value)
+        == f"cannot import name '{name}' from 'std_msgs.msg' (unknown location)\n  help: {help}"
+    )
+
+
+def test_a_wrong_attribute_is_an_attribute_error_with_help(module):
+    with pytest.raises(AttributeError) as caught:
+        module.Strnig  # noqa: B018
+    assert (
+        str(caught.value) == "module 'std_msgs.msg' has no attribute 'Strnig'\n  help: did you mean 'String'?"
+    )
+    assert not hasattr(module, 'Strnig')
+
+
+def test_a_module_lists_its_classes_without_making_them(module):
+    assert {'Bool', 'String'} <= set(dir(module)) and 'String' not in vars(module)
+    assert module.__all__ == sorted(module.__all__)
+    assert inspect.unwrap(module) is module  # asks for names with underscores, which must be absent
+
+
+def test_star_import_brings_all_classes(module):
+    names = {}
+    exec('from std_msgs.msg import *', names)
+    assert set(module.__all__) <= set(names)
+
+
+def test_a_part_module_has_the_classes_of_one_interface(registry):
+    module = PartModule('turtlesim.srv._spawn', registry, 'turtlesim/srv/Spawn')
+    assert (module.Spawn.TYPE, module.Spawn_Response.TYPE) == (
+        'turtlesim/srv/Spawn',
+        'turtlesim/srv/Spawn_Response',
+    )
+    assert not hasattr(module, 'Kill') and not hasattr(module, 'Spawn_Reply')

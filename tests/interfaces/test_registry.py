@@ -1,0 +1,95 @@
+import pytest
+
+from edulaunch.errors import InterfaceError
+from edulaunch.interfaces.registry import Registry
+
+
+@pytest.fixture
+def workspace(tmp_path, registry):
+    """workspace({'p/msg/A.msg': 'text'}) -> a registry over the underlay."""
+
+    def write(files):
+        for name, text in files.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return Registry([tmp_path], base=registry)
+
+    return write
+
+
+def message(call, *args):
+    with pytest.raises(InterfaceError) as caught:
+        call(*args)
+    return str(caught.value)
+
+
+def test_a_class_is_made_once(registry):
+    assert registry.get('geometry_msgs/msg/Twist') is registry.get('geometry_msgs/msg/Twist')
+
+
+def test_a_workspace_shares_the_classes_of_the_underlay(workspace, registry):
+    ws = workspace({'p/msg/Sphere.msg': 'geometry_msgs/Point center\nfloat64 radius'})
+    point = registry.get('geometry_msgs/msg/Point')
+    assert ws.get('geometry_msgs/msg/Point') is point is type(ws.get('p/msg/Sphere')().center)
+
+
+def test_a_workspace_package_stands_before_one_of_the_underlay(workspace):
+    ws = workspace({'turtlesim/msg/Shell.msg': 'int8 a'})
+    assert (ws.names('turtlesim', 'msg'), ws.has('turtlesim', 'srv')) == (['Shell'], False)
+
+
+def test_packages_kinds_and_names_are_listed_in_order(registry):
+    assert registry.names('turtlesim', 'srv') == [
+        'Kill',
+        'SetPen',
+        'Spawn',
+        'TeleportAbsolute',
+        'TeleportRelative',
+    ]
+    assert registry.types('action') == [
+        'action_tutorials_interfaces/action/Fibonacci',
+        'example_interfaces/action/Fibonacci',
+        'tf2_msgs/action/LookupTransform',
+        'turtlesim/action/RotateAbsolute',
+    ]
+    assert 'std_msgs' in registry.packages()
+
+
+def test_the_text_of_an_interface_keeps_its_comments(registry):
+    assert registry.text('turtlesim/srv/Spawn').splitlines()[3].startswith('string name # Optional.')
+    assert registry.text('std_srvs/srv/Empty') == '---\n'
+
+
+def test_new_files_are_seen_after_a_refresh(workspace):
+    ws = workspace({'p/msg/A.msg': 'int8 a'})
+    ws.names('p', 'msg')
+    workspace({'p/msg/B.msg': 'int8 b'})
+    ws.refresh()
+    assert ws.names('p', 'msg') == ['A', 'B']
+
+
+def test_an_unknown_type_is_named_with_the_nearest(registry):
+    assert message(registry.get, 'geometry_msgs/msg/Twits') == (
+        "unknown interface 'geometry_msgs/msg/Twits'\n  help: did you mean 'geometry_msgs/msg/Twist'?"
+    )
+
+
+def test_a_field_of_an_unknown_type_is_reported_at_its_line(workspace, tmp_path):
+    ws = workspace({'p/msg/A.msg': 'int8 a\ngeometry_msgs/Vector b'})
+    assert message(ws.get, 'p/msg/A') == (
+        f"{tmp_path}/p/msg/A.msg:2: unknown interface 'geometry_msgs/msg/Vector', the type of field 'b'\n"
+        "  help: did you mean 'geometry_msgs/msg/Vector3'?"
+    )
+
+
+def test_a_message_that_contains_itself_is_refused(workspace):
+    ws = workspace({'p/msg/A.msg': 'B[] b', 'p/msg/B.msg': 'A a'})
+    assert message(ws.get, 'p/msg/A') == (
+        'p/msg/A contains itself: p/msg/A -> p/msg/B -> p/msg/A\n  help: a message must have a finite size'
+    )
+
+
+@pytest.mark.parametrize('name', ['Twist', 'geometry_msgs/Twist', '', 'a/b/c/d', 'turtlesim/srv/Spawn_Reply'])
+def test_what_is_no_full_type_name_is_an_interface_error(registry, name):
+    assert message(registry.get, name).startswith(f"unknown interface '{name}'")
