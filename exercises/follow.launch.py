@@ -30,8 +30,8 @@ def generate_launch_description():
             name='broadcaster1',
             parameters=[{'turtlename': 'turtle1'}],
         ),
-        # TODO 1: the same for turtle2: a node named broadcaster2 that broadcasts the frame turtle2
+        # TODO 1: start turtle_tf2_listener of turtle_tf2_py, with the parameter target_frame set to turtle1
 
-        # TODO 2: start turtle_tf2_listener of turtle_tf2_py, with the parameter target_frame set to turtle1
+        # TODO 2: the same as broadcaster1 for turtle2: a node named broadcaster2
 
     ])

@@ -23,14 +23,14 @@ def generate_launch_description():
         ),
         Node(
             package='turtle_tf2_py',
-            executable='turtle_tf2_broadcaster',
-            name='broadcaster2',
-            parameters=[{'turtlename': 'turtle2'}],
-        ),
-        Node(
-            package='turtle_tf2_py',
             executable='turtle_tf2_listener',
             name='listener',
             parameters=[{'target_frame': 'turtle1'}],
+        ),
+        Node(
+            package='turtle_tf2_py',
+            executable='turtle_tf2_broadcaster',
+            name='broadcaster2',
+            parameters=[{'turtlename': 'turtle2'}],
         ),
     ])

@@ -135,7 +135,8 @@ class _CMakeLists:
         if words and words[0] != self.package:
             self.warn(
                 line,
-                f'project({words[0]}) differs from the <name>{self.package}</name> of package.xml, so ament cannot build the package',
+                f'project({words[0]}) differs from the <name>{self.package}</name> of package.xml, '
+                'so ament cannot build the package',
             )
 
     def _set(self, line: int, words: list[str]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from typing import NamedTuple
 
 _TOKEN = re.compile(
     r"""
@@ -18,8 +18,7 @@ _TOKEN = re.compile(
 _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
-@dataclass(frozen=True)
-class Command:
+class Command(NamedTuple):
     """`name(words...)` at `line`; `quoted` tells which words stood in quotes."""
 
     name: str

@@ -7,15 +7,13 @@ which programs see repeat from run to run. It goes away with the last index that
 from __future__ import annotations
 
 import os
-import shutil
 import weakref
 
 from edulaunch.packages.reading import Contents
 
 
 class Image:
-    """The generated prefix of one workspace. Packages are put into it one by one, when they are first asked
-    for.
+    """The generated prefix of one workspace. Packages are put into it when they are first asked for.
 
     :param workspace: the folder with the sources; :attr:`path` is the prefix, which need not exist yet.
     """
@@ -56,14 +54,13 @@ class Image:
         return self._sources[inside[0]].rsplit(os.sep, depth)[0]
 
     def _claim(self) -> None:
-        """Note that this process uses the folder, starting afresh when nobody else does, and give it up at
-        exit."""
+        """Use the folder, afresh when nobody else does; given up when this object goes, or at exit."""
         if self._claimed:
             return
         self._claimed = True
         users = os.path.join(self.path, '.users')
         if not _living(users):
-            shutil.rmtree(self.path, ignore_errors=True)
+            _remove(self.path)
         os.makedirs(users, exist_ok=True)
         claim = os.path.join(users, f'{os.getpid()}-{id(self):x}')
         with open(claim, 'w', encoding='ascii'):
@@ -77,6 +74,13 @@ def _release(path: str, claim: str, pid: int) -> None:
     if os.path.exists(claim):
         os.unlink(claim)
     if not _living(os.path.dirname(claim)):
+        _remove(path)
+
+
+def _remove(path: str) -> None:
+    if os.path.isdir(path):
+        import shutil
+
         shutil.rmtree(path, ignore_errors=True)
 
 
@@ -90,6 +94,8 @@ def _living(users: str) -> bool:
 
 
 def _runs(pid: int) -> bool:
+    if os.name == 'nt':
+        return True  # asking would send it a ctrl-c there; the folder of links is left to the system
     try:
         os.kill(pid, 0)
     except ProcessLookupError:
@@ -135,4 +141,6 @@ def _link(source: str, target: str) -> None:
     except FileExistsError:
         pass  # another session made it meanwhile
     except OSError:
+        import shutil
+
         shutil.copy2(source, target)

@@ -83,16 +83,14 @@ class Index:
         return [] if place is None else place.executables(package)
 
     def find_executable(self, package: str, executable: str) -> str | None:
-        """`<prefix>/lib/<package>/<executable>` when the package has it; for an entry point the file need not
-        exist."""
+        """`<prefix>/lib/<package>/<executable>` when the package has it; an entry point needs no file."""
         place = self._place(package)
         if place is None or executable not in place.executables(package):
             return None
         return os.path.join(place.path, 'lib', package, executable)
 
     def native_executables(self, package: str) -> dict[str, str]:
-        """Executables that the package's CMakeLists.txt builds from C++: name -> 'file:line'. They cannot run
-        here."""
+        """Executables that are built from C++ and so cannot run here: name -> 'file:line' in CMakeLists.txt."""
         place = self._place(package)
         if not isinstance(place, Workspace):
             return {}
@@ -103,8 +101,7 @@ class Index:
         }
 
     def find_program(self, path: str) -> Program | None:
-        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not one of
-        ours."""
+        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours."""
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)
@@ -128,8 +125,7 @@ class Index:
         return list(dict.fromkeys(os.path.dirname(path) for path in self.python_modules().values()))
 
     def interface_roots(self) -> list[str]:
-        """Share folders with msg/, srv/ or action/ files; the folder's name is the package. First match
-        wins."""
+        """Share folders with msg/, srv/ or action/ files; the folder's name is the package."""
         found: dict[str, str] = {}
         for place in self._places:
             for package in place.interface_packages():

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from edulaunch.packages.reading import PackageWarning
 
 _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 
 
-@dataclass(frozen=True)
-class Manifest:
+class Manifest(NamedTuple):
     """Name, build type ('ament_python', 'ament_cmake', ...) and folder of a source package."""
 
     name: str

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
-@dataclass(frozen=True)
-class Program:
+class Program(NamedTuple):
     """A Python program that can run in the simulation.
 
     :param kind: 'entry_point' (a function of a module) or 'script' (a file run as `__main__`).

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 
-@dataclass(frozen=True)
-class PackageWarning:
+class PackageWarning(NamedTuple):
     """Something in a package that a build would reject, or that cannot be known without running it.
 
     `line` counts from 1; 0 means the file as a whole.
@@ -21,7 +20,6 @@ class PackageWarning:
         return f'{place}: {self.sentence}'
 
 
-@dataclass
 class Contents:
     """What a package installs, as its build file says.
 
@@ -33,10 +31,11 @@ class Contents:
     :param interfaces: there are .msg, .srv or .action files among `files`.
     """
 
-    files: dict[str, str] = field(default_factory=dict)
-    entry_points: dict[str, tuple[str, str]] = field(default_factory=dict)
-    programs: set[str] = field(default_factory=set)
-    python_modules: dict[str, str] = field(default_factory=dict)
-    native: dict[str, int] = field(default_factory=dict)
-    interfaces: bool = False
-    warnings: list[PackageWarning] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.files: dict[str, str] = {}
+        self.entry_points: dict[str, tuple[str, str]] = {}
+        self.programs: set[str] = set()
+        self.python_modules: dict[str, str] = {}
+        self.native: dict[str, int] = {}
+        self.interfaces = False
+        self.warnings: list[PackageWarning] = []

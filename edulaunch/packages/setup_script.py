@@ -17,8 +17,7 @@ _MARKERS = 'share/ament_index/resource_index/packages'
 
 
 def read_setup_script(manifest: Manifest) -> Contents:
-    """The contents of an ament_python package; what a build would reject or only a run could tell becomes a
-    warning."""
+    """What an ament_python package installs; what a build would reject, or only a run tells, is a warning."""
     return _SetupScript(manifest).read()
 
 
@@ -80,7 +79,8 @@ class _SetupScript:
         value = options.get(name)
         for unknown in _unknowns(value):
             self.warn(
-                f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out',
+                f'{name}= contains {unknown.why}, which is not followed without running the file; '
+                'write the value out',
                 unknown.line,
             )
         return None if isinstance(value, Unknown) else value
@@ -158,8 +158,7 @@ class _SetupScript:
                 self.warn(f'scripts= lists {script!r}, which is not there')
 
     def _console_scripts(self, entry_points: Any) -> Iterator[tuple[str, str, str]]:
-        """(executable, module, function) of each console script; entry_points= may be a dict or one ini-like
-        text."""
+        """(executable, module, function) of each console script; entry_points= may be an ini-like text."""
         if isinstance(entry_points, str):
             entry_points = _ini_sections(entry_points)
         if not isinstance(entry_points, dict):
@@ -171,7 +170,8 @@ class _SetupScript:
             match = _ENTRY.fullmatch(line)
             if match is None or not match[3]:
                 self.warn(
-                    f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected"
+                    f'console_scripts has {line.strip()!r}; '
+                    "'executable = package.module:function' was expected"
                 )
             else:
                 yield match[1], match[2], match[3]
@@ -191,7 +191,8 @@ class _SetupScript:
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:
             self.warn(
-                f'has no install_scripts=$base/lib/{self.package} below [install], so `ros2 run {self.package} ...` and Node() '
+                f'has no install_scripts=$base/lib/{self.package} below [install], '
+                f'so `ros2 run {self.package} ...` and Node() '
                 'find no executable of this package',
                 0,
                 file,

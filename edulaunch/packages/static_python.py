@@ -301,9 +301,7 @@ class StaticPython:
     def _call_own(self, function: ast.FunctionDef, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """A function that the file itself defines: its body is followed with the arguments bound."""
         names = [argument.arg for argument in function.args.args]
-        defaults = dict(
-            zip(reversed(names), [self.value(value) for value in reversed(function.args.defaults)], strict=False)
-        )
+        defaults = dict(zip(reversed(names), map(self.value, reversed(function.args.defaults)), strict=False))
         outer = self.names
         self.names = {**outer, **defaults, **dict(zip(names, arguments, strict=False)), **keywords}
         try:

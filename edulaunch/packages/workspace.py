@@ -109,7 +109,8 @@ class Workspace:
                 PackageWarning(
                     os.path.join(manifest.folder, 'package.xml'),
                     0,
-                    f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
+                    f'there is a package {manifest.name!r} in {other}/ already, which is used; '
+                    'colcon refuses duplicate names',
                 )
             )
 

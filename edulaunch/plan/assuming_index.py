@@ -1,4 +1,5 @@
 """An index for which every package exists."""
+
 from __future__ import annotations
 
 import os
@@ -8,7 +9,7 @@ from edulaunch.packages.image import Image
 
 
 class AssumingIndex(Index):
-    """Another index, with an empty placeholder for each package that it lacks, and every executable anybody asks for.
+    """Another index, with an empty placeholder for each package that it lacks, and every executable.
 
     Placeholders stand in the prefix :attr:`placeholders`, a temporary folder that goes away with this object.
 

@@ -115,7 +115,7 @@ class _Planner:
             self._host.end_all()
 
     def _run(self, process: Process) -> int:
-        """The body of the process in which launch runs; what breaks here is our own mistake, or a KeyboardInterrupt."""
+        """The body of the process in which launch runs; what breaks here is our own mistake."""
         try:
             process.state['launch.show_help'] = self._failed
             return self._launch()

@@ -36,11 +36,7 @@ class Watch:
     :ivar phase: of what is visited now.
     """
 
-    def __init__(
-        self,
-        executed: Executed,
-        instead: dict[str, Callable[[Any, LaunchContext], Any]],
-    ) -> None:
+    def __init__(self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]]) -> None:
         self.executed = executed
         self.instead = instead
         self.phase = 'launch'
@@ -115,8 +111,6 @@ class WatchedHandler(BaseEventHandler):
         super().__init__(matcher=handler.matches)
         self._watch = watch
         self._handler = handler
-        self._event_types = handler._event_types
-        self._event_action = handler._event_action
 
     def describe(self) -> Any:
         """The handler's own."""

@@ -54,8 +54,8 @@ def _yaml_block(name: str, history: History) -> str:
         f'  rate: {rate(history):.3f}',
         f'  most_recent_transform: {seconds_text(newest)}',
         f'  oldest_transform: {seconds_text(oldest)}',
+        f'  buffer_length: {seconds(newest - oldest):.3f}',
     ]
-    lines.append(f'  buffer_length: {seconds(newest - oldest):.3f}')
     return '\n'.join(lines) + '\n'
 
 

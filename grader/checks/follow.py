@@ -1,8 +1,8 @@
 """The rubric of follow.launch.py: turtle2 follows turtle1 through tf.
 
 Two runs: turtle1 stands, and turtle1 drives a square. Following is measured from the poses that turtlesim
-publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in
-one of the runs at most.
+publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in one of
+the runs at most.
 """
 
 from __future__ import annotations
@@ -15,10 +15,8 @@ from edugrade.library.movement import distances, farthest, length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
-BOUNDS_M = {
-    'standing': 0.25,
-    'moving': 2.5,
-}  # the square is driven at 1 m/s, and a follower of 0.5 d per second lags 1 to 1.7 m
+# The square is driven at 1 m/s; a follower that drives half the distance in a second lags 1 to 1.7 m behind.
+BOUNDS_M = {'standing': 0.25, 'moving': 2.5}
 
 
 def scenarios(random: Random) -> list[Scenario]:
@@ -30,18 +28,11 @@ def scenarios(random: Random) -> list[Scenario]:
 @check(points=1)
 def turtlesim_is_started(run: Evidence) -> None:
     """The launch file starts turtlesim_node of turtlesim"""
-    require_process(
-        run, 'turtlesim', 'turtlesim_node', try_='add this Node to the list of the LaunchDescription'
-    )
-    for name in run:
-        if not turtle_track(run[name], LEADER):
-            raise Missing(
-                f'the topic {LEADER}',
-                where=run.source.place,
-                name=LEADER,
-                among=run[name].topics,
-                try_='start turtlesim_node without a namespace',
-            )
+    require_process(run, 'turtlesim', 'turtlesim_node', try_='add this Node to the list of the LaunchDescription')
+    for recording in run.values():
+        if not turtle_track(recording, LEADER):
+            raise Missing(f'the topic {LEADER}', where=run.source.place, name=LEADER, among=recording.topics,
+                          try_='start turtlesim_node without a namespace')
 
 
 @check(points=2, needs=[turtlesim_is_started])
@@ -53,17 +44,12 @@ def leader_is_on_tf(run: Evidence) -> None:
 @check(points=2, needs=[turtlesim_is_started])
 def follower_exists(run: Evidence) -> None:
     """turtle2 is spawned"""
-    for name in run:
-        if not turtle_track(run[name], FOLLOWER):
-            turtles = [topic.split('/')[-2] for topic in run[name].topics if topic.endswith('/pose')]
-            raise Missing(
-                'turtle2',
-                name='turtle2',
-                seen='only ' + ', '.join(turtles),
-                where=run.source.place,
-                try_='turtle_tf2_listener spawns it: '
-                "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)",
-            )
+    for recording in run.values():
+        if not turtle_track(recording, FOLLOWER):
+            turtles = [topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose')]
+            raise Missing('turtle2', name='turtle2', seen='only ' + ', '.join(turtles), where=run.source.place,
+                          try_='turtle_tf2_listener spawns it: '
+                               "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)")
 
 
 @check(points=2, needs=[follower_exists])
@@ -75,15 +61,12 @@ def follower_is_on_tf(run: Evidence) -> None:
 @check(points=1, needs=[turtlesim_is_started])
 def leader_moves_when_asked(run: Evidence) -> None:
     """turtle1 stands still, and drives when launched with move:=true"""
-    driven = {name: length(turtle_track(run[name], LEADER)) for name in run}
-    if driven['standing'] > 0.1 or driven['moving'] < 2.0:
-        raise Failure(
-            'turtle1 does not do as the launch argument move says',
-            where=run.source.place,
-            expected='no movement without arguments, a square with move:=true',
-            seen=f'{driven["standing"]:.1f} m without arguments, {driven["moving"]:.1f} m with move:=true',
-            try_="leave draw_square with condition=IfCondition(LaunchConfiguration('move')), as it was",
-        )
+    standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
+    if standing > 0.1 or moving < 2.0:
+        raise Failure('turtle1 does not do as the launch argument move says', where=run.source.place,
+                      expected='no movement without arguments, a square with move:=true',
+                      seen=f'{standing:.1f} m travelled without arguments, {moving:.1f} m with move:=true',
+                      try_="give draw_square the condition IfCondition(LaunchConfiguration('move')), as in the exercise")
 
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf])
@@ -101,56 +84,31 @@ def moving_leader_is_followed(run: Evidence) -> None:
 def _require_frame(run: Evidence, turtle: str) -> None:
     for name, recording in run.items():
         frames = recording.frames_at(recording.duration_s)
-        frame = frames.get(turtle)
-        if frame is None:
-            broadcasting = ', '.join(f'{child} in {known.parent}' for child, known in frames.items())
-            raise Missing(
-                f'the frame {turtle}',
-                name=turtle,
-                seen=broadcasting or 'no frames at all',
-                where=run.source.place,
-                expected=f'the frame {turtle} in the frame world',
-                try_=f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]",
-            )
-        if frame.parent != 'world':
-            raise Failure(
-                f'the frame {turtle} hangs in another frame when launched with {run.scenario(name).words}',
-                expected='world',
-                seen=frame.parent,
-                where=run.source.place,
-                try_='broadcast it with header.frame_id world',
-            )
+        if turtle not in frames:
+            known = ', '.join(f'{child} in {frame.parent}' for child, frame in frames.items())
+            raise Missing(f'the frame {turtle}', name=turtle, seen=known or 'no frames at all',
+                          expected=f'the frame {turtle} in the frame world', where=run.source.place,
+                          try_=f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
+        if frames[turtle].parent != 'world':
+            raise Failure(f'the frame {turtle} hangs in another frame, when launched with {run.scenario(name).words}',
+                          expected='world', seen=frames[turtle].parent, where=run.source.place,
+                          try_='broadcast it with header.frame_id world')
 
 
 def _require_near(run: Evidence, name: str) -> None:
     bound = BOUNDS_M[name]
-    worst = farthest(distances(turtle_track(run[name], LEADER), turtle_track(run[name], FOLLOWER)), SETTLED_S)
-    if worst is not None and worst[1] <= bound:
-        return
-    seen = (
-        f'no pose of turtle2 after {SETTLED_S:g} s'
-        if worst is None
-        else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
-    )
-    raise Failure(
-        f'turtle2 is too far from turtle1 when launched with {run.scenario(name).words}',
-        expected=f'at most {bound:g} m from {SETTLED_S:g} s on',
-        seen=seen,
-        where=run.source.place,
-        try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}] and both broadcasters",
-    )
+    gaps = distances(turtle_track(run[name], LEADER), turtle_track(run[name], FOLLOWER))
+    worst = farthest(gaps, SETTLED_S)
+    if worst is None or worst[1] > bound:
+        seen = f'no pose of turtle2 after {SETTLED_S:g} s' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
+        raise Failure(f'turtle2 is too far from turtle1, when launched with {run.scenario(name).words}',
+                      expected=f'at most {bound:g} m from {SETTLED_S:g} s on', seen=seen, where=run.source.place,
+                      try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]")
 
 
 RUBRIC = Rubric(
     title='turtle2 follows turtle1',
     scenarios=scenarios,
-    checks=[
-        turtlesim_is_started,
-        leader_is_on_tf,
-        follower_exists,
-        follower_is_on_tf,
-        leader_moves_when_asked,
-        standing_leader_is_reached,
-        moving_leader_is_followed,
-    ],
+    checks=[turtlesim_is_started, leader_is_on_tf, leader_moves_when_asked, follower_exists, follower_is_on_tf,
+            standing_leader_is_reached, moving_leader_is_followed],
 )

@@ -15,7 +15,7 @@ LETTERS = b'RUSB'  # of frames; child.py says what they mean
 HEADER_BYTES = 9
 CHUNK_BYTES = 1 << 18
 KEPT_OUTPUT_BYTES = 8000
-GROUP_S = 0.5
+GROUP_S = 0.2  # for the killed of the process group to be gone
 GRACE_S = 1.0  # to answer after its own alarm, or to end after it has let go of the channel
 
 

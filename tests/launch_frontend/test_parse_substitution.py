@@ -1,11 +1,13 @@
 """From attribute texts to substitutions."""
 import pytest
+from launch.frontend.expose import substitution_parse_methods
 from launch.frontend.parse_substitution import (
     parse_if_substitutions,
     parse_substitution,
     replace_escaped_characters,
 )
 from launch.frontend.substitution_errors import SubstitutionSyntaxError, VisitError
+from launch.substitutions import TextSubstitution
 
 
 def described(text):
@@ -79,9 +81,19 @@ def test_a_wrong_name_comes_with_what_was_meant(text, hint):
     assert visit_error(text).edulaunch_hint == hint
 
 
-def test_equal_texts_give_separate_substitutions():
-    first, second = parse_substitution('$(var x)'), parse_substitution('$(var x)')
-    assert first[0] is not second[0]
+def test_equal_texts_share_built_in_substitutions_in_lists_of_their_own():
+    first, second = parse_substitution('a$(var x)'), parse_substitution('a$(var x)')
+    assert first is not second
+    assert list(map(id, first)) == list(map(id, second))
+
+
+def test_substitutions_of_extensions_are_made_anew():
+    substitution_parse_methods['mine'] = lambda arguments: (TextSubstitution, {'text': 'x'})
+    try:
+        for text in ('$(mine)', '$(var $(mine))'):
+            assert parse_substitution(text)[0] is not parse_substitution(text)[0]
+    finally:
+        del substitution_parse_methods['mine']
 
 
 def test_only_texts_with_a_call_become_substitutions():

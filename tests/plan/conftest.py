@@ -65,9 +65,9 @@ class Places:
     def normalised(self, plan: Any, index: Index) -> Any:
         """The plan with its paths as the README writes them."""
         text = json.dumps(plan)
-        for path, name in ((str(self.standin), '@STANDIN'), (str(self.stage1), '@STAGE1'), (index.search_paths()[0], '@FINAL'),
-                           (str(FILES), '@FILES')):
-            text = text.replace(path, name)
+        final = index.search_paths()[0]
+        for path, name in ((self.standin, '@STANDIN'), (self.stage1, '@STAGE1'), (final, '@FINAL'), (FILES, '@FILES')):
+            text = text.replace(str(path), name)
         text = re.sub(r'[^" ]*/placeholders-[0-9a-f]{8}', '@FAKEPKGS', text)
         text = re.sub(r'[^" ]*/launch_params_\w+', '@PARAMS', text)
         return json.loads(re.sub(r'@[A-Z0-9]+/lib/', '@EXEC/', text))

@@ -1,6 +1,7 @@
 """A stage for the built-in programs: host and graph, a hand to poke them with, a tape of what happened."""
 from __future__ import annotations
 
+from io import StringIO
 from typing import Any
 
 import pytest
@@ -55,16 +56,16 @@ class Stage:
         self.graph = Graph(self.sim, self.tape)
         self.index = Index([], [])
         self._publishers: dict[str, Any] = {}
-        self.stdin: dict[str, str] = {}
-        self.host = Host(self.sim, self.graph, self.index, env={}, stdin=self.stdin)
+        self.host = Host(self.sim, self.graph, self.index, env={})
         self._hand = self.graph.add_node(None, 'hand', '/')
 
-    def start(self, package: str, executable: str, *arguments: str) -> Process:
-        """Start a built-in program."""
+    def start(self, package: str, executable: str, *arguments: str, stdin: str = '') -> Process:
+        """Start a built-in program; `stdin` is what it can read."""
         path = f'{underlay_prefix()}/lib/{package}/{executable}'
         spec = ProcessSpec(argv=(path, *arguments), name=executable, package=package, executable=executable)
         process = self.host.start(spec)
         assert isinstance(process, Process)
+        process.stdin = StringIO(stdin)
         return process
 
     def until(self, ms: float) -> None:

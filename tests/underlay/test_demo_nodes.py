@@ -87,6 +87,7 @@ def test_setting_param1_takes_param2_along(stage: Any) -> None:
     from rcl_interfaces.msg import Parameter, ParameterValue
     from rcl_interfaces.srv import SetParametersAtomically
     stage.start('demo_nodes_py', 'set_parameters_callback')
+    stage.until(0)
     service = '/set_parameters_callback/set_parameters_atomically'
     for value in (1.5, -1.0):
         stage.ask(service, SetParametersAtomically,
@@ -109,3 +110,18 @@ def test_serialized_listener_shows_bytes(stage: Any) -> None:
     stage.publish('/chatter', String(data='hi'))
     stage.until(20)
     assert stage.texts() == [r'''I heard: "b'\x00\x01\x00\x00\x03\x00\x00\x00hi\x00'"''']
+
+
+def test_set_and_get_parameters_reads_back_what_it_set(stage: Any) -> None:
+    process = stage.start('demo_nodes_cpp', 'set_and_get_parameters')
+    stage.until(10)
+    assert '\nParameter name: baz\nParameter value (double): 1.450000' in stage.texts()[0]
+    assert '\nParameter name: foobar\nParameter value (bool): true' in stage.texts()[0]
+    assert process.returncode == 0
+
+
+def test_list_parameters_names_its_own(stage: Any) -> None:
+    stage.start('demo_nodes_cpp', 'list_parameters')
+    stage.until(10)
+    assert stage.texts() == [
+        'Listing parameters...', '\nParameter names:\n foo\n bar\n baz\n foobar\nParameter prefixes:']

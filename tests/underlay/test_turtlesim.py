@@ -22,6 +22,7 @@ def twist(linear: float, angular: float = 0.0, sideways: float = 0.0) -> Twist:
 @pytest.fixture
 def sim(stage: Any) -> Any:
     stage.process = stage.start('turtlesim', 'turtlesim_node')
+    stage.until(0)
     return stage
 
 
@@ -228,15 +229,13 @@ def test_draw_square_turns_left_four_times(sim: Any) -> None:
 @pytest.mark.parametrize('keys, linear, angular', [
     ('\x1b[A', 2.0, 0.0), ('\x1b[B', -2.0, 0.0), ('\x1b[C', 0.0, -2.0), ('\x1b[D', 0.0, 2.0)])
 def test_an_arrow_key_is_one_command(stage: Any, keys: str, linear: float, angular: float) -> None:
-    stage.stdin['turtle_teleop_key'] = keys
-    stage.start('turtlesim', 'turtle_teleop_key')
+    stage.start('turtlesim', 'turtle_teleop_key', stdin=keys)
     stage.until(5000)
     assert [(m.linear.x, m.angular.z) for m in stage.messages('/turtle1/cmd_vel')] == [(linear, angular)]
 
 
 def test_teleop_rotates_cancels_and_quits(sim: Any) -> None:
-    sim.stdin['turtle_teleop_key'] = 'dxftq'
-    teleop = sim.start('turtlesim', 'turtle_teleop_key')
+    teleop = sim.start('turtlesim', 'turtle_teleop_key', stdin='dxftq')
     sim.until(4000)
     assert sim.texts()[2:] == ['Rotation goal canceled', 'Rotation goal completed successfully']
     assert teleop.returncode == 0
@@ -245,8 +244,7 @@ def test_teleop_rotates_cancels_and_quits(sim: Any) -> None:
 
 
 def test_a_newer_goal_and_a_command_abort_the_older(sim: Any) -> None:
-    sim.stdin['turtle_teleop_key'] = 'dt'
-    sim.start('turtlesim', 'turtle_teleop_key')
+    sim.start('turtlesim', 'turtle_teleop_key', stdin='dt')
     sim.until(1100)
     sim.publish('/turtle1/cmd_vel', twist(1.0))
     sim.until(1300)

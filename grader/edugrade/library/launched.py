@@ -45,6 +45,11 @@ def require_process(
     )
 
 
+def included_files(recording: Recording) -> list[str]:
+    """Names, without folders, of the launch files that were included; not the launched file itself."""
+    return [os.path.basename(path) for path in recording.includes if path != recording.launch.file]
+
+
 def refuse_ended(run: Evidence, package: str, executable: str) -> None:
     """Fail when a process of this executable ended before its run was over.
 

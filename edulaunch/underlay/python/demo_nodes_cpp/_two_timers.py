@@ -15,7 +15,7 @@ class TwoTimers(CppNode):
     def __init__(self, node_name: str, *, reuse: bool) -> None:
         super().__init__(node_name)
         self._reuse = reuse
-        self._count = 0
+        self._number = 0
         self._periodic = self.create_timer(2.0, self._on_periodic)
         self._one_off: Any = self.create_timer(1.0, self._on_one_off)
         if reuse:
@@ -28,8 +28,8 @@ class TwoTimers(CppNode):
     def _on_periodic(self) -> None:
         log = self.get_logger()
         log.info('in periodic_timer callback')
-        self._count += 1
-        if self._count % 3 != 1:
+        self._number += 1
+        if self._number % 3 != 1:
             log.info('  not resetting one off timer')
             return
         log.info('  resetting one off timer')

@@ -13,13 +13,13 @@ class Talker(CppNode):
 
     def __init__(self) -> None:
         super().__init__('talker')
-        self._count = 0
+        self._number = 0
         self._chatter = self.create_publisher(String, 'chatter', 7)
         self._timer = self.create_timer(1.0, self._on_timer)
 
     def _on_timer(self) -> None:
-        self._count += 1
-        message = String(data=f'Hello World: {self._count}')
+        self._number += 1
+        message = String(data=f'Hello World: {self._number}')
         self.get_logger().info(f"Publishing: '{message.data}'")
         self._chatter.publish(message)
 

@@ -19,7 +19,7 @@ T = TypeVar('T')
 
 def running_process() -> Process:
     """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
-    from edulaunch.processes import current_process
+    from edulaunch.processes.current import current_process
     return current_process()
 
 

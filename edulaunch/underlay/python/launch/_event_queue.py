@@ -15,6 +15,6 @@ class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
     on_put: Callable[[], object] | None = None
 
     def _put(self, item: Any) -> None:
-        super()._put(item)  # type: ignore[misc]
+        super()._put(item)
         if self.on_put is not None:
             self.on_put()

@@ -97,7 +97,6 @@ class HandlerTable:
 
 
 def _keys(handler: BaseEventHandler) -> list[Key]:
-    if handler._event_types is None:
+    if handler._event_keys is None:
         return [(None, 0)]
-    action = handler._event_action
-    return [(event_type, 0 if action is None else id(action)) for event_type in handler._event_types]
+    return [(event_type, 0 if action is None else id(action)) for event_type, action in handler._event_keys]

@@ -7,12 +7,13 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from importlib import import_module
+from typing import Any
 
 Exports = dict[str, str]
 """Exported name -> the sub-module (relative to the package) that defines it; '' for a name that is a sub-module."""
 
 
-def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
+def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Make the `__getattr__` and `__dir__` of a package that loads its `exports` late.
 
     The sub-modules themselves are attributes too, as they are upstream (`launch.actions.timer_action.TimerAction`).
@@ -20,8 +21,8 @@ def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], object
     """
     modules = {*exports.values(), *(name for name, module in exports.items() if not module)}
 
-    def __getattr__(name: str) -> object:
-        value: object
+    def __getattr__(name: str) -> Any:
+        value: Any
         if name in exports and exports[name]:
             value = getattr(import_module(f'{package}.{exports[name]}'), name)
         elif name and name in modules:

@@ -4,13 +4,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ._origin import Origin, caller_outside_launch, note_origin, origin_of
+from ._origin import caller_outside_launch, note_origin, origin_of
 from .condition import Condition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
 
 if TYPE_CHECKING:
-    from .frontend import Entity, Parser
+    from edulaunch.processes import Origin
+
+    from .frontend.entity import Entity
+    from .frontend.parser import Parser
     from .launch_context import LaunchContext
 
 

@@ -1,7 +1,7 @@
 """Reacting to events."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ._stable_repr import StableRepr
@@ -21,10 +21,11 @@ class BaseEventHandler(StableRepr):
     :param handle_once: forget this handler after the first event.
     """
 
-    _event_types: tuple[type, ...] | None = None
-    """The only types of events that the matcher can accept; None when that is unknown. Lets launch skip it quickly."""
-    _event_action: Any = None
-    """The only action whose events the matcher can accept; None when there may be others."""
+    _event_keys: Sequence[tuple[type, Any]] | None = None
+    """All that the matcher can accept: types of events, each with the only action that it can come from (or None).
+
+    None when that is unknown. It lets launch skip this handler quickly; see `_handler_table.py`.
+    """
 
     def __init__(self, *, matcher: Matcher, handle_once: bool = False) -> None:
         self.__matcher = matcher

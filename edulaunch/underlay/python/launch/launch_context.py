@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ._engine import environment
 from ._handler_table import HandlerTable
 from ._locals_view import LocalsView
+from ._run_notes import names_read
 from .event import Event
 from .event_handler import BaseEventHandler
 from .substitution import Substitution
@@ -40,6 +41,7 @@ class LaunchContext:
         self.__environment_stack: list[dict[str, str]] = []
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
+        self._names_read = names_read()
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.__logger: Logger | None = None

@@ -102,7 +102,8 @@ class _ArgumentSearch:
                 return
             if role == 'argument':
                 self._note(entity, conditional, includes)
-            self._look_below(entity, conditional, [*(includes or ()), entity] if role == 'include' else includes)
+            inside: Any = [*(includes or ()), entity] if role == 'include' else includes
+            self._look_below(entity, conditional, inside)
 
     def _look_below(self, entity: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None) -> None:
         self.look_through(entity.describe_sub_entities(), conditional, includes)

@@ -283,11 +283,11 @@ class LaunchService:
 
 
 def _check_thread() -> None:
-    if threading.current_thread() is not threading.main_thread():
-        raise RuntimeError('LaunchService can only be run in the main thread.')
-    process = running_process()
-    from edulaunch.sim.task import current_task
-    if current_task() is not process.task:
+    """The main thread is the real one for a plain script, and the first task of a simulated process."""
+    from edulaunch.sim.task import AmbientTask, current_task
+    task = running_process().task
+    in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
+    if not in_main or current_task() is not task:
         raise RuntimeError('LaunchService can only be run in the main thread.')
 
 

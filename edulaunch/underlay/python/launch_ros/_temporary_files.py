@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 import weakref
 
 Written = tuple[str, int]
@@ -28,6 +27,7 @@ class TemporaryFiles:
     def write(self, text: str) -> str:
         """Write a new file; gives its path."""
         import hashlib
+        import tempfile
 
         digest = hashlib.sha256(f'{self._owner}\n{len(self._written)}\n{text}'.encode()).hexdigest()[:8]
         path = os.path.join(tempfile.gettempdir(), f'launch_params_{digest}')

@@ -65,7 +65,8 @@ class Parameter:
         self.__evaluated_name: str | None = None
 
     def __str__(self) -> str:
-        return f'launch_ros.description.Parameter(name={self.name}, value={self.value}, value_type={self.value_type})'
+        parts = f'name={self.name}, value={self.value}, value_type={self.value_type}'
+        return f'launch_ros.description.Parameter({parts})'
 
     @property
     def name(self) -> list[Substitution] | str:
@@ -112,7 +113,8 @@ class ParameterFile:
         self.__files = TemporaryFiles()
 
     def __repr__(self) -> str:
-        return f'launch_ros.description.ParameterFile(param_file={self.param_file}, allow_substs={self.allow_substs})'
+        parts = f'param_file={self.param_file}, allow_substs={self.allow_substs}'
+        return f'launch_ros.description.ParameterFile({parts})'
 
     @property
     def param_file(self) -> Path | list[Substitution]:

@@ -5,7 +5,6 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
-from launch.frontend.entity import Entities
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
 
@@ -56,16 +55,14 @@ class Entity(BaseEntity):
                  can_be_str: bool = True) -> Any:
         """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
         self.asked.add(name)
-        if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
-            found: Any = [Entity(child, parent=self) for child in self._element if child.tag == name]
+        if data_type is str or data_type is None or not check_is_list_entity(data_type):
+            text = self._attributes.get(name)
+            if text is not None:
+                return text if data_type is str else self._typed(name, text, data_type, can_be_str)
+        else:
+            found = [Entity(child, parent=self) for child in self._element if child.tag == name]
             if found:
                 return found
-        else:
-            value = self._attributes.get(name)
-            if value is not None:
-                if data_type is str:
-                    return value
-                return self._typed(name, value, data_type, can_be_str)
         if optional:
             return None
         raise self._missing(

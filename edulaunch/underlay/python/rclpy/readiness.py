@@ -15,14 +15,23 @@ NEVER_NS = 1 << 63
 
 
 class ReadyList:
-    """What a node's executor looks at: the entities that are ready, and the timers with their due times."""
+    """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due."""
 
-    __slots__ = ('entities', 'timers', 'executor')
+    __slots__ = ('entities', 'timers', 'executor', 'due_ns')
 
     def __init__(self) -> None:
         self.entities: list[Entity] = []
         self.timers: list[Timer] = []
         self.executor: Executor | None = None
+        self.due_ns = NEVER_NS
+
+    def plan(self) -> None:
+        """Work out `due_ns` again."""
+        timers = self.timers
+        if len(timers) == 1:
+            self.due_ns = timers[0]._due_ns
+        else:
+            self.due_ns = min([timer._due_ns for timer in timers], default=NEVER_NS)
 
     def notify(self) -> None:
         """Something is ready, or a due time has changed: wake whoever waits."""

@@ -41,6 +41,7 @@ class Subscription(Entity):
 
     def _connect(self, impl: GraphSubscription) -> None:
         self._impl = impl
+        self._queue = impl.queue
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -56,7 +57,7 @@ class Subscription(Entity):
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False
-        queue = self._impl.queue
+        queue = self._queue
         if not queue:
             return None
         taken = queue.popleft()

@@ -72,6 +72,7 @@ class Timer(Entity):
             self._due_ns = self._next_ns
         else:
             self._due_ns = 0 if self._next_ns <= self._clock._override_ns else NEVER_NS
+        self._ready_list.plan()
         self._ready_list.notify()
 
     def _clock_jumped(self, before_ns: int, source_changed: bool) -> None:
@@ -100,6 +101,7 @@ class Timer(Entity):
         self._last_ns = now
         self._next_ns = next_ns
         self._due_ns = next_ns if clock._override_ns is None or next_ns <= now else NEVER_NS
+        self._ready_list.plan()
         return self.callback() if self.callback is not None else None
 
     def cancel(self) -> None:
@@ -146,6 +148,7 @@ class Timer(Entity):
             self._due_ns = NEVER_NS
             self._clock._timers.remove(self)
             self._ready_list.timers.remove(self)
+            self._ready_list.plan()
 
 
 class Rate:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections import deque
 from collections.abc import Iterable
+from typing import Any
 
 import rclpy
 from rclcpp_like import CppNode, run_program
@@ -53,7 +54,7 @@ class Monitor(CppNode):
         self.chain: list[str] = []
         self.by_frame: dict[str, Delays] = {}
         self.all_messages = Delays()
-        self.arrivals: deque[float] = deque(maxlen=KEPT)
+        self.arrivals: deque[int] = deque(maxlen=KEPT)
         self.average, self.worst = 0.0, 0.0
         self.cycle = 0
         self.create_subscription(TFMessage, '/tf', lambda message: self.take(message, False), 100)
@@ -61,20 +62,19 @@ class Monitor(CppNode):
         self.create_subscription(TFMessage, '/tf_static', lambda message: self.take(message, True), qos)
         self.create_timer(CYCLE_S, self.on_cycle)
 
-    def now_s(self) -> float:
-        """Seconds of the node's clock."""
-        return self.get_clock().now().nanoseconds * 1e-9
+    def age_s(self, stamp: Any) -> float:
+        """How long ago a stamp was, in seconds."""
+        now_ns = self.get_clock().now().nanoseconds
+        return (now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
 
     def take(self, message: TFMessage, is_static: bool) -> None:
         """Note the delay of each transform of a message."""
-        now = self.now_s()
         delays = []
         for transform in message.transforms:
-            stamp = transform.header.stamp
-            delays.append(0.0 if is_static else now - (stamp.sec + stamp.nanosec * 1e-9))
+            delays.append(0.0 if is_static else self.age_s(transform.header.stamp))
             self.by_frame.setdefault(transform.child_frame_id, Delays()).values.append(delays[-1])
         self.all_messages.values.append(sum(delays) / max(1, len(delays)))
-        self.arrivals.append(now)
+        self.arrivals.append(self.get_clock().now().nanoseconds)
 
     def on_cycle(self) -> None:
         """Every half second: the net delay; every 21st time the report."""
@@ -103,7 +103,7 @@ class Monitor(CppNode):
         except TransformException as error:
             self.get_logger().warning(f'Transform Exception {error}')
             return False
-        delay = self.now_s() - (stamp.sec + stamp.nanosec * 1e-9)
+        delay = self.age_s(stamp)
         self.average = NEW_SHARE * delay + (1.0 - NEW_SHARE) * self.average
         self.worst = max(self.worst, delay)
         return True
@@ -130,7 +130,7 @@ class Monitor(CppNode):
         sys.stdout.write('\n'.join(lines) + '\n')
         sys.stderr.write('\nAll Broadcasters:\n')
         if self.arrivals:
-            rate = len(self.arrivals) / max(1e-8, self.arrivals[-1] - self.arrivals[0])
+            rate = len(self.arrivals) / max(1e-8, (self.arrivals[-1] - self.arrivals[0]) * 1e-9)
             sys.stdout.write(
                 f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {self.all_messages} '
                 f'Max Delay: {self.all_messages.worst:g}\n'

@@ -59,7 +59,8 @@ class DrawSquare(CppNode):
     def _reached(self, pose: Any) -> bool:
         assert self._goal is not None
         x, y, theta = self._goal
-        return abs(pose.x - x) < 0.1 and abs(pose.y - y) < 0.1 and abs(pose.theta - theta) < 0.01
+        near = abs(pose.x - x) < 0.1 and abs(pose.y - y) < 0.1
+        return near and bool(abs(pose.theta - theta) < 0.01)
 
     def _turned(self) -> tuple[float, float, float]:
         assert self._goal is not None

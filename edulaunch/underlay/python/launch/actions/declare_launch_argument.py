@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._parsed_by import parsed_as_action
+from .._run_notes import note_declared
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -66,6 +67,7 @@ class DeclareLaunchArgument(Action):
 
         :raises RuntimeError: when there is neither a value nor a default, or the value is not allowed.
         """
+        note_declared(self)
         values = context.launch_configurations
         if self.__name not in values:
             if self.__default_value is None:

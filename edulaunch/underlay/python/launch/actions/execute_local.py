@@ -381,6 +381,6 @@ class _TargetedEventHandler(EventHandler):
 
 def _performed(context: LaunchContext, value: Any, data_type: type) -> Any:
     """A value that frontends may give as substitutions; anything else as it is."""
-    if not is_substitution(value):
+    if value is None or isinstance(value, (int, float)) or not is_substitution(value):
         return value
     return perform_typed_substitution(context, normalize_to_list_of_substitutions(value), data_type)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._parsed_by import parsed_as_action
+from .._run_notes import note_declared, note_include
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..launch_description_source import LaunchDescriptionSource
@@ -80,6 +81,7 @@ class IncludeLaunchDescription(Action):
         """
         description = self.__source.get_launch_description(context)
         location = os.path.abspath(self.__source.location)
+        note_include(location)
         context.extend_locals({
             'current_launch_file_path': location,
             'current_launch_file_directory': os.path.dirname(location)})
@@ -91,6 +93,7 @@ class IncludeLaunchDescription(Action):
         given = self.__argument_names(context)
         declared = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, includes in declared:
+            note_declared(argument)
             if argument._conditionally_included or argument.default_value is not None:
                 continue
             for include in includes or ():

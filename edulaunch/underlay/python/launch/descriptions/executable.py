@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from ..action import Action
     from ..launch_context import LaunchContext
 
+PREFIX = LaunchConfiguration('launch-prefix', default='')
+PREFIX_FILTER = LaunchConfiguration('launch-prefix-filter', default='')
+
 Substitutions = list[Substitution]
 Variables = Mapping[SomeSubstitutionsType, SomeSubstitutionsType]
 
@@ -43,10 +46,8 @@ class Executable:
         self.__arguments = None if arguments is None else list(arguments)
         if arguments is not None:
             self.__cmd += [normalize_to_list_of_substitutions(word) for word in self.__arguments or ()]
-        self.__prefix = normalize_to_list_of_substitutions(
-            LaunchConfiguration('launch-prefix', default='') if prefix is None else prefix)
-        self.__prefix_filter = normalize_to_list_of_substitutions(
-            LaunchConfiguration('launch-prefix-filter', default='') if prefix is None else '')
+        self.__prefix: Substitutions = [PREFIX] if prefix is None else normalize_to_list_of_substitutions(prefix)
+        self.__prefix_filter: Substitutions = [PREFIX_FILTER] if prefix is None else []
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
         self.__env = _normalize_variables(env)
@@ -125,6 +126,8 @@ class Executable:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
     def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
+        if self.__prefix[:1] == [PREFIX] and 'launch-prefix' not in context.launch_configurations:
+            return []
         prefix = perform_substitutions(context, self.__prefix)
         if not prefix or re.match(perform_substitutions(context, self.__prefix_filter), program) is None:
             return []

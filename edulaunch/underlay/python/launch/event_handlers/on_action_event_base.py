@@ -36,9 +36,8 @@ class OnActionEventBase(BaseEventHandler):
         self.__target_event_cls = target_event_cls
         self.__action_matcher = action_matcher
         super().__init__(matcher=self.__accepts, **kwargs)
-        self._event_types = (target_event_cls,)
-        if isinstance(action_matcher, LaunchDescriptionEntity):
-            self._event_action = action_matcher
+        only = action_matcher if isinstance(action_matcher, LaunchDescriptionEntity) else None
+        self._event_keys = ((target_event_cls, only),)
         self.__actions_on_event: list[LaunchDescriptionEntity] = []
         self.__on_event: Any = None
         if callable(on_event):

@@ -13,6 +13,7 @@ from .extensions import load_launch_extensions
 from .late_parse import ParseMethod
 from .substitution_errors import VisitError
 from .substitution_grammar import Call, Template, parse_template
+from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
 
 _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 
@@ -20,11 +21,14 @@ _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 def parse_substitution(string: str) -> list[Substitution]:
     """The substitutions that a text like `a$(var b)c` stands for, literal pieces as TextSubstitution.
 
+    Built-in substitutions never change, so equal texts share them; those of extensions are made anew.
+
     :raises SubstitutionSyntaxError: see its subclasses; `edulaunch_hint` on the error says what to try.
     """
     if '$(' not in string and '\\' not in string:
-        return [TextSubstitution(text=string)]
-    return _built(parse_template(string))
+        return [_literal(string)]
+    template = parse_template(string)
+    return list(_shared(template) if _is_built_in(template) else _built(template))
 
 
 def parse_if_substitutions(value: Any) -> Any:
@@ -49,14 +53,29 @@ def replace_escaped_characters(data: str) -> str:
     return _ESCAPE.sub(r'\1', data) if '\\' in data else data
 
 
-def _built(template: Template) -> list[Substitution]:
+@lru_cache(maxsize=4096)
+def _literal(text: str) -> TextSubstitution:
+    return TextSubstitution(text=text)
+
+
+def _built(template: Template) -> tuple[Substitution, ...]:
     # A text of nothing is still a value: the empty one.
-    return [_piece(piece) for piece in template] or [TextSubstitution(text='')]
+    return tuple([_piece(piece) for piece in template]) or (_literal(''),)
+
+
+_shared = lru_cache(maxsize=4096)(_built)
+
+
+@lru_cache(maxsize=4096)
+def _is_built_in(template: Template) -> bool:
+    """Whether all calls are of built-in substitutions, whose names nothing else can take."""
+    return all(piece.name in BUILT_IN_SUBSTITUTIONS and all(map(_is_built_in, piece.arguments))
+               for piece in template if isinstance(piece, Call))
 
 
 def _piece(piece: str | Call) -> Substitution:
     if isinstance(piece, str):
-        return TextSubstitution(text=piece)
+        return _literal(piece)
     name, arguments = piece
     made = [[_piece(part) for part in argument] for argument in arguments]
     try:

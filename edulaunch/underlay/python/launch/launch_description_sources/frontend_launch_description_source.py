@@ -8,7 +8,7 @@ from ..some_substitutions_type import SomeSubstitutionsType
 from .frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file
 
 if TYPE_CHECKING:
-    from ..frontend import Parser
+    from ..frontend.parser import Parser
     from ..launch_description import LaunchDescription
 
 

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..frontend import InvalidFrontendLaunchFileError, Parser
+from ..frontend.invalid_frontend_launch_file_error import InvalidFrontendLaunchFileError
+from ..frontend.parser import Parser
 
 if TYPE_CHECKING:
     from ..launch_description import LaunchDescription

@@ -26,6 +26,9 @@ __all__ = [
     'LaunchConfig', 'LaunchLogger', 'get_logger', 'get_output_loggers', 'handlers', 'launch_config', 'log_launch_config',
     'reset', '_get_logging_directory', '_make_unique_log_dir', '_renew_latest_log_dir']
 
+_LINE = logging.Formatter('{msg}', style='{')
+_TIME_AND_LINE = logging.Formatter('{created:.7f} {msg}', style='{')
+
 
 class _CurrentLaunchConfig:
     """Stands for the `LaunchConfig` of whichever process is running."""
@@ -74,14 +77,13 @@ def get_output_loggers(process_name: str, output_config: OutputConfig, main_log_
         logger = state.get_logger(f'{process_name}-{source}')
         wanted = places['both'] | places[source]
         if 'screen' in wanted:
-            _add(logger, state.config.get_screen_handler(), logging.Formatter('{msg}', style='{'))
+            _add(logger, state.config.get_screen_handler(), _LINE)
         if 'log' in wanted:
-            _add(logger, state.config.get_log_file_handler(main_log_file_name),
-                 logging.Formatter('{created:.7f} {msg}', style='{'))
+            _add(logger, state.config.get_log_file_handler(main_log_file_name), _TIME_AND_LINE)
         if 'own_log' in places[source]:
-            _add(logger, state.config.get_log_file_handler(f'{process_name}-{source}.log'), logging.Formatter())
+            _add(logger, state.config.get_log_file_handler(f'{process_name}-{source}.log'), _LINE)
         if 'own_log' in places['both']:
-            _add(logger, state.config.get_log_file_handler(f'{process_name}.log'), logging.Formatter())
+            _add(logger, state.config.get_log_file_handler(f'{process_name}.log'), _LINE)
     return state.get_logger(f'{process_name}-stdout'), state.get_logger(f'{process_name}-stderr')
 
 

@@ -52,7 +52,17 @@ class LoggingState:
 
     def get_logger(self, name: str | None = None) -> logging.Logger:
         """The logger of that name, without adding handlers."""
-        return self._manager.getLogger(name) if name else self.root
+        if not name:
+            return self.root
+        known = self._manager.loggerDict.get(name)
+        if isinstance(known, LaunchLogger):
+            return known
+        if '.' in name:
+            return self._manager.getLogger(name)
+        logger = self._manager.loggerDict[name] = LaunchLogger(name)  # without the locks and searches of the manager
+        logger.parent = self.root
+        logger.manager = self._manager
+        return logger
 
 
 def logging_state() -> LoggingState:

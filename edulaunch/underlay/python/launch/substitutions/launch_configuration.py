@@ -42,6 +42,7 @@ class LaunchConfiguration(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """The value of the launch configuration, else the default."""
         name = perform_substitutions(context, self.__variable_name)
+        context._names_read[name] = True
         configurations = context.launch_configurations
         if name in configurations:
             value: str = configurations[name]

@@ -22,4 +22,5 @@ class LaunchLogDir(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """The folder."""
         from ..logging import launch_config
-        return launch_config.log_dir
+        log_dir: str = launch_config.log_dir
+        return log_dir

@@ -82,7 +82,8 @@ def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str
     :raises ValueError: when it cannot be converted.
     """
     try:
-        return _convert(value, data_type)
+        converted: AllowedValueType = _convert(value, data_type)
+        return converted
     except ValueError:
         if can_be_str:
             return value
@@ -177,6 +178,8 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
 
     :raises TypeError: when a literal has not the type.
     """
+    if type(value) is data_type:
+        return value
     if isinstance(value, ScalarTypesTuple):
         return _checked(value, data_type)
     if is_substitution(value):
@@ -197,6 +200,8 @@ def perform_typed_substitution(context: LaunchContext, value: NormalizedValueTyp
 
     :raises ValueError: when the text of a substitution cannot be converted.
     """
+    if type(value) is data_type:
+        return value  # type: ignore[no-any-return]
     if is_normalized_substitution(value):
         return coerce_to_type(perform_substitutions(context, value), data_type)
     if isinstance(value, list):

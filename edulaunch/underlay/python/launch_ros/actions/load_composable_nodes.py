@@ -97,7 +97,8 @@ class LoadComposableNodes(Action):
             return False
         if not response.success:
             logger.error(
-                f"Failed to load node '{response.full_node_name or request.node_name}' of type '{request.plugin_name}' "
+                f"Failed to load node '{response.full_node_name or request.node_name}' "
+                f"of type '{request.plugin_name}' "
                 f"in container '{container}': {response.error_message}"
             )
             return True
@@ -106,7 +107,8 @@ class LoadComposableNodes(Action):
         count = get_node_name_count(context, name)
         if count > 1:
             launch.logging.get_logger(container).warning(
-                f'there are now at least {count} nodes with the name {name} created within this launch context'
+                f'there are now at least {count} nodes with the name {name} '
+                'created within this launch context'
             )
         logger.info(f"Loaded node '{response.full_node_name}' in container '{container}'")
         return True
@@ -115,8 +117,7 @@ class LoadComposableNodes(Action):
 def get_composable_node_load_request(
     composable_node_description: ComposableNode, context: LaunchContext
 ) -> LoadNode.Request | None:
-    """The request that loads a node, with all substitutions performed; None when its condition does not
-    hold."""
+    """The request that loads a node, all substitutions performed; None when its condition does not hold."""
     condition = composable_node_description.condition()
     if condition is not None and not condition.evaluate(context):
         return None

@@ -155,7 +155,8 @@ class Node(ExecuteProcess):
             count = get_node_name_count(context, self.node_name)
             if count > 1:
                 launch.logging.get_logger(self.process_description.final_name).warning(
-                    f'there are now at least {count} nodes with the name {self.node_name} created within this launch context'
+                    f'there are now at least {count} nodes with the name {self.node_name} '
+                    'created within this launch context'
                 )
         return result
 

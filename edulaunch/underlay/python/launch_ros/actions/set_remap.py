@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
 
 class SetRemap(Action):
-    """Remap `src` to `dst` in every node that is started later in this scope; such rules come before a node's
-    own."""
+    """Remap `src` to `dst` in the nodes that are started later in this scope, before their own rules."""
 
     parse = parsed_as_action('set_remap')
 

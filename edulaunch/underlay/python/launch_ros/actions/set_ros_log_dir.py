@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetROSLogDir(Action):
-    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder is put below the current
-    one."""
+    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder goes below the current."""
 
     parse = parsed_as_action('set_ros_log_dir')
 

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, when the package has no such executable; its `edulaunch_hint` says
-        what to try.
+    :raises SubstitutionFailure: on evaluation, when there is no such executable; `edulaunch_hint` says what to try.
     """
 
     parse = parsed_as_substitution('exec-in-pkg')
@@ -85,6 +84,9 @@ def _failure(message: str, index: Any, package: str, executable: str) -> Substit
     elif names:
         error.edulaunch_hint = f'{package} has: {", ".join(names)}'
     else:
-        error.edulaunch_hint = f'{package} installs no executable; see entry_points in its setup.py, or install(PROGRAMS ...) in its CMakeLists.txt'
+        error.edulaunch_hint = (
+            f'{package} installs no executable; see entry_points in its setup.py, '
+            'or install(PROGRAMS ...) in its CMakeLists.txt'
+        )
     failure: SubstitutionFailure = error
     return failure

@@ -73,7 +73,8 @@ def _typed(name: str, text: str) -> Any:
         return _uniform(name, value)
     if not isinstance(value, _SCALARS):
         raise TypeError(
-            'Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], Sequence[float], '
+            'Allowed value types are bytes, bool, int, float, str, '
+            'Sequence[bool], Sequence[int], Sequence[float], '
             f'Sequence[str]. Got {type(value)} for "{name}". {_WRAP}'
         )
     return value
@@ -96,7 +97,8 @@ def _uniform(name: str, items: list[Any]) -> tuple[Any, ...]:
     kind = type(items[0]) if items else None
     if kind not in _ITEMS or not all(isinstance(item, kind) for item in items):
         raise TypeError(
-            'Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, '
+            'Expected a non-empty sequence, with items of uniform type. '
+            'Allowed sequence item types are bool, int, '
             f'float, str. Got inconsistent input for "{name}"'
         )
     return tuple(items)

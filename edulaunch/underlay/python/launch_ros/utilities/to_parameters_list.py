@@ -62,8 +62,7 @@ def _has_parameters(content: Any) -> bool:
 
 
 def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
-    """What stands below `ros__parameters` of a node name, which may be written as one key or as nested
-    namespaces."""
+    """What stands below `ros__parameters` of a node name, written as one key or as nested ones."""
     for key, value in content.items():
         rest = pattern.lstrip('/')
         name = str(key).strip('/')

@@ -2,8 +2,11 @@
 from __future__ import annotations
 
 from edulaunch.sim.task import current_task
-from rclpy.execution.exceptions import ShutdownException
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.execution.exceptions import ExternalShutdownException, ShutdownException
 from rclpy.execution.executor import Executor
+from rclpy.execution.waiting import TURNS_BEFORE_TIME_PASSES
+from rclpy.readiness import NEVER_NS, Entity, ReadyList
 
 
 class SingleThreadedExecutor(Executor):
@@ -26,14 +29,70 @@ class SingleThreadedExecutor(Executor):
         outer, self._spinner = self._spinner, current_task()
         try:
             while self._context._ok and not self._is_shutdown:
-                self._turn()
+                if len(self._lists) == 1 and not self._tasks:
+                    self._spin_node(self._lists[0])
+                else:
+                    self._turn()
         except ShutdownException:
             return
         finally:
             self._spinner = outer
 
+    def _spin_node(self, ready_list: ReadyList) -> None:
+        """Do turns while there is one node, one thing ready at a time, and no task: the hot path of most programs.
+
+        Anything else is left to :meth:`_turn`, which would do the same with more steps.
+        """
+        context, sim, waiting, task = self._context, self._sim, self._waiting, current_task()
+        while context._ok and not self._is_shutdown and not self._woken:
+            if not ready_list.entities and ready_list.due_ns > sim.now_ns:
+                due_ns = ready_list.due_ns
+                waiting.append(task)
+                try:
+                    task.park(due_ns if due_ns < NEVER_NS else None)
+                finally:
+                    waiting.remove(task)
+                if self._woken:
+                    break
+            now = sim.now_ns
+            if now != self._seen_ns:
+                self._seen_ns = now
+                self._turns = 0
+            else:
+                self._turns += 1
+            entity = self._only_one(ready_list, now)
+            if entity is None:
+                break
+            group = entity.callback_group
+            if type(group) is not MutuallyExclusiveCallbackGroup or group.busy_with is not None or entity.is_async:
+                self._run_entity(entity)
+            else:
+                group.busy_with = entity
+                try:
+                    entity._run(self)
+                finally:
+                    group.busy_with = None
+            if self._tasks:
+                return
+        else:
+            if not self._woken:
+                return
+        self._turn()
+
+    def _only_one(self, ready_list: ReadyList, now: int) -> Entity | None:
+        """The one entity that is ready, taken off its list; None when there are none or several."""
+        entities = ready_list.entities
+        if self._turns > TURNS_BEFORE_TIME_PASSES:
+            return None
+        if not entities:
+            if ready_list.due_ns <= now and len(ready_list.timers) == 1:
+                return ready_list.timers[0]
+        elif len(entities) == 1 and ready_list.due_ns > now:
+            return entities.pop()
+        return None
+
     def _turn(self) -> None:
-        """One wait with all it brings: what `spin_once` does in several calls, in the fewest steps."""
+        """One wait with all it brings: what `spin_once` does in several calls."""
         self._let_time_pass()
         context = self._context
         if self._tasks:
@@ -45,6 +104,8 @@ class SingleThreadedExecutor(Executor):
         if not batch:
             if not self._new_tasks:
                 self._wait(None)
+            elif not context._ok:
+                raise ExternalShutdownException()
             return
         position = 0
         try:

@@ -68,9 +68,9 @@ class Waiting:
         batch: list[Entity] = []
         for ready_list in self._lists:
             start = len(batch)
-            for timer in ready_list.timers:
-                if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer):
-                    batch.append(timer)
+            if ready_list.due_ns <= now:
+                batch += [timer for timer in ready_list.timers
+                          if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer)]
             entities = ready_list.entities
             if entities:
                 blocked = [entity for entity in entities if not entity.callback_group.can_execute(entity)]

@@ -48,7 +48,7 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
 
 def is_launch_file(path: str) -> bool:
     """Whether it is a file with a name that a launch file may have."""
-    from launch.frontend import Parser
+    from launch.frontend.parser import Parser
     extensions = ['py', *Parser.get_file_extensions_from_parsers()]
     return os.path.isfile(path) and any(path.endswith('.' + extension) for extension in extensions)
 
@@ -72,13 +72,13 @@ def load_launch_file(path: str) -> LaunchDescription:
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
-    from launch.launch_description_sources import get_launch_description_from_any_launch_file
+    from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
     return get_launch_description_from_any_launch_file(path)
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:
     """Write the description as a tree."""
-    from launch import LaunchIntrospector
+    from launch.launch_introspector import LaunchIntrospector
     _print(LaunchIntrospector().format_launch_description(load_launch_file(launch_file_path)))
 
 
@@ -111,9 +111,10 @@ def launch_a_launch_file(*, launch_file_path: str, launch_file_arguments: Argume
     :param noninteractive: no terminal is attached.
     :raises RuntimeError: for a malformed argument.
     """
-    from launch import LaunchDescription, LaunchService
-    from launch.actions import IncludeLaunchDescription
-    from launch.launch_description_sources import AnyLaunchDescriptionSource
+    from launch.actions.include_launch_description import IncludeLaunchDescription
+    from launch.launch_description import LaunchDescription
+    from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+    from launch.launch_service import LaunchService
     texts = list(launch_file_arguments)
     service = LaunchService(argv=texts, noninteractive=noninteractive, debug=debug)
     service.include_launch_description(LaunchDescription([IncludeLaunchDescription(

@@ -1,0 +1,143 @@
+"""`edulaunch launch`: the console of `ros2 launch`, and what it says to bad input."""
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from edulaunch.cli.launch import split_words
+from edulaunch.cli.main import main
+from edulaunch.errors import UnusableInput
+
+ROOT = Path(__file__).resolve().parents[2]
+HEAD = 'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch_ros.actions import Node\n'
+
+
+@pytest.fixture
+def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    """Write a launch file, run it as the command does, and return (exit code, stdout, stderr) without the folder's path."""
+    def run_command(text: str | bytes, *words: str, name: str = 'my.launch.py') -> tuple[int, str, str]:
+        path = tmp_path / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        code = main(['launch', str(path), '--fast', '--for', '3', *words])
+        out, err = capsys.readouterr()
+        return code, out.replace(str(tmp_path), '@'), err.replace(str(tmp_path), '@')
+    return run_command
+
+
+def describe(*entities: str) -> str:
+    return f'{HEAD}def generate_launch_description():\n    return LaunchDescription([{", ".join(entities)}])\n'
+
+
+def test_the_console_is_that_of_ros2_launch(run) -> None:
+    code, out, err = run(describe("LogInfo(msg='hello')", "Node(package='demo_nodes_cpp', executable='talker', output='screen')"))
+    lines = out.splitlines()
+    assert lines[:3] == ['[INFO] [launch]: Default logging verbosity is set to INFO', '[INFO] [launch.user]: hello',
+                         '[INFO] [talker-1]: process started with pid [1002]']
+    assert lines[3] == "[talker-1] [INFO] [1700000001.000000000] [talker]: Publishing: 'Hello World: 1'"
+    assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
+    assert lines[-1] == '[INFO] [talker-1]: process has finished cleanly [pid 1002]'
+    assert (code, err) == (0, '')
+
+
+@pytest.mark.parametrize(('text', 'said', 'where', 'tried'), [
+    ('x = 1\n', "does not contain the required function 'generate_launch_description()'", '', ''),
+    (HEAD + 'def generate_launch_description():\n    LaunchDescription([])\n', "'NoneType' object has no attribute", '', 'return'),
+    (HEAD + 'def generate_launch_description():\n    return [LogInfo(msg="x")]\n', "'list' object has no attribute", '', 'LaunchDescription'),
+    (HEAD + 'def generate_launch_description(:\n', 'SyntaxError: invalid syntax', 'my.launch.py:4', ''),
+    (HEAD + 'def generate_launch_description():\n    return 1 / 0\n', 'ZeroDivisionError: division by zero', 'my.launch.py:5', ''),
+    (describe("Node(package='turtlesm', executable='turtlesim_node')"), "package 'turtlesm' not found, searching:", 'my.launch.py:5', 'turtlesim'),
+    (describe("Node(package='turtlesim', executable='turtle')"), "executable 'turtle' not found on the libexec directory", 'my.launch.py:5', 'turtle'),
+    (describe("DeclareLaunchArgument('n', default_value=3)"), "'int' object is not iterable", 'my.launch.py:5', "'3'"),
+    (describe("DeclareLaunchArgument('needed')"), "missing required argument 'needed'", '', ''),
+])
+def test_a_launch_file_that_cannot_work_is_explained(run, text: str, said: str, where: str, tried: str) -> None:
+    code, out, err = run(text)
+    assert said in out and where in out and tried in out
+    assert code == 1 and 'Traceback' not in out + err
+
+
+def test_a_node_that_dies_is_as_silent_as_in_ros_but_for_one_line(run, tmp_path: Path) -> None:
+    code, out, err = run(describe("Node(package='turtlesim', executable='turtlesim_node', parameters=[{'background_r': 'red'}])"))
+    assert 'process has died [pid 1002, exit code -6' in out
+    assert code == 0 and err.count('\n') == 1 and err.startswith('warning: turtlesim_node-1 died with exit code -6')
+
+
+def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
+    code, out, err = run(describe("DeclareLaunchArgument('radius', default_value='1')"), 'raduis:=2')
+    assert (code, err) == (0, "warning: launch argument 'raduis' is not declared by any of the launch files; did you mean 'radius'?\n")
+
+
+def test_an_argument_without_its_sign_is_malformed(run) -> None:
+    code, out, err = run(describe(), 'mode=fast')
+    assert (code, out) == (2, '')
+    assert err == ("error: malformed launch argument 'mode=fast', expected format '<name>:=<value>'\n  help: write mode:=fast\n")
+
+
+@pytest.mark.parametrize(('text', 'said'), [
+    ('robot: [1, 2\n', "Couldn't parse params file"),
+    ('robot:\n  radius: 1\n', "Couldn't parse params file"),
+    ('just text\n', "Couldn't parse params file"),
+])
+def test_a_parameter_file_that_cannot_be_read_is_explained(run, tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / 'p.yaml').write_text(text)
+    code, out, err = run(describe(f"Node(package='demo_nodes_cpp', executable='talker', parameters=[{str(tmp_path / 'p.yaml')!r}])"))
+    assert said in out and '@/p.yaml' in out
+    assert code == 0 and 'talker-1 died' in err
+
+
+def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'robot.launch.py').write_text(describe())
+    for word, said in (
+            ('rbot.launch.py', "error: launch file 'rbot.launch.py' does not exist.\n  help: did you mean 'robot.launch.py'?\n"),
+            ('.', "error: '.' is a directory, not a launch file.\n  help: name a file in it: robot.launch.py\n"),
+            ('no/such.launch.py', "error: launch file 'no/such.launch.py' does not exist.\n  help: there is no folder")):
+        assert main(['launch', word]) == 2
+        assert capsys.readouterr().err.startswith(said)
+
+
+@pytest.mark.parametrize(('words', 'said'), [
+    (['turtlesm', 'multisim.launch.py'], "Package 'turtlesm' not found: \"package 'turtlesm' not found, searching:"),
+    (['turtlesim', 'multisim.lunch.py'], "file 'multisim.lunch.py' was not found in the share directory of package 'turtlesim' which is at"),
+    (['turtlesim'], "file 'None' was not found in the share directory of package 'turtlesim'"),
+])
+def test_packages_and_files_that_are_none(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['launch', *words]) == 2
+    err = capsys.readouterr().err
+    assert said in err and '\n  help: ' in err
+
+
+@pytest.mark.parametrize(('first', 'rest', 'expected'), [
+    (__file__, ['a:=1', 'a:=2', 'b:=x:=y'], (__file__, None, {'a': '2', 'b': 'x:=y'})),
+    ('pkg', ['file.py', 'a:=1'], ('pkg', 'file.py', {'a': '1'})),
+    ('pkg', [], ('pkg', None, {})),
+])
+def test_words_are_split_as_ros2_launch_does(first: str, rest: list[str], expected: object) -> None:
+    assert split_words(first, rest) == expected
+
+
+@pytest.mark.parametrize('word', ['novalue', ':=x', 'name:='])
+def test_malformed_words(word: str) -> None:
+    with pytest.raises(UnusableInput, match='malformed launch argument'):
+        split_words(__file__, [word])
+
+
+def test_ctrl_c_in_real_time_shuts_down_as_ros_does() -> None:
+    """The whole command in a process of its own, interrupted by a real signal as soon as it talks."""
+    command = [sys.executable, '-m', 'edulaunch', 'launch', 'demo_nodes_cpp', 'talker_listener_launch.py']
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          env={**os.environ, 'PYTHONUNBUFFERED': '1'}) as child:
+        assert child.stdout is not None
+        lines = []
+        for line in child.stdout:
+            lines.append(line.rstrip())
+            if 'process started with pid' in line and len(lines) >= 3:
+                child.send_signal(signal.SIGINT)
+        assert child.wait(20) == 0
+    assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
+    assert sum('process has finished cleanly' in line for line in lines) == 2
