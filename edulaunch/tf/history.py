@@ -98,7 +98,7 @@ class History:
         inserted one counts, except among the oldest, where it is the first (as in tf2).
         """
         stamps, first = self.stamps, self.first
-        newer = bisect_right(stamps, time_ns, first)
+        newer = bisect_right(stamps, time_ns, first) if time_ns else first
         if newer == first or newer == len(stamps):
             at_newest = stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static)
             return self.poses[-1] if at_newest else None

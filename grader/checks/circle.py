@@ -11,13 +11,7 @@ from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
-from edugrade.library.launched import (
-    find_processes,
-    included_files,
-    node_names,
-    refuse_ended,
-    require_process,
-)
+from edugrade.library.launched import find_processes, included_files, node_names, refuse_dead, require_process
 from edugrade.library.movement import length, odometry_track
 
 ARGUMENT = 'circle_radius'
@@ -39,11 +33,11 @@ def argument_is_declared(run: Evidence) -> None:
     declared = {argument.name: argument for argument in run.first.launch.declared}
     argument = declared.get(ARGUMENT)
     if argument is None:
-        raise Missing(f'the launch argument "{ARGUMENT}"', name=ARGUMENT, among=declared, where=run.source.place,
-                      expected=f'a DeclareLaunchArgument named {ARGUMENT}',
+        raise Missing(f'the launch argument "{ARGUMENT}"', name=ARGUMENT, among=declared,
+                      expected=f'a DeclareLaunchArgument named {ARGUMENT}', where=run.source.place,
                       try_=f"add DeclareLaunchArgument('{ARGUMENT}', default_value='1.0', description='...')")
     if argument.default is None:
-        raise Missing(f'the default value of "{ARGUMENT}"', expected="default_value='1.0'", seen='no default_value',
+        raise Missing(f'the default value of "{ARGUMENT}"', expected="default_value='1.0'", seen='none',
                       where=None if argument.file is None else (argument.file, argument.line),
                       try_='give it a default_value, so that the file can be launched without arguments too')
 
@@ -54,8 +48,9 @@ def world_is_there(run: Evidence) -> None:
     for recording in run.values():
         if not odometry_track(recording):
             included = ', '.join(included_files(recording)) or 'no launch file is included'
-            raise Missing('the robot (nothing publishes its position on /odom)', seen=included, where=run.source.place,
-                          expected='an IncludeLaunchDescription of empty_world.launch.py of turtlebot3_gazebo',
+            raise Missing('the robot (nothing publishes its position on /odom)', seen=included,
+                          expected='an include of empty_world.launch.py of the package turtlebot3_gazebo',
+                          where=run.source.place,
                           try_='add IncludeLaunchDescription(...) with the path PathJoinSubstitution('
                                "[FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])")
 
@@ -63,16 +58,16 @@ def world_is_there(run: Evidence) -> None:
 @check(points=1)
 def node_is_started(run: Evidence) -> None:
     """The launch file starts param_circle.py of part3_beyond_basics"""
-    require_process(run, PACKAGE, EXECUTABLE, try_='add this Node to the list of the LaunchDescription')
+    require_process(run, PACKAGE, EXECUTABLE)
 
 
 @check(points=1, needs=[node_is_started])
-def node_stays_alive(run: Evidence) -> None:
-    """param_circle.py runs until the end"""
-    refuse_ended(run, PACKAGE, EXECUTABLE)
+def no_node_dies(run: Evidence) -> None:
+    """No node dies before the end"""
+    refuse_dead(run)
 
 
-@check(points=2, needs=[argument_is_declared, node_stays_alive])
+@check(points=2, needs=[argument_is_declared, no_node_dies])
 def radius_is_passed(run: Evidence) -> None:
     """The node's parameter radius has the value of circle_radius"""
     wanted = [_asked_radius(run, name) for name in run]
@@ -84,14 +79,15 @@ def radius_is_passed(run: Evidence) -> None:
                        try_=f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]")
 
 
-@check(points=4, needs=[world_is_there, node_stays_alive])
+@check(points=4, needs=[world_is_there, no_node_dies])
 def circle_is_driven(run: Evidence) -> None:
     """The robot drives circles of the radii asked for (measured from /odom)"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
     if any(abs(seen - asked) > TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
-        raise Mismatch('the radius that the robot drives', _metres(wanted), _metres(measured), where=_node_place(run),
-                       try_=f'let the launch argument {ARGUMENT} decide the radius; a fixed number fits one only')
+        raise Mismatch('the radius that the robot drives', _metres(wanted), _metres(measured),
+                       where=_node_place(run),
+                       try_=f'let the launch argument {ARGUMENT} decide; a fixed number fits one circle only')
 
 
 def _asked_radius(run: Evidence, scenario: str) -> float:
@@ -113,12 +109,12 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
     if length(track) < SHORTEST_TRACK_M:
         raise Failure('the robot does not move', expected=expected, where=run.source.place,
                       seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
-                      try_=f'compare the topic that {EXECUTABLE} publishes with what the robot listens to: /cmd_vel')
+                      try_=f'compare the topic that {EXECUTABLE} publishes with the robot\'s: /cmd_vel')
     circle = fit_circle([(x, y) for _, x, y in track])
     if circle is None or circle.residual > TOLERANCE * circle.radius:
-        seen = 'a straight line' if circle is None else f'{circle.residual:.2f} m away from the best circle on average'
-        raise Failure('the robot moves, but not on a circle', expected=expected, seen=seen, where=run.source.place,
-                      try_='look whether a second node sends velocities too')
+        seen = 'a line' if circle is None else f'{circle.residual:.2f} m off the best circle'
+        raise Failure('the robot moves, but not on a circle', expected=expected, seen=seen,
+                      where=run.source.place, try_='look whether a second node sends velocities too')
     return circle.radius
 
 
@@ -133,6 +129,6 @@ def _metres(values: Iterable[float]) -> str:
 RUBRIC = Rubric(
     title='A circle of any radius',
     scenarios=scenarios,
-    checks=[argument_is_declared, world_is_there, node_is_started, node_stays_alive, radius_is_passed,
+    checks=[argument_is_declared, world_is_there, node_is_started, no_node_dies, radius_is_passed,
             circle_is_driven],
 )

@@ -1,8 +1,8 @@
 """The rubric of follow.launch.py: turtle2 follows turtle1 through tf.
 
 Two runs: turtle1 stands, and turtle1 drives a square. Following is measured from the poses that turtlesim
-publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in one of
-the runs at most.
+publishes: a turtle that only stands at a good place, or drives a path known beforehand, is near turtle1 in
+one of the runs at most.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
-from edugrade.library.launched import require_process
+from edugrade.library.launched import refuse_dead, require_process
 from edugrade.library.movement import distances, farthest, length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
@@ -28,27 +28,38 @@ def scenarios(random: Random) -> list[Scenario]:
 @check(points=1)
 def turtlesim_is_started(run: Evidence) -> None:
     """The launch file starts turtlesim_node of turtlesim"""
-    require_process(run, 'turtlesim', 'turtlesim_node', try_='add this Node to the list of the LaunchDescription')
+    require_process(run, 'turtlesim', 'turtlesim_node')
+
+
+@check(points=1, needs=[turtlesim_is_started])
+def no_node_dies(run: Evidence) -> None:
+    """No node dies before the end"""
+    refuse_dead(run)
+
+
+@check(needs=[no_node_dies])
+def leader_exists(run: Evidence) -> None:
+    """turtle1 is there"""
     for recording in run.values():
         if not turtle_track(recording, LEADER):
             raise Missing(f'the topic {LEADER}', where=run.source.place, name=LEADER, among=recording.topics,
                           try_='start turtlesim_node without a namespace')
 
 
-@check(points=2, needs=[turtlesim_is_started])
+@check(points=2, needs=[leader_exists])
 def leader_is_on_tf(run: Evidence) -> None:
     """tf knows where turtle1 is: the frame turtle1 in the frame world"""
     _require_frame(run, 'turtle1')
 
 
-@check(points=2, needs=[turtlesim_is_started])
+@check(points=1, needs=[leader_exists])
 def follower_exists(run: Evidence) -> None:
     """turtle2 is spawned"""
     for recording in run.values():
         if not turtle_track(recording, FOLLOWER):
             turtles = [topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose')]
-            raise Missing('turtle2', name='turtle2', seen='only ' + ', '.join(turtles), where=run.source.place,
-                          try_='turtle_tf2_listener spawns it: '
+            raise Missing('turtle2', name='turtle2', seen='only ' + ', '.join(turtles),
+                          where=run.source.place, try_='turtle_tf2_listener spawns it: '
                                "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)")
 
 
@@ -58,7 +69,7 @@ def follower_is_on_tf(run: Evidence) -> None:
     _require_frame(run, 'turtle2')
 
 
-@check(points=1, needs=[turtlesim_is_started])
+@check(points=1, needs=[leader_exists])
 def leader_moves_when_asked(run: Evidence) -> None:
     """turtle1 stands still, and drives when launched with move:=true"""
     standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
@@ -66,7 +77,7 @@ def leader_moves_when_asked(run: Evidence) -> None:
         raise Failure('turtle1 does not do as the launch argument move says', where=run.source.place,
                       expected='no movement without arguments, a square with move:=true',
                       seen=f'{standing:.1f} m travelled without arguments, {moving:.1f} m with move:=true',
-                      try_="give draw_square the condition IfCondition(LaunchConfiguration('move')), as in the exercise")
+                      try_="give draw_square condition=IfCondition(LaunchConfiguration('move'))")
 
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf])
@@ -90,7 +101,7 @@ def _require_frame(run: Evidence, turtle: str) -> None:
                           expected=f'the frame {turtle} in the frame world', where=run.source.place,
                           try_=f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
         if frames[turtle].parent != 'world':
-            raise Failure(f'the frame {turtle} hangs in another frame, when launched with {run.scenario(name).words}',
+            raise Failure(f'{turtle} hangs in another frame, when launched with {run.scenario(name).words}',
                           expected='world', seen=frames[turtle].parent, where=run.source.place,
                           try_='broadcast it with header.frame_id world')
 
@@ -100,15 +111,16 @@ def _require_near(run: Evidence, name: str) -> None:
     gaps = distances(turtle_track(run[name], LEADER), turtle_track(run[name], FOLLOWER))
     worst = farthest(gaps, SETTLED_S)
     if worst is None or worst[1] > bound:
-        seen = f'no pose of turtle2 after {SETTLED_S:g} s' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
+        seen = 'no turtle2 then' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
         raise Failure(f'turtle2 is too far from turtle1, when launched with {run.scenario(name).words}',
-                      expected=f'at most {bound:g} m from {SETTLED_S:g} s on', seen=seen, where=run.source.place,
+                      expected=f'at most {bound:g} m from {SETTLED_S:g} s on', seen=seen,
+                      where=run.source.place,
                       try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]")
 
 
 RUBRIC = Rubric(
     title='turtle2 follows turtle1',
     scenarios=scenarios,
-    checks=[turtlesim_is_started, leader_is_on_tf, leader_moves_when_asked, follower_exists, follower_is_on_tf,
-            standing_leader_is_reached, moving_leader_is_followed],
+    checks=[turtlesim_is_started, no_node_dies, leader_exists, leader_is_on_tf, leader_moves_when_asked,
+            follower_exists, follower_is_on_tf, standing_leader_is_reached, moving_leader_is_followed],
 )

@@ -89,14 +89,10 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     except ImportError as error:
         return _broke(error)
     try:
-        recording = edulaunch.run(
-            job['file'],
-            arguments=job['arguments'],
-            duration_s=job['duration_s'],
-            seed=job['seed'],
-            workspaces=job['workspaces'],
-        )
-        return b'R', recording.to_bytes()
+        with edulaunch.Session(seed=job['seed'], workspaces=job['workspaces']) as session:
+            session.launch(job['file'], None, job['arguments'])
+            session.run(job['duration_s'])
+            return b'R', session.recording().to_bytes()
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
     except RunawayProgramError as error:

@@ -9,8 +9,8 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 
 from .outcome import Outcome
-from .place import Place
 from .results import CheckResult, Report
+from .short_paths import ShortPaths
 
 FORMAT = 1
 VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
@@ -18,7 +18,7 @@ VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 def document(report: Report) -> dict[str, Any]:
     """A report as plain data. Paths in the submission's folder are relative, so that copies report alike."""
-    folder = os.path.dirname(report.file)
+    paths = ShortPaths(os.path.dirname(report.file))
     return {
         'format': FORMAT,
         'submission': {'file': os.path.basename(report.file), 'sha256': report.sha256},
@@ -27,8 +27,8 @@ def document(report: Report) -> dict[str, Any]:
         'verdict': VERDICTS[report.exit_code],
         'exit_code': report.exit_code,
         'points': {'earned': report.earned, 'possible': report.possible},
-        'scenarios': [_scenario(outcome, folder) for outcome in report.outcomes],
-        'checks': [_check(result, folder) for result in report.results],
+        'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
+        'checks': [_check(paths.result(result)) for result in report.results],
         'gaps': [{'line': line, 'text': text} for line, text in report.gaps],
     }
 
@@ -51,7 +51,7 @@ def write_document(report: Report, path: str) -> None:
         ) from None
 
 
-def _scenario(outcome: Outcome, folder: str) -> dict[str, Any]:
+def _scenario(outcome: Outcome, paths: ShortPaths) -> dict[str, Any]:
     scenario = outcome.scenario
     return {
         'name': scenario.name,
@@ -59,12 +59,12 @@ def _scenario(outcome: Outcome, folder: str) -> dict[str, Any]:
         'duration_s': scenario.duration_s,
         'seed': scenario.seed,
         'outcome': outcome.kind,
-        'text': relative(outcome.text, folder) or None,
-        'detail': outcome.detail or None,
+        'text': paths.text(outcome.text) or None,
+        'detail': paths.text(outcome.detail) or None,
     }
 
 
-def _check(result: CheckResult, folder: str) -> dict[str, Any]:
+def _check(result: CheckResult) -> dict[str, Any]:
     return {
         'name': result.name,
         'sentence': result.sentence,
@@ -72,19 +72,10 @@ def _check(result: CheckResult, folder: str) -> dict[str, Any]:
         'points': result.points,
         'earned': result.earned,
         'needs': list(result.needs),
-        'reason': relative(result.reason, folder) or None,
-        'expected': relative(result.expected, folder),
-        'seen': relative(result.seen, folder),
-        'where': _where(result.where, folder),
-        'try': relative(result.try_, folder),
+        'reason': result.reason or None,
+        'expected': result.expected,
+        'seen': result.seen,
+        'where': None if result.where is None else result.where._asdict(),
+        'try': result.try_,
         'root_cause': result.root_cause,
     }
-
-
-def _where(place: Place | None, folder: str) -> dict[str, Any] | None:
-    return None if place is None else {'file': relative(place.file, folder), 'line': place.line}
-
-
-def relative(text: str | None, folder: str, shown: str = '') -> str | None:
-    """A text with the paths in `folder` shortened to `shown`."""
-    return None if text is None else text.replace(folder + os.sep, shown)

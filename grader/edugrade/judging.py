@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from .check import Check
 from .evidence import Evidence
@@ -22,15 +23,13 @@ def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) 
     A check runs when all it needs has passed. Without a recording none does: nothing passes without evidence.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
-    recordings = {
-        outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording is not None
-    }
-    evidence = Evidence({outcome.scenario.name: outcome.scenario for outcome in outcomes}, recordings, source)
+    scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
+    recordings = {outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording}
+    evidence = Evidence(scenarios, recordings, source)
     for check in checks:
         blocker = _blocker(check, results)
-        results[check.name] = (
-            _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
-        )
+        result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
+        results[check.name] = result
     return list(results.values())
 
 
@@ -39,16 +38,9 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
     for kind, status in (('broke', GRADER_BROKE), ('unusable', FAILED), ('stopped', FAILED)):
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
         if bad:
-            first = bad[0]
-            return CheckResult(
-                LAUNCHES,
-                LAUNCHES_SENTENCE,
-                status,
-                reason=first.text,
-                try_=first.try_,
-                seen=_which(bad, outcomes),
-                where=first.where,
-            )
+            return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, status, reason=bad[0].text,
+                               seen=_which(bad, outcomes), where=bad[0].where or source.place,
+                               try_=bad[0].try_)
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
@@ -68,48 +60,24 @@ def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | 
 
 def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResult]) -> CheckResult:
     root = results[blocker.root_cause] if blocker.root_cause is not None else blocker
-    return CheckResult(
-        check.name,
-        check.sentence,
-        NOT_RUN,
-        check.points,
-        _names(check),
-        root_cause=root.name,
-        reason=f'because "{root.sentence}" {"broke" if root.status == GRADER_BROKE else "failed"}',
-    )
+    verb = 'broke' if root.status == GRADER_BROKE else 'failed'
+    return replace(_plain(check, NOT_RUN), root_cause=root.name, reason=f'because "{root.sentence}" {verb}')
 
 
 def _result(check: Check, evidence: Evidence) -> CheckResult:
     try:
         check(evidence)
     except Failure as failure:
-        return CheckResult(
-            check.name,
-            check.sentence,
-            FAILED,
-            check.points,
-            _names(check),
-            failure.rationale,
-            failure.expected,
-            failure.seen,
-            failure.where,
-            failure.try_,
-        )
+        return replace(_plain(check, FAILED), reason=failure.rationale, expected=failure.expected,
+                       seen=failure.seen, where=failure.where, try_=failure.try_)
     except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
-        return CheckResult(
-            check.name,
-            check.sentence,
-            GRADER_BROKE,
-            check.points,
-            _names(check),
-            reason=_words(error),
-            try_=REPORT_IT,
-        )
-    return CheckResult(check.name, check.sentence, PASSED, check.points, _names(check))
+        return replace(_plain(check, GRADER_BROKE), reason=_words(error), try_=REPORT_IT)
+    return _plain(check, PASSED)
 
 
-def _names(check: Check) -> tuple[str, ...]:
-    return tuple(need.name for need in check.needs)
+def _plain(check: Check, status: str) -> CheckResult:
+    needs = tuple(need.name for need in check.needs)
+    return CheckResult(check.name, check.sentence, status, check.points, needs)
 
 
 def _words(error: Exception) -> str:

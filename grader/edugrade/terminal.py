@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import os
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from .document import relative
-from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
+from .results import (
+    ALL_PASSED,
+    BROKEN_GRADER,
+    FAILED,
+    GRADER_BROKE,
+    NOT_RUN,
+    PASSED,
+    CheckResult,
+    Report,
+)
+from .short_paths import ShortPaths
 
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
@@ -17,81 +26,82 @@ INDENT = ' ' * 9
 
 def render(report: Report, *, colour: bool = False) -> str:
     """The whole report: what to repair, what was not run for it, what is right, points, the next step."""
-    folder = os.path.dirname(report.file)
     shown = os.path.join(os.path.dirname(report.given), '')
+    paths = ShortPaths(os.path.dirname(report.file), shown)
+    results = [paths.result(result) for result in report.results]
+    mark = _coloured_mark if colour else _plain_mark
     lines = [f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})', '']
-    for status in (GRADER_BROKE, FAILED, NOT_RUN, PASSED):
-        for result in report.results:
-            if result.status == status:
-                lines += _check(result, colour)
-    lines += ['', _points(report), *_next(report)]
-    return '\n'.join(relative(line, folder, shown) or '' for line in lines) + '\n'
+    for status in (GRADER_BROKE, FAILED):
+        for result in _of(status, results):
+            lines += [mark(status) + _title(result), *_explanation(result)]
+    lines += _not_run(results, mark)
+    lines += [mark(PASSED) + _title(result) for result in _of(PASSED, results)]
+    lines += ['', _points(report), *textwrap.wrap(_next(report), WIDTH, break_on_hyphens=False)]
+    return '\n'.join(lines) + '\n'
 
 
-def _check(result: CheckResult, colour: bool) -> Iterator[str]:
-    mark = f'{MARKS[result.status]:<9}'
-    if colour:
-        mark = f'\x1b[{COLOURS[result.status]}m{mark}\x1b[0m'
-    worth = f'  [{result.earned} of {result.points}]' if result.points else ''
-    yield f'{mark}{result.sentence}{worth}'
-    if result.status == NOT_RUN:
-        yield f'{INDENT}{result.reason}'
-    elif result.status != PASSED:
-        yield from _explanation(result)
+def _of(status: str, results: list[CheckResult]) -> Iterator[CheckResult]:
+    return (result for result in results if result.status == status)
+
+
+def _plain_mark(status: str) -> str:
+    return f'{MARKS[status]:<9}'
+
+
+def _coloured_mark(status: str) -> str:
+    return f'\x1b[{COLOURS[status]}m{_plain_mark(status)}\x1b[0m'
+
+
+def _title(result: CheckResult) -> str:
+    return result.sentence + (f'  [{result.earned} of {result.points}]' if result.points else '')
 
 
 def _explanation(result: CheckResult) -> Iterator[str]:
+    place = result.where
+    where = None if place is None else place.file + (f':{place.line}' if place.line else '')
     yield from _wrapped('', result.reason)
-    place = (
-        None
-        if result.where is None
-        else result.where.file + (f':{result.where.line}' if result.where.line else '')
-    )
-    for label, text in (
-        ('expected', result.expected),
-        ('seen', result.seen),
-        ('where', place),
-        ('try', result.try_),
-    ):
+    fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
+    for label, text in fields.items():
         if text:
             yield from _wrapped(f'{label}:', text)
 
 
 def _wrapped(label: str, text: str) -> Iterator[str]:
-    head = f'{label:<10}' if label else ''
-    for paragraph in text.splitlines() or ['']:
-        yield from textwrap.wrap(
-            paragraph,
-            WIDTH,
-            initial_indent=INDENT + head,
-            subsequent_indent=INDENT + ' ' * len(head),
-            break_long_words=False,
-            break_on_hyphens=False,
-        ) or ['']
-        head = ' ' * len(head)
+    """A text under its label, line by line; what is indented in it stays so."""
+    margin = INDENT + (f'{label:<10}' if label else '')
+    for line in text.splitlines():
+        indent = ' ' * (len(line) - len(line.lstrip()))
+        yield from textwrap.wrap(line.strip(), WIDTH, initial_indent=margin + indent,
+                                 subsequent_indent=' ' * len(margin) + indent + ('  ' if indent else ''),
+                                 break_long_words=False, break_on_hyphens=False)
+        margin = ' ' * len(margin)
+
+
+def _not_run(results: list[CheckResult], mark: Callable[[str], str]) -> Iterator[str]:
+    """The checks that were not run, folded under the one to repair."""
+    reasons = dict.fromkeys(result.reason for result in _of(NOT_RUN, results))
+    for reason in reasons:
+        yield f'{mark(NOT_RUN)}{reason}:'
+        folded = (result for result in _of(NOT_RUN, results) if result.reason == reason)
+        yield from (f'{INDENT}  {_title(result)}' for result in folded)
 
 
 def _points(report: Report) -> str:
     count = sum(result.status == PASSED for result in report.results)
-    points = (
-        'no mark, because the grader broke'
-        if report.earned is None
-        else f'{report.earned} of {report.possible} points'
-    )
-    return f'{count} of {len(report.results)} checks passed: {points}.'
+    mark = f'{report.earned} of {report.possible} points'
+    if report.earned is None:
+        mark = 'no mark, because the grader broke'
+    return f'{count} of {len(report.results)} checks passed: {mark}.'
 
 
-def _next(report: Report) -> Iterator[str]:
+def _next(report: Report) -> str:
     """The closing line: the one thing to do now."""
     if report.exit_code == ALL_PASSED:
-        yield 'Next: done. Take the next exercise, or change something and predict what the report will say.'
-        return
+        return 'Next: done. Take the next exercise, or change something and predict what the report will say.'
     if report.exit_code == BROKEN_GRADER:
-        yield 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
-        return
-    first = next(result for result in report.results if result.status == FAILED)
-    if report.gaps and first.root_cause is None and first.where is not None:
+        return 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
+    first = next(_of(FAILED, list(report.results)))
+    if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         line, text = report.gaps[0]
-        yield f'Next: line {line} of {report.given} still says "{text}". Fill it in and grade again.'
-    else:
-        yield f'Next: repair "{first.sentence}" and grade again.'
+        return f'Next: fill in line {line} of {report.given} and grade again. It says: {text}'
+    return f'Next: repair "{first.sentence}" and grade again.'

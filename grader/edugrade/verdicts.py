@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import json
 import signal
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .outcome import Outcome
 from .place import Place
 
+if TYPE_CHECKING:
+    from edulaunch.recording.records import LaunchRecord
+
 REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
 _OWN_EXIT = 'take out calls of sys.exit(), os._exit() and os.kill(): launch itself ends its processes'
+_STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls of os._exit() and sys.exit()'
+_LOOK = 'look at this line, and at the one before it'
 _LONGEST_TEXT = 8000
 
 
@@ -53,11 +58,24 @@ def _recorded(run: ChildRun, content: bytes) -> Outcome:
     asked = run.scenario
     try:
         recording = Recording.from_bytes(content)
-        if recording.seed != asked.seed or recording.launch.arguments != dict(asked.arguments):
+        launch, programs = recording.launch, recording.processes
+        if recording.seed != asked.seed or launch.arguments != dict(asked.arguments):
             return _garbage(run)
     except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
         return _garbage(run)
+    if launch.error is not None:
+        return Outcome(asked, 'unusable', **_launch_error(launch))
+    if launch.returncode is not None and len(programs) <= 1:
+        return _stopped(run, f'launch ended with exit code {launch.returncode} and had started nothing',
+                        _STARTS_NOTHING)
     return Outcome(asked, 'recorded', recording=recording)
+
+
+def _launch_error(launch: LaunchRecord) -> dict[str, Any]:
+    """Launch's own text without its last line, which is the place again."""
+    text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
+    where = None if launch.error_file is None else Place(launch.error_file, launch.error_line)
+    return {'text': text, 'where': where, 'try_': launch.help or _LOOK}
 
 
 def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) -> Outcome:
@@ -98,7 +116,7 @@ def _ended(run: ChildRun) -> Outcome:
     if code is not None and -code == signal.SIGXCPU:
         return _timeout(run, None)
     if code is None or code >= 0:
-        how = 'the program ended itself' if code is None else f'the program ended itself with exit code {code}'
+        how = 'the program ended itself' + ('' if code is None else f' with exit code {code}')
     else:
         how = f'the program was ended by {_signal_name(-code)}'
     printed = run.printed.decode('utf-8', 'replace')

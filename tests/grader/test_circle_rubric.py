@@ -95,10 +95,10 @@ def test_a_node_that_died_shows_its_exception() -> None:
     error = {'type': 'ValueError', 'message': 'bad radius', 'file': '/ws/param_circle.py', 'line': 9}
     dead = process('part3_beyond_basics', 'param_circle.py', ended_s=0.5, returncode=1, exception=error)
     results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[dead]))
-    assert results['node_stays_alive'].seen == 'ValueError: bad radius'
-    assert results['node_stays_alive'].where == ('/ws/param_circle.py', 9)
+    assert results['no_node_dies'].seen == 'ValueError: bad radius'
+    assert results['no_node_dies'].where == ('/ws/param_circle.py', 9)
     assert statuses(results) == {
-        'node_stays_alive': 'failed',
+        'no_node_dies': 'failed',
         'radius_is_passed': 'not_run',
         'circle_is_driven': 'not_run',
     }

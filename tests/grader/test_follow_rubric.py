@@ -81,4 +81,4 @@ def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:
 
 def test_a_turtlesim_in_a_namespace_is_missed() -> None:
     results = graded('follow', lambda scenario: run(scenario, tracks={'/a/turtle1/pose': leader(scenario)}))
-    assert results['turtlesim_is_started'].reason == 'the topic /turtle1/pose is missing'
+    assert results['leader_exists'].reason == 'the topic /turtle1/pose is missing'

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
+from edugrade import Scenario
+from edugrade.outcome import Outcome
 from edugrade.terminal import render
 from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
 
@@ -16,8 +19,8 @@ FAILED   It drives  [0 of 3]
          seen:     no movement
          where:    work/a.launch.py:12
          try:      look at work/a.launch.py:12
-not run  It arrives  [0 of 4]
-         because "It drives" failed
+not run  because "It drives" failed:
+           It arrives  [0 of 4]
 ok       It starts  [2 of 2]
 
 1 of 3 checks passed: 2 of 9 points.
@@ -36,10 +39,15 @@ def test_colour_adds_nothing_but_colour() -> None:
 
 
 def test_an_open_gap_is_the_next_step() -> None:
-    text = render(report(FAILED, gaps=((4, '# TODO 1: drive'),)))
-    assert text.endswith(
-        'Next: line 4 of work/a.launch.py still says "# TODO 1: drive". Fill it in and grade again.\n'
-    )
+    recording: Any = object()
+    outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
+    text = render(report(FAILED, outcome=outcome, gaps=((4, '# TODO 1: drive'),)))
+    assert text.endswith('Next: fill in line 4 of work/a.launch.py and grade again. It says: # TODO 1: drive\n')
+
+
+def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
+    text = render(report(FAILED, outcome=Outcome(Scenario('s'), 'unusable'), gaps=((4, '# TODO 1: drive'),)))
+    assert text.endswith('Next: repair "It drives" and grade again.\n')
 
 
 def test_a_broken_grader_gives_no_mark() -> None:

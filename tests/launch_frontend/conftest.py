@@ -1,4 +1,5 @@
 """Launch files as texts."""
+
 import io
 
 import pytest
@@ -33,8 +34,10 @@ def yaml_actions_of():
 @pytest.fixture
 def failure_of():
     """The error of a broken launch file."""
+
     def failure(text, name='robot.launch.xml', raises=Exception):
         with pytest.raises(raises) as caught:
             description_of(text, name)
         return caught.value
+
     return failure

@@ -1,4 +1,5 @@
 """Each element makes its action with the right arguments."""
+
 import pytest
 from launch import LaunchContext
 from launch.frontend.expose import action_parse_methods
@@ -12,15 +13,17 @@ def text_of(substitutions, **configurations):
 
 
 def test_arg(actions_of):
-    plain, full = actions_of('<arg name="a"/><arg name="b" default="$(var a)x" description="d">'
-                             '<choice value="1"/><choice value="2"/></arg>')
+    plain, full = actions_of(
+        '<arg name="a"/><arg name="b" default="$(var a)x" description="d">'
+        '<choice value="1"/><choice value="2"/></arg>'
+    )
     assert (plain.name, plain.default_value, plain.choices) == ('a', None, None)
     assert text_of(full.default_value, a='v') == 'vx'
     assert (full.choices, full.description) == (['1', '2'], "d. Valid choices are: ['1', '2']")
 
 
 def test_let(actions_of):
-    it, = actions_of('<let name="a" value="$(var b)"/>')
+    (it,) = actions_of('<let name="a" value="$(var b)"/>')
     assert (text_of(it.name), text_of(it.value, b='v')) == ('a', 'v')
 
 
@@ -33,7 +36,8 @@ def test_log_and_shutdown(actions_of):
 def test_environment(actions_of):
     set_env, unset, append, reset = actions_of(
         '<set_env name="A" value="b"/><unset_env name="A"/>'
-        '<append_env name="A" value="c" prepend="true" separator=","/><reset_env/>')
+        '<append_env name="A" value="c" prepend="true" separator=","/><reset_env/>'
+    )
     assert (text_of(set_env.name), text_of(set_env.value)) == ('A', 'b')
     assert text_of(unset.name) == 'A'
     context = LaunchContext()
@@ -47,25 +51,50 @@ def test_environment(actions_of):
 
 
 def test_include(actions_of):
-    it, = actions_of('<include file="$(var d)/a.launch.py"><arg name="x" value="$(var y)"/></include>')
-    (name, value), = it.launch_arguments
+    (it,) = actions_of('<include file="$(var d)/a.launch.py"><arg name="x" value="$(var y)"/></include>')
+    ((name, value),) = it.launch_arguments
     assert (text_of(name), text_of(value, y='1')) == ('x', '1')
 
 
-@pytest.mark.parametrize(('attributes', 'names'), [
-    ('', ['PushLaunchConfigurations', 'PushEnvironment', 'LogInfo', 'PopEnvironment', 'PopLaunchConfigurations']),
-    ('scoped="false"', ['LogInfo']),
-    ('forwarding="false"', ['PushLaunchConfigurations', 'PushEnvironment', 'ResetEnvironment',
-                            'ResetLaunchConfigurations', 'LogInfo', 'PopEnvironment', 'PopLaunchConfigurations']),
-])
+@pytest.mark.parametrize(
+    ('attributes', 'names'),
+    [
+        (
+            '',
+            [
+                'PushLaunchConfigurations',
+                'PushEnvironment',
+                'LogInfo',
+                'PopEnvironment',
+                'PopLaunchConfigurations',
+            ],
+        ),
+        ('scoped="false"', ['LogInfo']),
+        (
+            'forwarding="false"',
+            [
+                'PushLaunchConfigurations',
+                'PushEnvironment',
+                'ResetEnvironment',
+                'ResetLaunchConfigurations',
+                'LogInfo',
+                'PopEnvironment',
+                'PopLaunchConfigurations',
+            ],
+        ),
+    ],
+)
 def test_group(actions_of, attributes, names):
-    it, = actions_of(f'<group {attributes}><log message="a"/></group>')
+    (it,) = actions_of(f'<group {attributes}><log message="a"/></group>')
     assert [type(entity).__name__ for entity in it.get_sub_entities()] == names
 
 
 def test_group_keeps_configurations(actions_of):
-    it, = actions_of('<group scoped="false"><keep name="a" value="b"/><log message="a"/></group>')
-    assert [type(entity).__name__ for entity in it.get_sub_entities()] == ['SetLaunchConfiguration', 'LogInfo']
+    (it,) = actions_of('<group scoped="false"><keep name="a" value="b"/><log message="a"/></group>')
+    assert [type(entity).__name__ for entity in it.get_sub_entities()] == [
+        'SetLaunchConfiguration',
+        'LogInfo',
+    ]
 
 
 def test_group_s_scope_takes_no_substitution(failure_of):
@@ -73,7 +102,7 @@ def test_group_s_scope_takes_no_substitution(failure_of):
 
 
 def test_reset_keeps_configurations(actions_of):
-    it, = actions_of('<reset><keep name="a" value="$(var b)"/></reset>')
+    (it,) = actions_of('<reset><keep name="a" value="$(var b)"/></reset>')
     context = LaunchContext()
     context.launch_configurations.update(a='1', b='2', c='3')
     it.visit(context)
@@ -81,23 +110,25 @@ def test_reset_keeps_configurations(actions_of):
 
 
 def test_timer(actions_of, yaml_actions_of):
-    from_xml, = actions_of('<timer period="5"><log message="a"/></timer>')
-    from_yaml, = yaml_actions_of('- timer:\n    period: 5.0\n    children:\n    - log: {message: a}')
+    (from_xml,) = actions_of('<timer period="5"><log message="a"/></timer>')
+    (from_yaml,) = yaml_actions_of('- timer:\n    period: 5.0\n    children:\n    - log: {message: a}')
     for timer in (from_xml, from_yaml):
         assert timer.period == 5.0
         assert [type(action).__name__ for action in timer.actions] == ['LogInfo']
 
 
 def test_timer_with_a_period_to_be_found_out(actions_of):
-    it, = actions_of('<ros_timer period="$(var p)"><log message="a"/></ros_timer>')
+    (it,) = actions_of('<ros_timer period="$(var p)"><log message="a"/></ros_timer>')
     assert text_of(it.period, p='2.5') == '2.5'
 
 
 def test_executable(actions_of):
-    it, = actions_of('<executable cmd="ls $(var d)" cwd="/c" name="n" output="screen" shell="true" respawn="true" '
-                     'respawn_delay="2" launch-prefix="time"><env name="A" value="$(var d)"/></executable>')
+    (it,) = actions_of(
+        '<executable cmd="ls $(var d)" cwd="/c" name="n" output="screen" shell="true" respawn="true" '
+        'respawn_delay="2" launch-prefix="time"><env name="A" value="$(var d)"/></executable>'
+    )
     assert [text_of(word, d='x') for word in it.cmd] == ['ls', 'x']
-    (name, value), = it.additional_env
+    ((name, value),) = it.additional_env
     assert (text_of(name), text_of(value, d='x')) == ('A', 'x')
     assert text_of(it.cwd) == '/c'
     assert it.shell is True
@@ -109,22 +140,31 @@ def test_on_exit_is_shutdown_or_nothing(actions_of, failure_of):
     assert "expected to be 'shutdown' but got 'restart'" in str(error)
 
 
-@pytest.mark.parametrize(('attribute', 'holds'), [
-    ('if="true"', True), ('if="0"', False), ('unless="1"', False), ('unless="$(var f)"', True)])
+@pytest.mark.parametrize(
+    ('attribute', 'holds'),
+    [('if="true"', True), ('if="0"', False), ('unless="1"', False), ('unless="$(var f)"', True)],
+)
 def test_every_action_can_have_a_condition(actions_of, attribute, holds):
     context = LaunchContext()
     context.launch_configurations['f'] = 'false'
-    for text in ('<log message="a" {}/>', '<let name="a" value="b" {}/>', '<group {}/>', '<arg name="a" {}/>'):
-        it, = actions_of(text.format(attribute))
+    for text in (
+        '<log message="a" {}/>',
+        '<let name="a" value="b" {}/>',
+        '<group {}/>',
+        '<arg name="a" {}/>',
+    ):
+        (it,) = actions_of(text.format(attribute))
         assert it.condition.evaluate(context) is holds
 
 
 def test_node(actions_of):
-    it, = actions_of('<node pkg="p" exec="e" name="n" namespace="/s" args="a $(var b)" ros_args="--log-level info" '
-                     'output="$(var o)"><remap from="x" to="$(var b)"/></node>')
+    (it,) = actions_of(
+        '<node pkg="p" exec="e" name="n" namespace="/s" args="a $(var b)" ros_args="--log-level info" '
+        'output="$(var o)"><remap from="x" to="$(var b)"/></node>'
+    )
     words = [text_of(word, b='v') for word in it.cmd[1:] if 'LocalVar' not in word[0].describe()]
     assert words[:4] == ['a', 'v', '--ros-args', '--log-level']
-    (source, target), = it._Node__remappings
+    ((source, target),) = it._Node__remappings
     assert (text_of(source), text_of(target, b='v')) == ('x', 'v')
 
 
@@ -141,85 +181,117 @@ PARAMETERS = [
     ('<param name="p" value="1,2" value-sep=","/>', {'p': (1, 2)}),
     ('<param name="p" value="a;b" value-sep=";"/>', {'p': ('a', 'b')}),
     ('<param name="p" value="[1.0, 2.0]" type="list_of_float"/>', {'p': (1.0, 2.0)}),
-    ('<param name="g"><param name="a" value="1"/><param name="b"><param name="c" value="x"/></param></param>',
-     {'g.a': 1, 'g.b.c': 'x'}),
+    (
+        ('<param name="g"><param name="a" value="1"/>'
+        '<param name="b"><param name="c" value="x"/></param></param>'),
+        {'g.a': 1, 'g.b.c': 'x'},
+    ),
     ('<param name="p" value="1"/><param name="q$(var i)" value="2"/>', {'p': 1, 'q7': 2}),
 ]
 
 
 def evaluated(node):
     from launch_ros.utilities import evaluate_parameters
+
     context = LaunchContext()
     context.launch_configurations['i'] = '7'
     parameters = evaluate_parameters(context, node._Node__parameters)
-    return [{key: tuple(value) if isinstance(value, list) else value for key, value in one.items()}
-            if isinstance(one, dict) else str(one) for one in parameters]
+    return [
+        {key: tuple(value) if isinstance(value, list) else value for key, value in one.items()}
+        if isinstance(one, dict)
+        else str(one)
+        for one in parameters
+    ]
 
 
 @pytest.mark.parametrize(('text', 'parameters'), PARAMETERS)
 def test_param_values_have_types(actions_of, text, parameters):
-    it, = actions_of(f'<node exec="e">{text}</node>')
+    (it,) = actions_of(f'<node exec="e">{text}</node>')
     assert repr(evaluated(it)) == repr([parameters])
 
 
 def test_param_files_come_before_named_parameters(actions_of):
-    it, = actions_of('<node exec="e"><param name="p" value="1"/><param from="a/$(var i).yaml"/></node>')
+    (it,) = actions_of('<node exec="e"><param name="p" value="1"/><param from="a/$(var i).yaml"/></node>')
     assert evaluated(it) == ['a/7.yaml', {'p': 1}]
 
 
-@pytest.mark.parametrize(('text', 'parameters'), [
-    ('{name: p, value: 1}', {'p': 1}), ('{name: p, value: "1"}', {'p': '1'}), ('{name: p, value: [a, b]}', {'p': ('a', 'b')}),
-    ('{name: p, value: $(var i)}', {'p': 7}), ('{name: g, param: [{name: a, value: true}]}', {'g.a': True}),
-])
+@pytest.mark.parametrize(
+    ('text', 'parameters'),
+    [
+        ('{name: p, value: 1}', {'p': 1}),
+        ('{name: p, value: "1"}', {'p': '1'}),
+        ('{name: p, value: [a, b]}', {'p': ('a', 'b')}),
+        ('{name: p, value: $(var i)}', {'p': 7}),
+        ('{name: g, param: [{name: a, value: true}]}', {'g.a': True}),
+    ],
+)
 def test_param_values_in_yaml_keep_their_types(yaml_actions_of, text, parameters):
-    it, = yaml_actions_of(f'- node:\n    exec: e\n    param:\n    - {text}')
+    (it,) = yaml_actions_of(f'- node:\n    exec: e\n    param:\n    - {text}')
     assert repr(evaluated(it)) == repr([parameters])
 
 
-@pytest.mark.parametrize(('text', 'error', 'message'), [
-    ('<param value="1"/>', ValueError, 'param Entity should have name or from attribute'),
-    ('<param name="a" from="b"/>', RuntimeError, 'name and from attributes are mutually exclusive'),
-    ('<param name="a"/>', RuntimeError, 'either a value attribute or nested params are needed'),
-    ('<param name="a" value="1"><param name="b" value="1"/></param>', RuntimeError,
-     'nested parameters and value attributes are mutually exclusive'),
-    ('<param name="a" value="1" allow_substs="true"/>', RuntimeError,
-     "'allow_substs' can only be used together with 'from' attribute"),
-    ('<param name="a" value="1" type="bogus"/>', ValueError, "Got invalid type identifier 'bogus'"),
-    ('<param from="a" value="1"/>', ValueError, "Unexpected attribute(s) found in `param`: {'value'}"),
-])
+@pytest.mark.parametrize(
+    ('text', 'error', 'message'),
+    [
+        ('<param value="1"/>', ValueError, 'param Entity should have name or from attribute'),
+        ('<param name="a" from="b"/>', RuntimeError, 'name and from attributes are mutually exclusive'),
+        ('<param name="a"/>', RuntimeError, 'either a value attribute or nested params are needed'),
+        (
+            '<param name="a" value="1"><param name="b" value="1"/></param>',
+            RuntimeError,
+            'nested parameters and value attributes are mutually exclusive',
+        ),
+        (
+            '<param name="a" value="1" allow_substs="true"/>',
+            RuntimeError,
+            "'allow_substs' can only be used together with 'from' attribute",
+        ),
+        ('<param name="a" value="1" type="bogus"/>', ValueError, "Got invalid type identifier 'bogus'"),
+        ('<param from="a" value="1"/>', ValueError, "Unexpected attribute(s) found in `param`: {'value'}"),
+    ],
+)
 def test_param_attributes_must_go_together(failure_of, text, error, message):
     assert str(failure_of(f'<launch><node exec="e">{text}</node></launch>', raises=error)) == message
 
 
 def test_composition(actions_of):
-    nodes = ('<composable_node pkg="p" plugin="p::P" name="n" namespace="s" if="true"><param name="a" value="1"/>'
-             '<remap from="x" to="y"/><extra_arg name="use_intra_process_comms" value="true"/></composable_node>')
+    nodes = (
+        '<composable_node pkg="p" plugin="p::P" name="n" namespace="s" if="true"><param name="a" value="1"/>'
+        '<remap from="x" to="y"/><extra_arg name="use_intra_process_comms" value="true"/></composable_node>'
+    )
     container, load = actions_of(
         f'<node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">{nodes}'
-        f'</node_container><load_composable_node target="/c">{nodes}</load_composable_node>')
-    for descriptions in (container._ComposableNodeContainer__composable_node_descriptions,
-                         load._LoadComposableNodes__composable_node_descriptions):
-        it, = descriptions
-        assert [text_of(value) for value in (it.package, it.node_plugin, it.node_name, it.node_namespace)] == [
-            'p', 'p::P', 'n', 's']
+        f'</node_container><load_composable_node target="/c">{nodes}</load_composable_node>'
+    )
+    for descriptions in (
+        container._ComposableNodeContainer__composable_node_descriptions,
+        load._LoadComposableNodes__composable_node_descriptions,
+    ):
+        (it,) = descriptions
+        assert [
+            text_of(value) for value in (it.package, it.node_plugin, it.node_name, it.node_namespace)
+        ] == ['p', 'p::P', 'n', 's']
         assert it.condition() is not None
 
 
-@pytest.mark.parametrize(('text', 'name'), [
-    ('<push_ros_namespace namespace="a"/>', 'PushROSNamespace'),
-    ('<push-ros-namespace namespace="a"/>', 'PushROSNamespace'),
-    ('<set_parameter name="a" value="1"/>', 'SetParameter'),
-    ('<set_parameters_from_file filename="a"/>', 'SetParametersFromFile'),
-    ('<set_remap from="a" to="b"/>', 'SetRemap'),
-    ('<set_use_sim_time value="true"/>', 'SetUseSimTime'),
-    ('<set_ros_log_dir new_log_dir="a"/>', 'SetROSLogDir'),
-])
+@pytest.mark.parametrize(
+    ('text', 'name'),
+    [
+        ('<push_ros_namespace namespace="a"/>', 'PushROSNamespace'),
+        ('<push-ros-namespace namespace="a"/>', 'PushROSNamespace'),
+        ('<set_parameter name="a" value="1"/>', 'SetParameter'),
+        ('<set_parameters_from_file filename="a"/>', 'SetParametersFromFile'),
+        ('<set_remap from="a" to="b"/>', 'SetRemap'),
+        ('<set_use_sim_time value="true"/>', 'SetUseSimTime'),
+        ('<set_ros_log_dir new_log_dir="a"/>', 'SetROSLogDir'),
+    ],
+)
 def test_settings_for_nodes(actions_of, text, name):
     assert [type(action).__name__ for action in actions_of(text)] == [name]
 
 
 def test_a_group_in_yaml_is_a_list_of_actions(yaml_actions_of):
-    it, = yaml_actions_of('- group:\n  - push-ros-namespace: {namespace: a}\n  - log: {message: b}')
+    (it,) = yaml_actions_of('- group:\n  - push-ros-namespace: {namespace: a}\n  - log: {message: b}')
     assert [type(entity).__name__ for entity in it.get_sub_entities()][2:4] == ['PushROSNamespace', 'LogInfo']
 
 

@@ -1,4 +1,5 @@
 """Splitting command lines."""
+
 import pytest
 from launch.frontend import Parser
 from launch.frontend.action_parsers.command_line import words_of
@@ -8,20 +9,25 @@ def described(text):
     return [[piece.describe() for piece in word] for word in words_of(text, Parser())]
 
 
-@pytest.mark.parametrize(('text', 'words'), [
-    ('ls -l', [["'ls'"], ["'-l'"]]),
-    ('', []),
-    ('  ls  ', [["'ls'"]]),
-    ('ls "a b" \'c d\'', [["'ls'"], ["'a b'"], ["'c d'"]]),
-    ('$(var a) $(var b)', [["LaunchConfig('a')"], ["LaunchConfig('b')"]]),
-    ('$(var a)$(var b)', [["LaunchConfig('a')", "LaunchConfig('b')"]]),
-    ('-x$(var a)/y z', [["'-x'", "LaunchConfig('a')", "'/y'"], ["'z'"]]),
-    ('a $(var b) c', [["'a'"], ["LaunchConfig('b')"], ["'c'"]]),
-    ('a b$(var c)', [["'a'"], ["'b'", "LaunchConfig('c')"]]),
-    ('ls -l $(var s)/x$(var i) "a b"',
-     [["'ls'"], ["'-l'"], ["LaunchConfig('s')", "'/x'", "LaunchConfig('i')"], ["'a b'"]]),
-    ('a ""', [["'a'"], ["''"]]),
-])
+@pytest.mark.parametrize(
+    ('text', 'words'),
+    [
+        ('ls -l', [["'ls'"], ["'-l'"]]),
+        ('', []),
+        ('  ls  ', [["'ls'"]]),
+        ('ls "a b" \'c d\'', [["'ls'"], ["'a b'"], ["'c d'"]]),
+        ('$(var a) $(var b)', [["LaunchConfig('a')"], ["LaunchConfig('b')"]]),
+        ('$(var a)$(var b)', [["LaunchConfig('a')", "LaunchConfig('b')"]]),
+        ('-x$(var a)/y z', [["'-x'", "LaunchConfig('a')", "'/y'"], ["'z'"]]),
+        ('a $(var b) c', [["'a'"], ["LaunchConfig('b')"], ["'c'"]]),
+        ('a b$(var c)', [["'a'"], ["'b'", "LaunchConfig('c')"]]),
+        (
+            'ls -l $(var s)/x$(var i) "a b"',
+            [["'ls'"], ["'-l'"], ["LaunchConfig('s')", "'/x'", "LaunchConfig('i')"], ["'a b'"]],
+        ),
+        ('a ""', [["'a'"], ["''"]]),
+    ],
+)
 def test_literal_pieces_are_split_and_substitutions_are_not(text, words):
     assert described(text) == words
 

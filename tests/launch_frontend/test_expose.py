@@ -1,4 +1,5 @@
 """Registering elements and substitutions."""
+
 import pytest
 from launch.frontend import expose, expose_action, expose_substitution
 from launch.frontend.expose import action_parse_methods, substitution_parse_methods
@@ -25,12 +26,15 @@ def test_a_function_is_registered_itself():
 
     def parse(*_):
         return Exposed, {}
+
     assert expose_impl('it', register, 'action')(parse) is parse
     assert register['it'] is parse
 
 
 def test_a_class_without_parse_is_refused():
-    with pytest.raises(RuntimeError, match="Did not find a method called 'parse' in the class being decorated"):
+    with pytest.raises(
+        RuntimeError, match="Did not find a method called 'parse' in the class being decorated"
+    ):
         expose_impl('it', {}, 'action')(int)
 
 
@@ -51,7 +55,9 @@ def test_the_same_code_run_again_is_not_a_second_one():
     def define():
         def parse(*_):
             return Exposed, {}
+
         return parse
+
     register = {}
     expose_impl('it', register, 'action')(define())
     again = define()
@@ -70,6 +76,7 @@ def test_an_exposed_substitution_can_be_written(monkeypatch):
     @expose_substitution('shout')
     def parse(arguments):
         return TextSubstitution, {'text': arguments[0][0].text.upper()}
+
     try:
         assert parse_substitution('$(shout abc)')[0].text == 'ABC'
     finally:

@@ -1,45 +1,76 @@
 """The line of help after an error in a launch file."""
+
 import pytest
 
 IN_NODE = '<launch>\n<node pkg="a" exec="b" {}>{}</node>\n</launch>'
 
 
-@pytest.mark.parametrize(('text', 'help_line'), [
-    ('<launch>\n\n<nodee/></launch>', 'robot.launch.xml:3: <nodee> is no launch element; did you mean <node>?'),
-    ('<launch><zzzz/></launch>', 'robot.launch.xml:1: <zzzz> is no launch element'),
-    ('<launch><rosparam/></launch>',
-     "robot.launch.xml:1: <rosparam> is an element of ROS 1; 'param' does this in ROS 2"),
-    ('<launch><machine/></launch>', 'robot.launch.xml:1: <machine> is an element of ROS 1; ROS 2 has nothing like it'),
-    (IN_NODE.format('nmae="c"', ''), "robot.launch.xml:2: <node> knows no 'nmae'; did you mean 'name'?"),
-    (IN_NODE.format('type="c"', ''), "robot.launch.xml:2: <node> knows no 'type'; did you mean 'exec'?"),
-    (IN_NODE.format('', '<parm/>'), "robot.launch.xml:2: <node> knows no 'parm'; did you mean 'param'?"),
-    (IN_NODE.format('', '\n<remap from="c"/>'), "robot.launch.xml:3: <remap> needs the attribute 'to'"),
-    (IN_NODE.format('', '\n<param name="c"/>'), 'robot.launch.xml:3: in <param>'),
-    ('<launch>\n<executable cmd="ls &quot;a $(var b)&quot;"/></launch>',
-     "robot.launch.xml:2: in 'ls \"a ' a quote is not closed; close it before a $(...) begins"),
-    ('<launch>\n<node pkg="a"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'"),
-    ('<launch><group>\n<let name="a"/></group></launch>', "robot.launch.xml:2: <let> needs the attribute 'value'"),
-    ('<launch>\n<log message="$(find a)"/></launch>',
-     'robot.launch.xml:2: write $(find-pkg-share ...) instead of $(find ...)'),
+@pytest.mark.parametrize(
+    ('text', 'help_line'),
+    [
+        (
+            '<launch>\n\n<nodee/></launch>',
+            'robot.launch.xml:3: <nodee> is no launch element; did you mean <node>?',
+        ),
+        ('<launch><zzzz/></launch>', 'robot.launch.xml:1: <zzzz> is no launch element'),
+        (
+            '<launch><rosparam/></launch>',
+            "robot.launch.xml:1: <rosparam> is an element of ROS 1; 'param' does this in ROS 2",
+        ),
+        (
+            '<launch><machine/></launch>',
+            'robot.launch.xml:1: <machine> is an element of ROS 1; ROS 2 has nothing like it',
+        ),
+        (IN_NODE.format('nmae="c"', ''), "robot.launch.xml:2: <node> knows no 'nmae'; did you mean 'name'?"),
+        (IN_NODE.format('type="c"', ''), "robot.launch.xml:2: <node> knows no 'type'; did you mean 'exec'?"),
+        (IN_NODE.format('', '<parm/>'), "robot.launch.xml:2: <node> knows no 'parm'; did you mean 'param'?"),
+        (IN_NODE.format('', '\n<remap from="c"/>'), "robot.launch.xml:3: <remap> needs the attribute 'to'"),
+        (IN_NODE.format('', '\n<param name="c"/>'), 'robot.launch.xml:3: in <param>'),
+        (
+            '<launch>\n<executable cmd="ls &quot;a $(var b)&quot;"/></launch>',
+            "robot.launch.xml:2: in 'ls \"a ' a quote is not closed; close it before a $(...) begins",
+        ),
+        ('<launch>\n<node pkg="a"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'"),
+        (
+            '<launch><group>\n<let name="a"/></group></launch>',
+            "robot.launch.xml:2: <let> needs the attribute 'value'",
+        ),
+        (
+            '<launch>\n<log message="$(find a)"/></launch>',
+            'robot.launch.xml:2: write $(find-pkg-share ...) instead of $(find ...)',
+        ),
+        (
+        '<launch>\n<log message="$(var x"/></launch>',
+        "robot.launch.xml:2: expected one space and an argument, or ')' at column 8 of '$(var x'",
+    ),
     ('<launch>\n<group>\n</launch>', 'robot.launch.xml:3: <group> of line 2 is not closed'),
-    ('<robot/>', "robot.launch.xml:1: the outermost element is <robot>, not 'launch'"),
-])
+        ('<robot/>', "robot.launch.xml:1: the outermost element is <robot>, not 'launch'"),
+    ],
+)
 def test_an_error_in_xml_says_where_and_what_was_meant(failure_of, text, help_line):
     assert failure_of(text).edulaunch_help == help_line
 
 
-@pytest.mark.parametrize(('text', 'help_line'), [
-    ('launch:\n- nodee: {}', "x.yaml:2: 'nodee' is no launch element; did you mean 'node'?"),
-    ('launch:\n- node: {exec: a, nmae: b}', "x.yaml:2: 'node' knows no 'nmae'; did you mean 'name'?"),
-    ('launch:\n- arg:\n    default: a', "x.yaml:2: 'arg' needs the key 'name'"),
-    ('launch:\n- arg: {name: a, default: 1}', "x.yaml:2: write the value of 'default' in quotes"),
-    ('launch:\n- node: {exec: a, param: {name: b}}', "x.yaml:2: begin each 'param' with a dash: - {...}"),
-    ('launch:\n- node: {exec: a, output: "screen}', 'x.yaml:2: found unexpected end of stream'),
-])
+@pytest.mark.parametrize(
+    ('text', 'help_line'),
+    [
+        ('launch:\n- nodee: {}', "x.yaml:2: 'nodee' is no launch element; did you mean 'node'?"),
+        ('launch:\n- node: {exec: a, nmae: b}', "x.yaml:2: 'node' knows no 'nmae'; did you mean 'name'?"),
+        ('launch:\n- arg:\n    default: a', "x.yaml:2: 'arg' needs the key 'name'"),
+        ('launch:\n- arg: {name: a, default: 1}', "x.yaml:2: write the value of 'default' in quotes"),
+        ('launch:\n- node: {exec: a, param: {name: b}}', "x.yaml:2: begin each 'param' with a dash: - {...}"),
+        ('launch:\n- node: {exec: a, output: "screen}', 'x.yaml:2: found unexpected end of stream'),
+    ],
+)
 def test_an_error_in_yaml_does_so_too(failure_of, text, help_line):
     assert failure_of(text, 'x.yaml').edulaunch_help == help_line
 
 
 def test_the_parts_are_there_alone(failure_of):
     error = failure_of('<launch>\n<node pkg="a"/></launch>')
-    assert (error.edulaunch_file, error.edulaunch_line, error.edulaunch_tag) == ('robot.launch.xml', 2, 'node')
+    assert (error.edulaunch_file, error.edulaunch_line, error.edulaunch_tag) == (
+        'robot.launch.xml',
+        2,
+        'node',
+    )
+    assert str(error.edulaunch_origin) == 'robot.launch.xml:2'

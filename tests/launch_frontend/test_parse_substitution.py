@@ -1,4 +1,5 @@
 """From attribute texts to substitutions."""
+
 import pytest
 from launch.frontend.expose import substitution_parse_methods
 from launch.frontend.parse_substitution import (
@@ -20,43 +21,58 @@ def visit_error(text):
     return caught.value
 
 
-@pytest.mark.parametrize(('text', 'descriptions'), [
-    ('', ["''"]),
-    ('plain', ["'plain'"]),
-    ('a $(var b c) d', ["'a '", "LaunchConfig('b')", "' d'"]),
-    ('$(env HOME)', ["EnvVar('HOME')"]),
-    ('$(dirname)/x.yaml', ['ThisLaunchFileDir()', "'/x.yaml'"]),
-    ('$(filename)', ['ThisLaunchFile()']),
-    ("$(eval '1 + 2' 'sys, os')", ["PythonExpr('1 + 2', ['sys', 'os'])"]),
-    ("$(command 'ls -l')", ["Command('ls -l')"]),
-    ('$(find-exec ls)', ["FindExec('ls')"]),
-    ('$(log_dir)', ['LaunchLogDir()']),
-    ('$(anon x)', ["AnonName('x')"]),
-    ('$(file-content f)', ["FileContent('f')"]),
-])
+@pytest.mark.parametrize(
+    ('text', 'descriptions'),
+    [
+        ('', ["''"]),
+        ('plain', ["'plain'"]),
+        ('a $(var b c) d', ["'a '", "LaunchConfig('b')", "' d'"]),
+        ('$(env HOME)', ["EnvVar('HOME')"]),
+        ('$(dirname)/x.yaml', ['ThisLaunchFileDir()', "'/x.yaml'"]),
+        ('$(filename)', ['ThisLaunchFile()']),
+        ("$(eval '1 + 2' 'sys, os')", ["PythonExpr('1 + 2', ['sys', 'os'])"]),
+        ("$(command 'ls -l')", ["Command('ls -l')"]),
+        ('$(find-exec ls)', ["FindExec('ls')"]),
+        ('$(log_dir)', ['LaunchLogDir()']),
+        ('$(anon x)', ["AnonName('x')"]),
+        ('$(file-content f)', ["FileContent('f')"]),
+    ],
+)
 def test_each_keyword_makes_its_class(text, descriptions):
     assert described(text) == descriptions
 
 
-@pytest.mark.parametrize(('text', 'name'), [
-    ('$(not true)', 'NotSubstitution'), ('$(and 1 0)', 'AndSubstitution'), ('$(or 1 0)', 'OrSubstitution'),
-    ('$(equals a b)', 'EqualsSubstitution'), ('$(not-equals a b)', 'NotEqualsSubstitution'),
-    ("$(if true 'a' 'b')", 'IfElseSubstitution'), ('$(find-pkg-share p)', 'FindPackageShare'),
-    ('$(find-pkg-prefix p)', 'FindPackagePrefix'), ('$(exec-in-pkg e p)', 'ExecutableInPackage'),
-    ('$(param p)', 'Parameter'), ('$(launch_log_dir)', 'LaunchLogDir'),
-])
+@pytest.mark.parametrize(
+    ('text', 'name'),
+    [
+        ('$(not true)', 'NotSubstitution'),
+        ('$(and 1 0)', 'AndSubstitution'),
+        ('$(or 1 0)', 'OrSubstitution'),
+        ('$(equals a b)', 'EqualsSubstitution'),
+        ('$(not-equals a b)', 'NotEqualsSubstitution'),
+        ("$(if true 'a' 'b')", 'IfElseSubstitution'),
+        ('$(find-pkg-share p)', 'FindPackageShare'),
+        ('$(find-pkg-prefix p)', 'FindPackagePrefix'),
+        ('$(exec-in-pkg e p)', 'ExecutableInPackage'),
+        ('$(param p)', 'Parameter'),
+        ('$(launch_log_dir)', 'LaunchLogDir'),
+    ],
+)
 def test_keywords_without_a_description_too(text, name):
     assert [type(substitution).__name__ for substitution in parse_substitution(text)] == [name]
 
 
-@pytest.mark.parametrize(('text', 'message'), [
-    ('$(var)', 'var substitution expects 1 or 2 arguments'),
-    ('$(var a b c)', 'var substitution expects 1 or 2 arguments'),
-    ('$(eval)', 'eval substitution expects 1 or 2 arguments'),
-    ('$(not a b)', 'not substitution expects 1 argument'),
-    ('$(or a)', 'and substitution expects 2 arguments'),
-    ('$(unknown x)', 'Unknown substitution: unknown'),
-])
+@pytest.mark.parametrize(
+    ('text', 'message'),
+    [
+        ('$(var)', 'var substitution expects 1 or 2 arguments'),
+        ('$(var a b c)', 'var substitution expects 1 or 2 arguments'),
+        ('$(eval)', 'eval substitution expects 1 or 2 arguments'),
+        ('$(not a b)', 'not substitution expects 1 argument'),
+        ('$(or a)', 'and substitution expects 2 arguments'),
+        ('$(unknown x)', 'Unknown substitution: unknown'),
+    ],
+)
 def test_a_call_that_cannot_be_made_is_a_visit_error(text, message):
     assert str(visit_error(text)) == f'Error trying to process rule "substitution":\n\n{message}'
 
@@ -71,12 +87,18 @@ def test_a_nested_error_is_wrapped_once():
     assert str(visit_error('$(var $(var $(nope)))')).count('Error trying') == 1
 
 
-@pytest.mark.parametrize(('text', 'hint'), [
-    ('$(arg x)', 'write $(var ...) instead of $(arg ...)'),
-    ('$(find p)', 'write $(find-pkg-share ...) instead of $(find ...)'),
-    ('$(find_pkg_share p)', '$(find_pkg_share ...) is no substitution; did you mean $(find-pkg-share ...)?'),
-    ('$(qqqqqq p)', '$(qqqqqq ...) is no substitution'),
-])
+@pytest.mark.parametrize(
+    ('text', 'hint'),
+    [
+        ('$(arg x)', 'write $(var ...) instead of $(arg ...)'),
+        ('$(find p)', 'write $(find-pkg-share ...) instead of $(find ...)'),
+        (
+            '$(find_pkg_share p)',
+            '$(find_pkg_share ...) is no substitution; did you mean $(find-pkg-share ...)?',
+        ),
+        ('$(qqqqqq p)', '$(qqqqqq ...) is no substitution'),
+    ],
+)
 def test_a_wrong_name_comes_with_what_was_meant(text, hint):
     assert visit_error(text).edulaunch_hint == hint
 

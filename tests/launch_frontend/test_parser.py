@@ -1,4 +1,5 @@
 """Reading launch files of any format."""
+
 import importlib.metadata
 import io
 import warnings
@@ -6,10 +7,10 @@ import warnings
 import launch_xml
 import launch_yaml
 import pytest
+from launch.actions import LogInfo
 from launch.frontend import Entity, InvalidFrontendLaunchFileError, Parser, expose_action
 from launch.frontend import parser as parser_module
 from launch.frontend.expose import action_parse_methods
-from launch.actions import LogInfo
 
 
 def stream(text, name=None):
@@ -20,14 +21,18 @@ def stream(text, name=None):
 
 
 def test_the_name_of_the_file_decides_the_format(tmp_path):
-    for name, text, expected in (('a.launch.xml', '<launch/>', launch_xml.Parser),
-                                 ('b.launch.yaml', 'launch: []', launch_yaml.Parser)):
+    for name, text, expected in (
+        ('a.launch.xml', '<launch/>', launch_xml.Parser),
+        ('b.launch.yaml', 'launch: []', launch_yaml.Parser),
+    ):
         (tmp_path / name).write_text(text)
         root, parser = Parser.load(str(tmp_path / name))
         assert (root.type_name, type(parser), parser.file) == ('launch', expected, str(tmp_path / name))
 
 
-@pytest.mark.parametrize(('text', 'expected'), [('<launch/>', launch_xml.Parser), ('launch: []', launch_yaml.Parser)])
+@pytest.mark.parametrize(
+    ('text', 'expected'), [('<launch/>', launch_xml.Parser), ('launch: []', launch_yaml.Parser)]
+)
 def test_without_a_telling_name_every_format_is_tried(text, expected):
     for name in (None, 'x.launch', 'x.txt'):
         assert type(Parser.load(stream(text, name))[1]) is expected
@@ -49,16 +54,21 @@ def test_what_no_format_reads_is_reported_with_each_format_s_reason():
         Parser.load(stream('<launch>', 'x.launch.xml'))
     assert str(caught.value) == (
         'Caught multiple exceptions when trying to load file of format [xml]:\n'
-        ' - ParseError: no element found: line 1, column 8\n - RuntimeError: Expected only one root')
+        ' - ParseError: no element found: line 1, column 8\n - RuntimeError: Expected only one root'
+    )
 
 
 def test_an_unknown_kind_of_file_says_only_that():
-    with pytest.raises(InvalidFrontendLaunchFileError, match='^The launch file may have a syntax error, or its format'):
+    with pytest.raises(
+        InvalidFrontendLaunchFileError, match='^The launch file may have a syntax error, or its format'
+    ):
         Parser.load(stream('import os\ndef f():\n    pass', 'x.launch.py'))
 
 
 def test_a_missing_file_is_python_s_error():
-    with pytest.raises(FileNotFoundError, match=r"\[Errno 2\] No such file or directory: '/no/such/x.launch.xml'"):
+    with pytest.raises(
+        FileNotFoundError, match=r"\[Errno 2\] No such file or directory: '/no/such/x.launch.xml'"
+    ):
         Parser.load('/no/such/x.launch.xml')
 
 
@@ -90,7 +100,8 @@ def test_actions_know_file_and_line(describe):
 def test_an_exposed_action_is_an_element(actions_of):
     @expose_action('greet')
     def parse_greeting(entity, parser):
-        return LogInfo, {'msg': f"Hello {entity.get_attr('name')}"}
+        return LogInfo, {'msg': f'Hello {entity.get_attr("name")}'}
+
     try:
         assert actions_of('<greet name="you"/>')[0].msg[0].text == 'Hello you'
     finally:
@@ -104,10 +115,21 @@ class BadEntryPoint:
         raise ValueError('no')
 
 
-@pytest.mark.parametrize(('group', 'load', 'message'), [
-    ('launch.frontend.launch_extension', 'load_launch_extensions', 'Failed to load the launch extension: broken'),
-    ('launch.frontend.parser', 'load_parser_implementations', 'Failed to load the parser implementation: broken'),
-])
+@pytest.mark.parametrize(
+    ('group', 'load', 'message'),
+    [
+        (
+            'launch.frontend.launch_extension',
+            'load_launch_extensions',
+            'Failed to load the launch extension: broken',
+        ),
+        (
+            'launch.frontend.parser',
+            'load_parser_implementations',
+            'Failed to load the parser implementation: broken',
+        ),
+    ],
+)
 def test_a_broken_extension_gives_a_warning(monkeypatch, group, load, message):
     monkeypatch.setattr(parser_module.importlib_metadata, 'entry_points', lambda: {group: [BadEntryPoint()]})
     monkeypatch.setattr(Parser, 'extensions_loaded', False)
@@ -127,6 +149,7 @@ def test_an_extension_brings_a_format(monkeypatch):
     class EntryPoint:
         name = 'loud'
         load = staticmethod(lambda: Shouting)
+
     monkeypatch.setattr(importlib.metadata, 'entry_points', lambda: {'launch.frontend.parser': [EntryPoint]})
     monkeypatch.setattr(Parser, 'frontend_parsers', None)
     root, parser = Parser.load(stream('<launch/>', 'x.loud'))

@@ -1,4 +1,5 @@
 """The grammar of `$(...)`."""
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -6,33 +7,48 @@ from launch.frontend.substitution_errors import SubstitutionSyntaxError, Unexpec
 from launch.frontend.substitution_grammar import MAX_DEPTH, Call, parse_template
 
 
-@pytest.mark.parametrize(('text', 'pieces'), [
-    ('', ()),
-    ('plain text', ('plain text',)),
-    ('$(var x)', (Call('var', (('x',),)),)),
-    ('a$(var x)b', ('a', Call('var', (('x',),)), 'b')),
-    ('$(dirname)/x', (Call('dirname', ()), '/x')),
-    ('$(var a b)', (Call('var', (('a',), ('b',))),)),
-    ('$(var a$(env B)c)', (Call('var', (('a', Call('env', (('B',),)), 'c'),)),)),
-    ("$(var a 'b c')", (Call('var', (('a',), ('b c',))),)),
-    ('$(var a "")', (Call('var', (('a',), ())),)),
-    ("""$(eval "'$(var s)' == ")""", (Call('eval', (("'", Call('var', (('s',),)), "' == "),)),)),
-    (r"$(eval 'it\'s')", (Call('eval', (("it's",),)),)),
-    (r'$(var a\ b)', (Call('var', (('a b',),)),)),
-    ('$var $ (x) 5$', ('$var $ (x) 5$',)),
-    (r'\$(var x)', ('$(var x)',)),
-    (r'a\\b\c', (r'a\bc',)),
-    ('$(a-b_1 x)', (Call('a-b_1', (('x',),)),)),
-    ('two\nlines', ('two\nlines',)),
-])
+@pytest.mark.parametrize(
+    ('text', 'pieces'),
+    [
+        ('', ()),
+        ('plain text', ('plain text',)),
+        ('$(var x)', (Call('var', (('x',),)),)),
+        ('a$(var x)b', ('a', Call('var', (('x',),)), 'b')),
+        ('$(dirname)/x', (Call('dirname', ()), '/x')),
+        ('$(var a b)', (Call('var', (('a',), ('b',))),)),
+        ('$(var a$(env B)c)', (Call('var', (('a', Call('env', (('B',),)), 'c'),)),)),
+        ("$(var a 'b c')", (Call('var', (('a',), ('b c',))),)),
+        ('$(var a "")', (Call('var', (('a',), ())),)),
+        ("""$(eval "'$(var s)' == ")""", (Call('eval', (("'", Call('var', (('s',),)), "' == "),)),)),
+        (r"$(eval 'it\'s')", (Call('eval', (("it's",),)),)),
+        (r'$(var a\ b)', (Call('var', (('a b',),)),)),
+        ('$var $ (x) 5$', ('$var $ (x) 5$',)),
+        (r'\$(var x)', ('$(var x)',)),
+        (r'a\\b\c', (r'a\bc',)),
+        ('$(a-b_1 x)', (Call('a-b_1', (('x',),)),)),
+        ('two\nlines', ('two\nlines',)),
+    ],
+)
 def test_text_is_split_into_literals_and_calls(text, pieces):
     assert parse_template(text) == pieces
 
 
-@pytest.mark.parametrize(('text', 'column'), [
-    ('$()', 3), ('$( var)', 3), ('$(1x)', 3), ('$(var  x)', 7), ('$(var x )', 9), ('$(var\tx)', 6),
-    ("$(var 'a'b)", 10), ("$(var a'b')", 8), ('$(var (x))', 7), ('$(var $x)', 7), ('a\\', 2),
-])
+@pytest.mark.parametrize(
+    ('text', 'column'),
+    [
+        ('$()', 3),
+        ('$( var)', 3),
+        ('$(1x)', 3),
+        ('$(var  x)', 7),
+        ('$(var x )', 9),
+        ('$(var\tx)', 6),
+        ("$(var 'a'b)", 10),
+        ("$(var a'b')", 8),
+        ('$(var (x))', 7),
+        ('$(var $x)', 7),
+        ('a\\', 2),
+    ],
+)
 def test_a_character_out_of_place_is_pointed_at(text, column):
     with pytest.raises(UnexpectedCharacters) as caught:
         parse_template(text)

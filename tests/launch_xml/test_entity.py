@@ -1,9 +1,10 @@
 """XML elements as parse functions see them."""
+
 import xml.etree.ElementTree as ET
-from typing import List
 
 import pytest
 from launch.frontend import Entity as BaseEntity
+from launch.frontend.entity import Entities
 from launch_xml import Entity
 from launch_xml.reader import read
 
@@ -24,9 +25,9 @@ def test_attributes_are_converted():
 
 def test_lists_need_a_separator():
     it = entity('<x a="1,2" a-sep="," b="s;t" b-sep=";"/>')
-    assert it.get_attr('a', data_type=List[int]) == [1, 2]
+    assert it.get_attr('a', data_type=list[int]) == [1, 2]
     assert it.get_attr('a', data_type=None) == [1, 2]
-    assert it.get_attr('b', data_type=List[str]) == ['s', 't']
+    assert it.get_attr('b', data_type=list[str]) == ['s', 't']
     it.assert_entity_completely_parsed()
 
 
@@ -39,31 +40,38 @@ def test_a_missing_attribute_is_an_error_unless_optional():
 
 
 def test_an_attribute_of_the_wrong_type_is_an_error():
-    with pytest.raises(TypeError, match="Attribute 'a' of Entity 'x' expected to be of type '<class 'bool'>'"):
+    with pytest.raises(
+        TypeError, match="Attribute 'a' of Entity 'x' expected to be of type '<class 'bool'>'"
+    ):
         entity('<x a="maybe"/>').get_attr('a', data_type=bool, can_be_str=False)
 
 
 def test_children_are_found_by_name():
     it = entity('<node><param name="a"/><remap/><param name="b"/></node>')
-    assert [child.get_attr('name') for child in it.get_attr('param', data_type=List[BaseEntity])] == ['a', 'b']
-    assert it.get_attr('env', data_type=List[Entity], optional=True) is None
-    with pytest.raises(AttributeError, match=r"of type 'typing\.List\[launch\.frontend\.entity\.Entity\]' not found"):
-        it.get_attr('env', data_type=List[BaseEntity])
+    assert [child.get_attr('name') for child in it.get_attr('param', data_type=list[BaseEntity])] == [
+        'a',
+        'b',
+    ]
+    assert it.get_attr('env', data_type=list[Entity], optional=True) is None
+    with pytest.raises(
+        AttributeError, match=r"of type 'typing\.List\[launch\.frontend\.entity\.Entity\]' not found"
+    ):
+        it.get_attr('env', data_type=Entities)
 
 
 def test_children_know_their_parent_and_line():
     it = entity('<launch>\n<node/>\n</launch>')
-    child, = it.children
+    (child,) = it.children
     assert (child.type_name, child.parent, child.line) == ('node', it, 2)
 
 
 def test_what_nobody_asked_for_is_an_error():
     it = entity('<node zzz="1" pkg="a" nmae="b"><param/><bogus/></node>')
     it.get_attr('pkg')
-    it.get_attr('param', data_type=List[BaseEntity])
+    it.get_attr('param', data_type=list[BaseEntity])
     with pytest.raises(ValueError, match=r"^Unexpected nested tag\(s\) found in `node`: {'bogus'}$"):
         it.assert_entity_completely_parsed()
-    it.get_attr('bogus', data_type=List[BaseEntity])
+    it.get_attr('bogus', data_type=list[BaseEntity])
     with pytest.raises(ValueError, match=r"^Unexpected attribute\(s\) found in `node`: {'nmae', 'zzz'}$"):
         it.assert_entity_completely_parsed()
 

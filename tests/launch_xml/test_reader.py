@@ -1,4 +1,5 @@
 """From XML text to elements."""
+
 import xml.etree.ElementTree as ET
 
 import pytest
@@ -20,10 +21,23 @@ def test_elements_know_their_line():
     assert (root[0][0].tag, root[0][0].line, root[0][0].attrib) == ('node', 4, {'pkg': 'a'})
 
 
-@pytest.mark.parametrize('text', [
-    '', '<a>', '<a></b>', '<a b="1" b="2"/>', 'x<a/>', '<a/>x', '<a>&foo;</a>', '<a b="&foo;"/>', '<x:a/>', '<a b=1/>',
-    '<a>\x00</a>', '<!DOCTYPE a SYSTEM "nowhere.dtd"><a>\n&foo;</a>',
-])
+@pytest.mark.parametrize(
+    'text',
+    [
+        '',
+        '<a>',
+        '<a></b>',
+        '<a b="1" b="2"/>',
+        'x<a/>',
+        '<a/>x',
+        '<a>&foo;</a>',
+        '<a b="&foo;"/>',
+        '<x:a/>',
+        '<a b=1/>',
+        '<a>\x00</a>',
+        '<!DOCTYPE a SYSTEM "nowhere.dtd"><a>\n&foo;</a>',
+    ],
+)
 def test_broken_texts_are_reported_as_the_standard_library_does(text):
     with pytest.raises(ET.ParseError) as expected:
         ET.fromstring(text)
@@ -33,11 +47,14 @@ def test_broken_texts_are_reported_as_the_standard_library_does(text):
     assert caught.value.position == expected.value.position
 
 
-@pytest.mark.parametrize('text', [
-    BOMB,
-    '<!DOCTYPE l [<!ENTITY x SYSTEM "file:///etc/passwd">]><launch>&x;</launch>',
-    '<!DOCTYPE l [<!ENTITY % p SYSTEM "http://example.org/x"> %p;]><launch/>',
-])
+@pytest.mark.parametrize(
+    'text',
+    [
+        BOMB,
+        '<!DOCTYPE l [<!ENTITY x SYSTEM "file:///etc/passwd">]><launch>&x;</launch>',
+        '<!DOCTYPE l [<!ENTITY % p SYSTEM "http://example.org/x"> %p;]><launch/>',
+    ],
+)
 def test_declared_entities_are_refused(text):
     with pytest.raises(ValueError, match='is declared; launch files must not declare entities'):
         read(text)
@@ -64,9 +81,16 @@ def test_namespaces_are_written_as_the_standard_library_writes_them():
 
 names = st.from_regex(r'[a-z][a-z0-9_-]{0,5}', fullmatch=True)
 elements = st.recursive(
-    st.builds(lambda tag, attributes: ET.Element(tag, attributes), names, st.dictionaries(names, st.text('ab<&"\n'))),
-    lambda inner: st.builds(lambda parent, children: (parent.extend(children), parent)[1],
-                            st.builds(ET.Element, names), st.lists(inner, max_size=3)), max_leaves=8)
+    st.builds(
+        lambda tag, attributes: ET.Element(tag, attributes), names, st.dictionaries(names, st.text('ab<&"\n'))
+    ),
+    lambda inner: st.builds(
+        lambda parent, children: (parent.extend(children), parent)[1],
+        st.builds(ET.Element, names),
+        st.lists(inner, max_size=3),
+    ),
+    max_leaves=8,
+)
 
 
 @settings(max_examples=60, deadline=None)

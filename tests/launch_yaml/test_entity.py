@@ -1,5 +1,5 @@
 """YAML values as parse functions see them."""
-from typing import List
+
 
 import pytest
 from launch.frontend import Entity as BaseEntity
@@ -15,7 +15,7 @@ def test_values_must_have_the_type_already():
     it = entity('{a: 1, b: "1", c: [1, 2]}')
     assert it.get_attr('a', data_type=int) == 1
     assert it.get_attr('b', data_type=int) == '1'
-    assert it.get_attr('c', data_type=List[int]) == [1, 2]
+    assert it.get_attr('c', data_type=list[int]) == [1, 2]
     message = "^Attribute 'a' of Entity 'x' expected to be of type '<class 'str'>', got '<class 'int'>'$"
     with pytest.raises(TypeError, match=message):
         it.get_attr('a')
@@ -34,11 +34,13 @@ def test_a_missing_key_is_an_error_unless_optional(text):
         it.get_attr('exec')
 
 
-@pytest.mark.parametrize('text', ['{param: {name: a}}', '{param: a}', '{param: []}', '{param: [a]}', '{param: null}'])
+@pytest.mark.parametrize(
+    'text', ['{param: {name: a}}', '{param: a}', '{param: []}', '{param: [a]}', '{param: null}']
+)
 def test_child_elements_are_a_list_of_mappings(text):
     message = "^Attribute 'param' of Entity 'node' expected to be a list of dictionaries.$"
     with pytest.raises(TypeError, match=message):
-        entity(text, 'node').get_attr('param', data_type=List[BaseEntity])
+        entity(text, 'node').get_attr('param', data_type=list[BaseEntity])
 
 
 def test_children_are_one_key_mappings_in_a_list():
@@ -59,7 +61,9 @@ def test_other_children_are_an_error(text):
         entity(text).children  # noqa: B018
 
 
-@pytest.mark.parametrize(('text', 'error'), [('{a: 1}', ValueError), ('null', TypeError), ('{children: a}', TypeError)])
+@pytest.mark.parametrize(
+    ('text', 'error'), [('{a: 1}', ValueError), ('null', TypeError), ('{children: a}', TypeError)]
+)
 def test_an_element_without_a_list_has_no_children(text, error):
     with pytest.raises(error, match='child'):
         entity(text, 'group').children  # noqa: B018

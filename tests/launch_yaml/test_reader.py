@@ -1,4 +1,5 @@
 """From YAML text to data."""
+
 import pytest
 import yaml
 from hypothesis import given, settings
@@ -6,7 +7,9 @@ from hypothesis import strategies as st
 from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, read
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
-    f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n' for before, name in zip('abcdefgh', 'bcdefghi', strict=True))
+    f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n'
+    for before, name in zip('abcdefgh', 'bcdefghi', strict=True)
+)
 
 
 def test_mappings_know_the_line_of_their_first_key():
@@ -24,8 +27,20 @@ def test_merge_keys_work():
     assert read('x: &x {a: 1, b: 2}\ny: {<<: *x, b: 3}') == {'x': {'a': 1, 'b': 2}, 'y': {'a': 1, 'b': 3}}
 
 
-@pytest.mark.parametrize('text', ['[' * 200, '- ' * 200 + 'a', '[' * 100_000, '- ' * 50_000, '[ "]", ' * 50_000,
-                                  '{a: ' * 100_000, '? ' * 50_000, 'a: &a [*a]', 'a: &a {b: *a}'])
+@pytest.mark.parametrize(
+    'text',
+    [
+        '[' * 200,
+        '- ' * 200 + 'a',
+        '[' * 100_000,
+        '- ' * 50_000,
+        '[ "]", ' * 50_000,
+        '{a: ' * 100_000,
+        '? ' * 50_000,
+        'a: &a [*a]',
+        'a: &a {b: *a}',
+    ],
+)
 def test_nesting_has_a_limit(text):
     with pytest.raises((ValueError, yaml.YAMLError)):
         read(text)
@@ -42,7 +57,9 @@ def test_a_wide_text_is_not_mistaken_for_a_deep_one():
     assert len(read('[' + '[a], ' * SAFE_DEPTH + ']')) == SAFE_DEPTH
 
 
-@pytest.mark.parametrize('text', [BOMB, BOMB.replace('[', '{<<: [').replace(']', ']}').replace('x', '{k: 1}')])
+@pytest.mark.parametrize(
+    'text', [BOMB, BOMB.replace('[', '{<<: [').replace(']', ']}').replace('x', '{k: 1}')]
+)
 def test_aliases_cannot_multiply_the_text(text):
     with pytest.raises(ValueError, match='aliases multiply the text'):
         read(text)
@@ -53,7 +70,9 @@ def test_only_plain_data_is_made():
         read('!!python/object/apply:os.system [ls]')
 
 
-@pytest.mark.parametrize('text', ['a: 1\n---\nb: 2', 'a: b: c', '\t- a', '{? [a]: b}', '{{a: b}: c}', 'a: \x00', '@', '- !!map a'])
+@pytest.mark.parametrize(
+    'text', ['a: 1\n---\nb: 2', 'a: b: c', '\t- a', '{? [a]: b}', '{{a: b}: c}', 'a: \x00', '@', '- !!map a']
+)
 def test_broken_texts_give_pyyaml_s_error(text):
     with pytest.raises(yaml.YAMLError) as expected:
         yaml.load(text, Loader=yaml.CSafeLoader)
@@ -70,7 +89,9 @@ def test_the_python_loader_stands_in_for_the_c_loader(monkeypatch):
 
 data = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text('ab: #-[]{}"\n\\'),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text('abc'), inner, max_size=3), max_leaves=10)
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text('abc'), inner, max_size=3),
+    max_leaves=10,
+)
 
 
 @settings(max_examples=60, deadline=None)

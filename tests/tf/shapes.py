@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import strategies as st
 
-from edulaunch.tf import TransformBuffer
+from edulaunch.tf import TransformBuffer, TransformFailure
 from edulaunch.tf.quaternions import canonical, from_euler
 from edulaunch.tf.transforms import Transform
 
@@ -27,3 +28,15 @@ def chain_of(depth: int, samples: int = 1, period_ns: int = SECOND) -> Transform
         for link in range(depth):
             buffer.set(f'f{link}', f'f{link + 1}', (index + 1) * period_ns, at(1.0, yaw=0.1))
     return buffer
+
+
+def x_of(buffer: TransformBuffer, target: str, source: str, time_ns: int = 0) -> float:
+    """The x of a lookup."""
+    return buffer.lookup(target, source, time_ns)[1][0]
+
+
+def failure_of(buffer: TransformBuffer, *arguments: object) -> tuple[str, str]:
+    """Kind and text of the failure of a lookup."""
+    with pytest.raises(TransformFailure) as caught:
+        buffer.lookup(*arguments)
+    return caught.value.kind, str(caught.value)

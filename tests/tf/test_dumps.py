@@ -21,7 +21,8 @@ def turtle_world() -> TransformBuffer:
 def test_yaml_lists_the_children_in_order_of_first_mention():
     assert turtle_world().all_frames_as_yaml() == (
         "turtle1: \n  parent: 'world'\n  broadcaster: 'default_authority'\n  rate: 63.776\n"
-        '  most_recent_transform: 1700000000.784000\n  oldest_transform: 1700000000.000000\n  buffer_length: 0.784\n'
+        '  most_recent_transform: 1700000000.784000\n  oldest_transform: 1700000000.000000\n  '
+        'buffer_length: 0.784\n'
         "lamp: \n  parent: 'world'\n  broadcaster: 'default_authority'\n  rate: 10000.000\n"
         '  most_recent_transform: 0.000000\n  oldest_transform: 0.000000\n  buffer_length: 0.000\n'
     )

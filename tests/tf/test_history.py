@@ -35,6 +35,10 @@ def test_among_the_oldest_samples_of_one_stamp_the_first_wins_as_in_tf2():
     assert history_of((1, 0.0), (1, 1.0), (5, 2.0)).pose_at(1)[0] == 0.0
 
 
+def test_time_zero_is_the_newest_even_beside_a_stamp_of_zero():
+    assert history_of((0, 1.0), (5, 2.0)).pose_at(0)[0] == 2.0
+
+
 def test_an_identical_sample_is_dropped():
     assert history_of((1, 0.0), (5, 1.0), (5, 1.0), (1, 0.0)).count == 2
 

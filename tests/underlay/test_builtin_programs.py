@@ -27,7 +27,8 @@ def test_every_entry_point_is_there(package: str, executable: str, module: str, 
 
 
 def test_turtlesims_executables_are_those_of_the_tutorial() -> None:
-    assert Index([], []).executables('turtlesim') == ['draw_square', 'mimic', 'turtle_teleop_key', 'turtlesim_node']
+    assert Index([], []).executables('turtlesim') == [
+        'draw_square', 'mimic', 'turtle_teleop_key', 'turtlesim_node']
 
 
 @pytest.mark.parametrize('path', LAUNCH_FILES, ids=lambda path: path.name)

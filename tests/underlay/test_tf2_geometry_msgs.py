@@ -1,4 +1,5 @@
 """Transforming messages."""
+
 from __future__ import annotations
 
 from math import pi
@@ -51,14 +52,14 @@ def test_a_pose_keeps_w_positive():
     pose.orientation.z, pose.orientation.w = 1.0, 0.0
     result = under_test.do_transform_pose(pose, turn_and_shift())
     turned = result.orientation
-    assert (turned.x, turned.y, turned.z, turned.w) == pytest.approx((0.0, 0.0, -0.5 ** 0.5, 0.5 ** 0.5))
+    assert (turned.x, turned.y, turned.z, turned.w) == pytest.approx((0.0, 0.0, -(0.5**0.5), 0.5**0.5))
 
 
 def test_a_zero_quaternion_counts_as_no_rotation():
     stamped = PoseStamped()
     stamped.pose.orientation.w = 0.0
     turned = under_test.do_transform_pose_stamped(stamped, turn_and_shift()).pose.orientation
-    assert (turned.z, turned.w) == pytest.approx((0.5 ** 0.5, 0.5 ** 0.5))
+    assert (turned.z, turned.w) == pytest.approx((0.5**0.5, 0.5**0.5))
 
 
 def test_all_points_of_a_polygon_move():

@@ -1,4 +1,5 @@
 """tf2_ros in running nodes: broadcasters, listener, buffer, waiting, registration."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -25,18 +26,23 @@ def stamped(parent: str, child: str, seconds: float, x: float) -> TransformStamp
 @pytest.fixture
 def program(stage: Any) -> Callable[[Callable[[], object]], Any]:
     """Runs a function as a program of its own at the start of the simulation."""
+
     def start(body: Callable[[], object]) -> Any:
         from edulaunch.processes.process import Process
         from edulaunch.processes.spec import ProcessSpec
-        process = Process(stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'],
-                          lambda _: body())
+
+        process = Process(
+            stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'], lambda _: body()
+        )
         process.task.start()
         return process
+
     return start
 
 
 def listening(stage: Any, program: Any, use: Callable[[Node, tf2_ros.Buffer], None], **options: Any) -> None:
     """A program with a node, a buffer and a listener, set up by `use` and then spun."""
+
     def body() -> None:
         rclpy.init()
         node = Node('listener')
@@ -44,6 +50,7 @@ def listening(stage: Any, program: Any, use: Callable[[Node, tf2_ros.Buffer], No
         node.keep = tf2_ros.TransformListener(buffer, node)
         use(node, buffer)
         rclpy.spin(node)
+
     program(body)
 
 
@@ -58,6 +65,7 @@ def test_what_one_program_broadcasts_another_one_looks_up(stage, program):
         def send() -> None:
             now = node.get_clock().now().nanoseconds * 1e-9
             sender.sendTransform(stamped('world', 'turtle1', now, stage.tape.now_ms()))
+
         node.create_timer(0.1, send)
         rclpy.spin(node)
 
@@ -65,7 +73,9 @@ def test_what_one_program_broadcasts_another_one_looks_up(stage, program):
         def look() -> None:
             found = buffer.lookup_transform('world', 'turtle1', Time())
             seen.append((stage.tape.now_ms(), found.transform.translation.x))
+
         node.create_timer(0.27, look)
+
     program(broadcaster)
     listening(stage, program, use)
     stage.until(800)
@@ -81,6 +91,7 @@ def test_a_dropped_listener_hears_nothing(stage, program):
         tf2_ros.TransformListener(buffer, node)
         node.create_timer(0.5, lambda: names.append(buffer.all_frames_as_yaml()))
         rclpy.spin(node)
+
     program(body)
     stage.until(100)
     stage.publish('/tf', TFMessage(transforms=[stamped('world', 'turtle1', 1.0, 1.0)]))
@@ -94,21 +105,34 @@ def test_a_static_broadcaster_repeats_all_frames_but_never_changes_one(stage, pr
         sender = tf2_ros.StaticTransformBroadcaster(Node('static'))
         sender.sendTransform(stamped('world', 'a', 1.0, 1.0))
         sender.sendTransform([stamped('world', 'a', 1.0, 9.0), stamped('world', 'b', 1.0, 2.0)])
+
     program(body)
     stage.until(10)
-    sent = [[(one.child_frame_id, one.transform.translation.x) for one in message.transforms]
-            for message in stage.messages('/tf_static')]
+    sent = [
+        [(one.child_frame_id, one.transform.translation.x) for one in message.transforms]
+        for message in stage.messages('/tf_static')
+    ]
     assert sent == [[('a', 1.0)], [('a', 1.0), ('b', 2.0)]]
 
 
 def test_a_late_listener_gets_static_frames(stage, program):
     found: list[float] = []
     hand = stage.graph.add_node(None, 'early', '/')
-    publisher = stage.graph.create_publisher(hand, '/tf_static', TFMessage, QoS(depth=1, durability=TRANSIENT_LOCAL))
+    publisher = stage.graph.create_publisher(
+        hand, '/tf_static', TFMessage, QoS(depth=1, durability=TRANSIENT_LOCAL)
+    )
     publisher.publish(TFMessage.to_wire(TFMessage(transforms=[stamped('world', 'lamp', 0.0, 3.0)])))
     stage.until(1000)
-    listening(stage, program, lambda node, buffer: node.create_timer(0.1, lambda: found.append(
-        buffer.lookup_transform('world', 'lamp', Time(seconds=5)).transform.translation.x)))
+    listening(
+        stage,
+        program,
+        lambda node, buffer: node.create_timer(
+            0.1,
+            lambda: found.append(
+                buffer.lookup_transform('world', 'lamp', Time(seconds=5)).transform.translation.x
+            ),
+        ),
+    )
     stage.until(1150)
     assert found == [3.0]
 
@@ -122,12 +146,16 @@ def test_a_lookup_with_a_timeout_blocks_its_executor_to_the_end(stage, program):
                 buffer.lookup_transform('world', 'late', Time(), timeout=Duration(seconds=1.0))
             except tf2_ros.TransformException as error:
                 log.append((stage.tape.now_ms(), f'{type(error).__name__}: {error}'))
+
         node.create_timer(2.0, look)
+
     listening(stage, program, use)
     stage.until(2100)
     stage.publish('/tf', TFMessage(transforms=[stamped('world', 'late', 1.0, 1.0)]))
     stage.until(3500)
-    assert log == [(3000.0, 'LookupException: "world" passed to lookupTransform argument target_frame does not exist. ')]
+    assert log == [
+        (3000.0, 'LookupException: "world" passed to lookupTransform argument target_frame does not exist. ')
+    ]
 
 
 def test_with_a_thread_of_its_own_the_wait_ends_when_the_data_comes(stage, program):
@@ -140,6 +168,7 @@ def test_with_a_thread_of_its_own_the_wait_ends_when_the_data_comes(stage, progr
         found = buffer.lookup_transform('world', 'late', Time(), timeout=Duration(seconds=1.0))
         log.append((stage.tape.now_ms(), found.transform.translation.x))
         listener.unregister()
+
     program(body)
     stage.until(101)
     stage.publish('/tf', TFMessage(transforms=[stamped('world', 'late', 1.0, 7.0)]))
@@ -152,8 +181,10 @@ def test_a_future_is_done_when_the_transform_arrives(stage, program):
 
     def use(node: Node, buffer: tf2_ros.Buffer) -> None:
         future = buffer.wait_for_transform_async('world', 'late', Time())
-        future.add_done_callback(lambda done: log.append(
-            (stage.tape.now_ms(), done.result().transform.translation.x)))
+        future.add_done_callback(
+            lambda done: log.append((stage.tape.now_ms(), done.result().transform.translation.x))
+        )
+
     listening(stage, program, use)
     stage.until(300)
     for x in (4.0, 5.0):
@@ -170,7 +201,9 @@ def test_a_coroutine_callback_can_await_a_transform(stage, program):
             timer.cancel()
             found = await buffer.lookup_transform_async('world', 'late', Time())
             log.append((stage.tape.now_ms(), found.transform.translation.x))
+
         timer = node.create_timer(0.1, look)
+
     listening(stage, program, use)
     stage.until(350)
     stage.publish('/tf', TFMessage(transforms=[stamped('world', 'late', 1.0, 6.0)]))
@@ -185,6 +218,7 @@ def test_a_buffer_with_a_node_offers_its_frames(stage, program):
         buffer = tf2_ros.Buffer(node=node)
         buffer.set_transform(stamped('world', 'a', 1.0, 1.0), 'me')
         rclpy.spin(node)
+
     program(body)
     stage.until(10)
     replies = stage.ask('/robot/tf2_frames', FrameGraph)
@@ -197,8 +231,10 @@ def test_a_refused_transform_is_logged_by_the_unnamed_logger(stage, program):
     stage.until(10)
     stage.publish('/tf', TFMessage(transforms=[stamped('a', 'a', 1.0, 1.0)]))
     stage.until(20)
-    text = ('TF_SELF_TRANSFORM: Ignoring transform from authority "default_authority" with frame_id and  '
-            'child_frame_id "a" because they are the same')
+    text = (
+        'TF_SELF_TRANSFORM: Ignoring transform from authority "default_authority" with frame_id and  '
+        'child_frame_id "a" because they are the same'
+    )
     assert stage.tape.logs == [(10.0, text)]
     assert stage.tape.outputs == [(10.0, f'[ERROR] [1700000000.010000000] []: {text}\n')]
 
@@ -222,6 +258,7 @@ def test_objects_are_transformed_by_the_function_of_their_type(stage, program):
             results.append(str(error))
         tf2_ros.TransformRegistration().add(Thing, lambda one, found: found.transform.translation.x)
         results.append(buffer.transform(thing, 'world'))
+
     program(body)
     stage.until(10)
     assert results == [f'Type {Thing} is not loaded or supported', 5.0]
@@ -232,6 +269,7 @@ def test_points_are_transformed_once_tf2_geometry_msgs_is_imported(stage, progra
 
     def body() -> None:
         import tf2_geometry_msgs  # noqa: F401  registers its types
+
         rclpy.init()
         buffer = tf2_ros.Buffer()
         for seconds in (1, 2):
@@ -242,6 +280,7 @@ def test_points_are_transformed_once_tf2_geometry_msgs_is_imported(stage, progra
         point.header.stamp.sec = 1
         results.append(buffer.transform_full(point, 'a', Time(seconds=2), 'world').point.x)
         results.append(buffer.transform(point, 'world', new_type=PointStamped).header.frame_id)
+
     program(body)
     stage.until(10)
     assert results == [11.0, -4.0, 'world']
@@ -255,16 +294,21 @@ def test_convert_goes_directly_or_over_a_message(stage, program):
         registration.add_to_msg(complex, lambda value: (value.real, value.imag))
         registration.add_from_msg(str, lambda pair: f'{pair[0]} {pair[1]}')
         registration.add_convert((complex, float), abs)
-        results.extend([tf2_ros.convert(3 + 4j, str), tf2_ros.convert(3 + 4j, float), tf2_ros.convert('x', str)])
+        results.extend(
+            [tf2_ros.convert(3 + 4j, str), tf2_ros.convert(3 + 4j, float), tf2_ros.convert('x', str)]
+        )
         with pytest.raises(tf2_ros.TypeException, match="Type <class 'int'> is not loaded or supported"):
             tf2_ros.convert(3 + 4j, int)
+
     program(body)
     stage.until(10)
     assert results == ['3.0 4.0', 5.0, 'x']
 
 
 def test_all_names_of_the_package_can_be_imported():
-    assert {name: getattr(tf2_ros, name).__name__ for name in tf2_ros.__all__} == {n: n for n in tf2_ros.__all__}
+    assert {name: getattr(tf2_ros, name).__name__ for name in tf2_ros.__all__} == {
+        n: n for n in tf2_ros.__all__
+    }
     assert tf2_ros.buffer.Buffer is tf2_ros.Buffer
     with pytest.raises(ImportError):
         from tf2_ros import Bufer  # noqa: F401

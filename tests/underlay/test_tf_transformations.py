@@ -1,4 +1,5 @@
 """tf_transformations: the functions that students use."""
+
 from __future__ import annotations
 
 from itertools import product
@@ -10,14 +11,20 @@ import tf_transformations as under_test
 from hypothesis import given
 from hypothesis import strategies as st
 
-AXES = [frame + ''.join(letters) for frame in 'sr' for letters in product('xyz', repeat=3)
-        if letters[0] != letters[1] != letters[2]]
+AXES = [
+    frame + ''.join(letters)
+    for frame in 'sr'
+    for letters in product('xyz', repeat=3)
+    if letters[0] != letters[1] != letters[2]
+]
 angles = st.floats(-3.0, 3.0)
 
 
 def test_yaw_is_the_third_angle_and_the_quaternion_ends_with_w():
-    assert under_test.quaternion_from_euler(0, 0, pi / 2) == pytest.approx((0.0, 0.0, 0.5 ** 0.5, 0.5 ** 0.5))
-    assert under_test.euler_from_quaternion([0.0, 0.0, 0.5 ** 0.5, 0.5 ** 0.5]) == pytest.approx((0.0, 0.0, pi / 2))
+    assert under_test.quaternion_from_euler(0, 0, pi / 2) == pytest.approx((0.0, 0.0, 0.5**0.5, 0.5**0.5))
+    assert under_test.euler_from_quaternion([0.0, 0.0, 0.5**0.5, 0.5**0.5]) == pytest.approx(
+        (0.0, 0.0, pi / 2)
+    )
 
 
 def test_there_are_24_sequences_of_axes_and_others_are_refused():
@@ -38,7 +45,9 @@ def test_angles_read_from_a_matrix_make_the_same_matrix(a, b, c, axes):
 @pytest.mark.parametrize('middle', [0.0, pi, pi / 2, -pi / 2])
 def test_where_two_axes_coincide_the_matrix_is_still_right(axes, middle):
     matrix = under_test.euler_matrix(0.3, middle, 0.4, axes)
-    assert np.allclose(under_test.euler_matrix(*under_test.euler_from_matrix(matrix, axes), axes), matrix, atol=1e-6)
+    assert np.allclose(
+        under_test.euler_matrix(*under_test.euler_from_matrix(matrix, axes), axes), matrix, atol=1e-6
+    )
 
 
 def test_turning_axes_are_applied_in_the_other_order():
@@ -57,19 +66,24 @@ def test_a_quaternion_and_its_matrix_are_the_same_rotation(a, b, c):
 @given(angles, angles)
 def test_a_product_is_the_product_of_the_matrices(a, b):
     p, q = under_test.quaternion_from_euler(a, b, 0.3), under_test.quaternion_from_euler(b, 0.1, a)
-    assert np.allclose(under_test.quaternion_matrix(under_test.quaternion_multiply(p, q)),
-                       under_test.quaternion_matrix(p) @ under_test.quaternion_matrix(q))
+    assert np.allclose(
+        under_test.quaternion_matrix(under_test.quaternion_multiply(p, q)),
+        under_test.quaternion_matrix(p) @ under_test.quaternion_matrix(q),
+    )
 
 
 def test_the_inverse_undoes_whatever_the_length():
     q = (0.0, 0.0, 2.0, 2.0)
-    assert under_test.quaternion_multiply(under_test.quaternion_inverse(q), q) == pytest.approx((0.0, 0.0, 0.0, 1.0))
+    assert under_test.quaternion_multiply(under_test.quaternion_inverse(q), q) == pytest.approx(
+        (0.0, 0.0, 0.0, 1.0)
+    )
     assert under_test.quaternion_conjugate(q) == (0.0, 0.0, -2.0, 2.0)
 
 
 def test_matrices_concatenate_from_right_to_left():
-    moved = under_test.concatenate_matrices(under_test.translation_matrix((1, 2, 3)),
-                                            under_test.rotation_matrix(pi / 2, (0, 0, 1)))
+    moved = under_test.concatenate_matrices(
+        under_test.translation_matrix((1, 2, 3)), under_test.rotation_matrix(pi / 2, (0, 0, 1))
+    )
     assert np.allclose(moved @ (1, 0, 0, 1), (1, 3, 3, 1))
     assert np.allclose(under_test.translation_from_matrix(moved), (1, 2, 3))
     assert np.allclose(under_test.inverse_matrix(moved) @ moved, under_test.identity_matrix())

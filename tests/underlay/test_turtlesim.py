@@ -8,6 +8,7 @@ from geometry_msgs.msg import Twist, Vector3
 from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
 from rcl_interfaces.srv import SetParameters
 from std_srvs.srv import Empty
+from turtlesim.action import RotateAbsolute
 from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute
 
 TICK = 16.0
@@ -252,3 +253,20 @@ def test_a_newer_goal_and_a_command_abort_the_older(sim: Any) -> None:
         'Rotation goal received before a previous goal finished. Aborting previous goal',
         'Velocity command received during rotation goal. Aborting goal']
     assert sim.messages('/turtle1/pose')[-1].linear_velocity == 1.0
+
+
+@pytest.mark.parametrize('theta, count, last, delta', [
+    (1.57, 98, 0.018000006675720215, -1.5520000457763672), (0.0, 1, 0.0, 0.0)])
+def test_a_rotation_goal_ends_with_the_golden_feedback_and_result(
+        sim: Any, theta: float, count: int, last: float, delta: float) -> None:
+    action = RotateAbsolute.Impl
+    goal = RotateAbsolute.Goal(theta=theta)
+    accepted = sim.ask('/turtle1/rotate_absolute/_action/send_goal', action.SendGoalService, goal=goal)
+    sim.until(100)
+    result = sim.ask('/turtle1/rotate_absolute/_action/get_result', action.GetResultService)
+    sim.until(3000)
+    feedback = [message.feedback.remaining for message in sim.messages(
+        '/turtle1/rotate_absolute/_action/feedback')]
+    assert accepted[0].accepted
+    assert (len(feedback), feedback[-1]) == (count, last)
+    assert (result[0].status, result[0].result.delta) == (4, delta)

@@ -24,9 +24,7 @@ def find_processes(recording: Recording, package: str, executable: str) -> list[
     ]
 
 
-def require_process(
-    run: Evidence, package: str, executable: str, *, try_: str | None = None
-) -> ProcessRecord:
+def require_process(run: Evidence, package: str, executable: str) -> ProcessRecord:
     """The first process of an executable in the first scenario.
 
     :raises Missing: when none was started; names what was.
@@ -34,15 +32,15 @@ def require_process(
     found = find_processes(run.first, package, executable)
     if found:
         return found[0]
-    started = [process.executable or os.path.basename(process.argv[0]) for process in run.first.processes]
-    raise Missing(
-        f'the node {executable} of the package {package}',
-        name=executable,
-        among=started,
-        expected=f"Node(package='{package}', executable='{executable}')",
-        where=run.source.place,
-        try_=try_,
-    )
+    started = [process.executable or os.path.basename(process.argv[0]) for process in launched(run.first)]
+    raise Missing(f'the node {executable} of the package {package}', name=executable, among=started,
+                  expected=f"Node(package='{package}', executable='{executable}')", where=run.source.place,
+                  try_='add this Node to the LaunchDescription')
+
+
+def launched(recording: Recording) -> list[ProcessRecord]:
+    """Every process but launch itself."""
+    return [process for process in recording.processes if process.name != 'launch']
 
 
 def included_files(recording: Recording) -> list[str]:
@@ -50,15 +48,15 @@ def included_files(recording: Recording) -> list[str]:
     return [os.path.basename(path) for path in recording.includes if path != recording.launch.file]
 
 
-def refuse_ended(run: Evidence, package: str, executable: str) -> None:
-    """Fail when a process of this executable ended before its run was over.
+def refuse_dead(run: Evidence) -> None:
+    """Fail when a process died (ended with another exit code than 0) before its run was over.
 
     :raises Failure: with the exception's own text and place when one ended it.
     """
     for name, recording in run.items():
-        for process in find_processes(recording, package, executable):
-            if process.ended_s is not None:
-                raise _ended(process, run.scenario(name).command)
+        for process in launched(recording):
+            if process.returncode:
+                raise _death(process, run.scenario(name).words)
 
 
 def node_names(recording: Recording, processes: list[ProcessRecord]) -> list[str]:
@@ -67,23 +65,16 @@ def node_names(recording: Recording, processes: list[ProcessRecord]) -> list[str
     return [node.name for node in recording.nodes if node.process in launched]
 
 
-def _ended(process: ProcessRecord, command: str) -> Failure:
-    with_ = f' when launched with {command}' if command else ''
+def _death(process: ProcessRecord, words: str) -> Failure:
+    when = f'after {process.ended_s:.1f} s, when launched with {words}'
     error = process.exception
     if error is None:
-        return Failure(
-            f'{process.name} ended after {process.ended_s:.1f} s with exit code {process.returncode}{with_}',
-            where=process.origin,
-            try_='read what it printed before it ended',
-        )
-    where = Place(error['file'], error['line']) if error.get('file') else process.origin
-    started = '' if process.origin is None else f'; it was started at {process.origin[0]}:{process.origin[1]}'
-    return Failure(
-        f'{process.name} was ended by an exception after {process.ended_s:.1f} s{with_}',
-        seen=f'{error["type"]}: {error["message"]}',
-        where=where,
-        try_=f'look at the values that the launch file gives it{started}',
-    )
+        return Failure(f'{process.name} died {when}', expected='it runs until the end', where=process.origin,
+                       seen=f'exit code {process.returncode}', try_='read what it printed before it died')
+    place = Place(error['file'], error['line']) if error.get('file') else process.origin
+    origin = '' if process.origin is None else f', at {process.origin[0]}:{process.origin[1]}'
+    return Failure(f'{process.name} died {when}', seen=f'{error["type"]}: {error["message"]}', where=place,
+                   expected='it runs until the end', try_=f'look at what the launch file gives it{origin}')
 
 
 def _words_of_run(argv: list[str]) -> list[str]:

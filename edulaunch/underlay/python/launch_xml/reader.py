@@ -26,7 +26,7 @@ def read(text: str) -> Element:
 
 
 class _Reading:
-    """One run of expat: the elements that are open right now, and the root."""
+    """One run of expat: the elements that are open right now, outermost the document itself."""
 
     def __init__(self) -> None:
         from pyexpat import ParserCreate
@@ -36,8 +36,8 @@ class _Reading:
         self.expat.EndElementHandler = self.end
         self.expat.EntityDeclHandler = self.refuse_entity
         self.expat.SkippedEntityHandler = self.refuse_unknown_entity
-        self.roots: list[Element] = []
-        self.open: list[Element] = []
+        self.document = Element('', {}, 0)
+        self.open = [self.document]
 
     def root_of(self, text: str) -> Element:
         from pyexpat import ExpatError
@@ -48,7 +48,7 @@ class _Reading:
         except ValueError as error:
             error.edulaunch_line = self.expat.CurrentLineNumber  # type: ignore[attr-defined]
             raise
-        return self.roots[0]
+        return self.document[0]
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         if '}' in tag or '}' in ''.join(attributes):
@@ -56,12 +56,9 @@ class _Reading:
             attributes = {_qualified(name): value for name, value in attributes.items()}
         element = Element(tag, attributes, self.expat.CurrentLineNumber)
         opened = self.open
-        if opened:
-            opened[-1].append(element)
-            if len(opened) >= MAX_DEPTH:
-                raise ValueError(f'elements are nested more than {MAX_DEPTH} levels deep')
-        else:
-            self.roots.append(element)
+        if len(opened) > MAX_DEPTH:
+            raise ValueError(f'elements are nested more than {MAX_DEPTH} levels deep')
+        opened[-1].append(element)
         opened.append(element)
 
     def end(self, tag: str) -> None:
@@ -80,7 +77,7 @@ class _Reading:
         error: Any = ParseError(message)
         error.position = line, column
         error.edulaunch_line = line
-        if self.open and ('mismatched' in message or 'no element' in message):
+        if len(self.open) > 1 and ('mismatched' in message or 'no element' in message):
             error.edulaunch_hint = f'<{self.open[-1].tag}> of line {self.open[-1].line} is not closed'
         return error  # type: ignore[no-any-return]
 

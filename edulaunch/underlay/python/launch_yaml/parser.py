@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 from typing import Any, TextIO
 
-from launch.frontend import hints
+from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.parser import Parser as BaseParser
 
 from .entity import Entity
@@ -14,22 +14,13 @@ class Parser(BaseParser):
     """Reads launch files in YAML."""
 
     @classmethod
-    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
+    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[BaseEntity, BaseParser]:
         """The root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises yaml.YAMLError: when the text is not YAML.
         :raises RuntimeError: when there is more than one root.
         """
-        if isinstance(file, (str, os.PathLike)):
-            with open(file, encoding='utf-8') as stream:
-                return cls.load(stream)
-        parser = cls()
-        parser.file = str(getattr(file, 'name', ''))
-        try:
-            return cls._root_of(file.read()), parser
-        except Exception as error:
-            hints.complete_unreadable(error, parser.file)
-            raise
+        return cls.load_with(file, cls._root_of)
 
     @staticmethod
     def _root_of(text: str) -> Entity:

@@ -68,19 +68,30 @@ def _mapping_of(node: Any, loader: Any) -> Mapping:
     mapping = Mapping()
     mapping.line = node.start_mark.line + 1
     for key_node, value_node in node.value:
-        key = _data_of(key_node, loader)
+        key, value = _data_of(key_node, loader), _data_of(value_node, loader)
         try:
-            mapping[key] = _data_of(value_node, loader)
+            mapping[key] = value
         except TypeError:
             raise yaml.constructor.ConstructorError(
-                'while constructing a mapping', node.start_mark, 'found unhashable key', key_node.start_mark) from None
+                'while constructing a mapping', node.start_mark, 'found unhashable key',
+                key_node.start_mark) from None
     return mapping
 
 
 def _possible_depth(text: str) -> int:
-    """No text is nested deeper: a bracket opens one level, and an indentation by one column two at most."""
-    longest_line = max(map(len, text.split('\n')))
-    return text.count('[') + text.count('{') + 2 * longest_line
+    """A quick upper bound of the nesting, so that nearly all texts need no closer look.
+
+    A bracket opens one level; it is not counted when its own line closes it for certain: when no quote or
+    comment is near. An indentation by one column opens two levels at most.
+    """
+    longest = brackets = 0
+    for line in text.split('\n'):
+        longest = max(longest, len(line))
+        opened = line.count('[') + line.count('{')
+        if opened and '"' not in line and "'" not in line and '#' not in line:
+            opened -= line.count(']') + line.count('}')
+        brackets += max(opened, 0)
+    return brackets + 2 * longest + 1
 
 
 def _check_depth_of_events(text: str, loader_class: Any) -> None:

@@ -15,7 +15,8 @@ class ProcessState:
     """rclpy's side of one running program.
 
     :ivar contexts: all initialised contexts, in order; signals shut them down.
-    :ivar loggers: per logger name, what its call sites remember (`once`, `throttle_duration_sec` ...).
+    :ivar previous_handlers: signal number -> (our handler, the one before it), while signals are handled.
+    :ivar goal_ids: the random generator of action goal ids.
     """
 
     def __init__(self, process: Any) -> None:
@@ -24,8 +25,9 @@ class ProcessState:
         self.global_executor: Executor | None = None
         self.contexts: list[Context] = []
         self.signal_options: Any = None
+        self.previous_handlers: dict[int, Any] = {}
         self.logging: LoggingState | None = None
-        self.lifecycle_names: dict[str, Any] = {}
+        self.goal_ids: Any = None
 
 
 def process_state() -> ProcessState:

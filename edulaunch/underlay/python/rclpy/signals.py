@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import signal
+from collections.abc import Callable
 from enum import IntEnum
 
 from rclpy.process_state import ProcessState, process_state
@@ -17,23 +18,45 @@ class SignalHandlerOptions(IntEnum):
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """From now on SIGINT shuts all contexts down and raises KeyboardInterrupt; SIGTERM shuts them down and nothing more."""
+    """From now on SIGINT shuts all contexts down and raises KeyboardInterrupt; SIGTERM shuts them down and nothing more.
+
+    A handler that the program has set before is called after that (in place of the KeyboardInterrupt).
+    """
     state = process_state()
-    handlers = state.process.signal_handlers
     if options in (SignalHandlerOptions.ALL, SignalHandlerOptions.SIGINT):
-        handlers.setdefault(signal.SIGINT, _on_interrupt)
+        _install(state, signal.SIGINT, _raise_keyboard_interrupt)
     if options in (SignalHandlerOptions.ALL, SignalHandlerOptions.SIGTERM):
-        handlers.setdefault(signal.SIGTERM, _on_terminate)
+        _install(state, signal.SIGTERM, None)
     state.signal_options = options
+
+
+def _install(state: ProcessState, number: int, default: Callable[[int], object] | None) -> None:
+    handlers = state.process.signal_handlers
+    if number in state.previous_handlers:
+        return
+    before = handlers.get(number)
+
+    def handler(signum: int) -> None:
+        for context in list(state.contexts):
+            context.try_shutdown()
+        following = before or default
+        if following is not None:
+            following(signum)
+
+    state.previous_handlers[number] = (handler, before)
+    handlers[number] = handler
 
 
 def uninstall_signal_handlers() -> None:
     """Undo :func:`install_signal_handlers`."""
     state = process_state()
     handlers = state.process.signal_handlers
-    for number, handler in ((signal.SIGINT, _on_interrupt), (signal.SIGTERM, _on_terminate)):
+    for number, (handler, before) in state.previous_handlers.items():
         if handlers.get(number) is handler:
             del handlers[number]
+            if before is not None:
+                handlers[number] = before
+    state.previous_handlers.clear()
     state.signal_options = SignalHandlerOptions.NO
 
 
@@ -43,18 +66,8 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
     return SignalHandlerOptions.NO if options is None else SignalHandlerOptions(options)
 
 
-def _on_interrupt(_: int) -> None:
-    _shut_down(process_state())
+def _raise_keyboard_interrupt(_: int) -> None:
     raise KeyboardInterrupt
-
-
-def _on_terminate(_: int) -> None:
-    _shut_down(process_state())
-
-
-def _shut_down(state: ProcessState) -> None:
-    for context in list(state.contexts):
-        context.try_shutdown()
 
 
 class SignalHandlerGuardCondition:

@@ -1,6 +1,7 @@
 """The program rviz2."""
 from __future__ import annotations
 
+import os
 import sys
 
 import rclpy
@@ -36,7 +37,7 @@ class Rviz(CppNode):
         except ValueError as error:
             log.error(f"Could not load display config '{config}': it is not an RViz config: {error}")
         else:
-            log.info(f"Loaded display config '{config}'")
+            log.info(f"Loaded display config '{os.path.basename(config)}'")
             return view
         return View(displays=('Grid',))
 

@@ -64,8 +64,8 @@ class Monitor(CppNode):
 
     def age_s(self, stamp: Any) -> float:
         """How long ago a stamp was, in seconds."""
-        now_ns = self.get_clock().now().nanoseconds
-        return (now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
+        now_ns: int = self.get_clock().now().nanoseconds
+        return float(now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
 
     def take(self, message: TFMessage, is_static: bool) -> None:
         """Note the delay of each transform of a message."""

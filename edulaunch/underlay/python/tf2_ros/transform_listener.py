@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -62,14 +63,15 @@ class TransformListener:
             self._start_thread()
 
     def _start_thread(self) -> None:
-        from rclpy.executors import SingleThreadedExecutor
+        from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 
         self.executor = executor = SingleThreadedExecutor()
         node = self.node
 
         def run() -> None:
             executor.add_node(node)
-            executor.spin()
+            with suppress(ExternalShutdownException):
+                executor.spin()
             executor.remove_node(node)
 
         threading = current_process().loader.import_(

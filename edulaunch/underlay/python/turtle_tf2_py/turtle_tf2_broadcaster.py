@@ -17,6 +17,7 @@ class FramePublisher(Node):
     def __init__(self) -> None:
         super().__init__('turtle_tf2_frame_publisher')
         self._turtle = self.declare_parameter('turtlename', 'turtle').get_parameter_value().string_value
+        self._clock = self.get_clock()
         self._broadcaster = TransformBroadcaster(self)
         self._poses = self.create_subscription(Pose, f'/{self._turtle}/pose', self._on_pose, 1)
         self._transform = TransformStamped()
@@ -25,7 +26,8 @@ class FramePublisher(Node):
 
     def _on_pose(self, pose: Pose) -> None:
         stamped = self._transform
-        stamped.header.stamp = self.get_clock().now().to_msg()
+        stamp = stamped.header.stamp
+        stamp.sec, stamp.nanosec = self._clock.now().seconds_nanoseconds()
         transform = stamped.transform
         transform.translation.x = pose.x
         transform.translation.y = pose.y

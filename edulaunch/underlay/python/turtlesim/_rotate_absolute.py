@@ -21,8 +21,9 @@ class RotateAbsoluteServer:
         self.goal: Any = None
         self._turtle = turtle
         self._log = node.get_logger()
+        self._numbers: Any = None
         self._result: Any = None
-        self._done: Any = None
+        self._results: dict[Any, Future] = {}  # by goal: done when the goal has ended
         self._server = ActionServer(
             node, RotateAbsolute, f'{turtle.name}/rotate_absolute', self._execute,
             handle_accepted_callback=self._on_accepted, cancel_callback=_accept_cancel)
@@ -63,17 +64,19 @@ class RotateAbsoluteServer:
             self.abort()
         self.goal = goal
         self._result = RotateAbsolute.Result()
-        self._done = Future()
+        self._results[goal] = Future()
         self._numbers = self._turtle.rotate_to(goal.request.theta)
         goal.execute()
 
     async def _execute(self, goal: Any) -> Any:
-        return await self._done
+        result = await self._results[goal]
+        del self._results[goal]
+        return result
 
     def _end(self) -> None:
-        self.goal = None
+        ended, self.goal = self.goal, None
         self._turtle.rotation = None
-        self._done.set_result(self._result)
+        self._results[ended].set_result(self._result)
 
 
 def _accept_cancel(goal: Any) -> CancelResponse:

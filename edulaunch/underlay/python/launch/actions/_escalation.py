@@ -28,7 +28,7 @@ def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
         _timer(action, logger, [kill_after], signal.SIGTERM, signal.SIGKILL)]
 
 
-def send_signal(action: ExecuteLocal, signum: signal.Signals) -> EmitEvent:
+def request_signal(action: ExecuteLocal, signum: signal.Signals) -> EmitEvent:
     """The action that asks for a signal to the process of `action`."""
     return EmitEvent(event=SignalProcess(signal_number=signum, process_matcher=matches_action(action)))
 
@@ -40,5 +40,5 @@ def _timer(action: ExecuteLocal, logger: Any, timeout: Timeout, sent: signal.Sig
         logger.error(f"process[{context.locals.process_name}] failed to terminate '{seconds}' seconds after receiving "
                      f"'{sent.name}', escalating to '{next_signal.name}'")
 
-    return TimerAction(period=timeout, actions=[OpaqueFunction(function=complain), send_signal(action, next_signal)],
+    return TimerAction(period=timeout, actions=[OpaqueFunction(function=complain), request_signal(action, next_signal)],
                        cancel_on_shutdown=False)

@@ -58,9 +58,9 @@ class Entity(ABC):
         """
 
     def given(self, names: Collection[str]) -> list[str]:
-        """Those of `names` that the element has, as attribute or child; all count as asked for. (edulaunch only.)
+        """Those of `names` that the element has, as attribute or child; all count as asked for.
 
-        Much quicker than asking for each, where the format overrides it.
+        (edulaunch only.) Much quicker than asking for each, where the format overrides it.
         """
         return [name for name in names if self._has(name)]
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from .._origin import origin_of
 from .expose import action_parse_methods, substitution_parse_methods
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ def complete(error: BaseException, file: str, entity: Entity) -> None:
     if not hasattr(error, 'edulaunch_line'):
         at(error, entity, getattr(error, 'edulaunch_hint', None))
     known.edulaunch_file = file
+    _point_to(error, file, known.edulaunch_line)
     hint = getattr(error, 'edulaunch_hint', None) or f'in {known.edulaunch_shown}'
     known.edulaunch_help = f'{file or "<string>"}:{known.edulaunch_line}: {hint}'
 
@@ -96,4 +98,11 @@ def complete_unreadable(error: Any, file: str) -> None:
     problem = getattr(error, 'edulaunch_hint', None) or getattr(error, 'problem', None) or str(error)
     first_line = problem.split('\n', 1)[0]
     error.edulaunch_file, error.edulaunch_line = file, line
+    _point_to(error, file, line)
     error.edulaunch_help = f'{file or "<string>"}:{f"{line}:" if line else ""} {first_line}'
+
+
+def _point_to(error: Any, file: str, line: int) -> None:
+    """The same place as an error of a Python launch file has it (see `launch._origin`)."""
+    if file and not hasattr(error, 'edulaunch_origin'):
+        error.edulaunch_origin = origin_of((file, line))

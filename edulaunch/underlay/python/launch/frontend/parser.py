@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
 from . import hints
+from .collector_pause import collector_paused
 from .entity import Entity
 from .expose import action_parse_methods
 from .extensions import load_launch_extensions, load_parsers
@@ -15,7 +17,6 @@ from .parse_substitution import parse_if_substitutions, parse_substitution, repl
 if TYPE_CHECKING:
     from ..action import Action
     from ..launch_description import LaunchDescription
-    from ..substitution import Substitution
 
 __all__ = ['InvalidFrontendLaunchFileError', 'Parser']
 
@@ -49,6 +50,10 @@ class Parser:
 
         :raises RuntimeError: when the root is not `launch`, or an element is unknown.
         """
+        with collector_paused():
+            return self._parse_root(entity)
+
+    def _parse_root(self, entity: Entity) -> LaunchDescription:
         from ..launch_description import LaunchDescription
         if entity.type_name != 'launch':
             error = RuntimeError("Expected 'launch' as root tag")
@@ -108,6 +113,25 @@ class Parser:
             with open(file, encoding='utf-8') as stream:
                 return cls._load_stream(stream)
         return cls._load_stream(file)
+
+    @classmethod
+    def load_with(cls, file: str | os.PathLike[str] | TextIO,
+                  root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
+        """For subclasses, to write their :meth:`load` with. (edulaunch only.)
+
+        :param root_of: makes the root element from the text of the file; its errors are told where they are.
+        """
+        if isinstance(file, (str, os.PathLike)):
+            with open(file, encoding='utf-8') as stream:
+                return cls.load_with(stream, root_of)
+        parser = cls()
+        parser.file = str(getattr(file, 'name', ''))
+        try:
+            with collector_paused():
+                return root_of(file.read()), parser
+        except Exception as error:
+            hints.complete_unreadable(error, parser.file)
+            raise
 
     @classmethod
     def _load_stream(cls, stream: TextIO) -> tuple[Entity, Parser]:

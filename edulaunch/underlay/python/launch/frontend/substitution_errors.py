@@ -5,6 +5,7 @@ Upstream parses with lark, so these errors carry the names and first lines of la
 from __future__ import annotations
 
 CONTEXT_WIDTH = 40
+LONGEST_SHOWN = 60
 
 
 class SubstitutionSyntaxError(Exception):
@@ -14,36 +15,43 @@ class SubstitutionSyntaxError(Exception):
 class UnexpectedInput(SubstitutionSyntaxError):
     """The text does not follow the grammar.
 
-    :ivar line: line of the offending character within the text, from 1.
+    :param position: index of the offending character.
+    :param expected: what would have been allowed there, in words.
+    :ivar line: line of that character within the text, from 1.
     :ivar column: its column, from 1.
-    """
-
-    def __init__(self, message: str, text: str, position: int) -> None:
-        super().__init__(message)
-        self.pos_in_stream = position
-        self.line = text.count('\n', 0, position) + 1
-        self.column = position - text.rfind('\n', 0, position)
-
-
-class UnexpectedCharacters(UnexpectedInput):
-    """A character stands where the grammar does not allow it; the message shows it with a caret.
-
-    :param expected: what would have been allowed, in words.
+    :ivar edulaunch_hint: one line of help.
     """
 
     def __init__(self, text: str, position: int, expected: str) -> None:
-        super().__init__('', text, position)
+        self.pos_in_stream = position
+        self.line = text.count('\n', 0, position) + 1
+        self.column = position - text.rfind('\n', 0, position)
+        shown = text if len(text) <= LONGEST_SHOWN else f'{text[:LONGEST_SHOWN]}...'
+        self.edulaunch_hint = f'expected {expected} at column {self.column} of {shown!r}'
+        super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
+
+    def first_line(self, text: str) -> str:
+        """What lark says before it lists what it expected."""
+        return 'Unexpected input. '
+
+
+class UnexpectedCharacters(UnexpectedInput):
+    """A character stands where the grammar does not allow it; the message shows it with a caret."""
+
+    def first_line(self, text: str) -> str:
+        """Names the character and its place, and shows both."""
+        found = text[self.pos_in_stream]
         place = f'at line {self.line} col {self.column}'
-        message = (f"No terminal matches '{text[position]}' in the current parser context, {place}\n\n"
-                   f'{_pointing_at(text, position)}Expected one of: \n\t* {expected}\n')
-        self.args = (message,)
+        return (f"No terminal matches '{found}' in the current parser context, {place}\n\n"
+                f'{_pointing_at(text, self.pos_in_stream)}')
 
 
 class UnexpectedEOF(UnexpectedInput):
     """The text ends inside a `$(...)`."""
 
-    def __init__(self, text: str, expected: str) -> None:
-        super().__init__(f'Unexpected end-of-input. Expected one of: \n\t* {expected}\n', text, len(text))
+    def first_line(self, text: str) -> str:
+        """There is nothing to show."""
+        return 'Unexpected end-of-input. '
 
 
 class VisitError(SubstitutionSyntaxError):

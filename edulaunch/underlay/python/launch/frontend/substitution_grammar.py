@@ -122,5 +122,5 @@ class _Reader:
     def unexpected(self, expected: str) -> SubstitutionSyntaxError:
         """The error for what stands (or does not stand) at the position."""
         if self.position >= len(self.text):
-            return UnexpectedEOF(self.text, expected)
+            return UnexpectedEOF(self.text, self.position, expected)
         return UnexpectedCharacters(self.text, self.position, expected)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetROSLogDir(Action):
-    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative folder goes below the current."""
+    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative one goes below the current."""
 
     parse = parsed_as_action('set_ros_log_dir')
 
@@ -32,8 +32,13 @@ class SetROSLogDir(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Set the environment variable."""
-        from launch.substitutions.launch_log_dir import LaunchLogDir
+        folder = perform_substitutions(context, self.__log_dir)
+        if not os.path.isabs(folder):
+            folder = os.path.join(context.environment.get('ROS_LOG_DIR') or _launch_log_dir(context), folder)
+        context.environment['ROS_LOG_DIR'] = folder
 
-        new = perform_substitutions(context, self.__log_dir)
-        current = context.environment.get('ROS_LOG_DIR') or LaunchLogDir().perform(context)
-        context.environment['ROS_LOG_DIR'] = os.path.join(current, new)
+
+def _launch_log_dir(context: LaunchContext) -> str:
+    from launch.substitutions.launch_log_dir import LaunchLogDir
+
+    return LaunchLogDir().perform(context)

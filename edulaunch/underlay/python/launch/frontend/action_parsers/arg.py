@@ -31,4 +31,5 @@ def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
 
 
 _OPTIONALS: Optionals = {
-    'default': ('default_value', text), 'description': ('description', _literal), 'choice': ('choices', _choices)}
+    'default': ('default_value', text), 'description': ('description', _literal),
+    'choice': ('choices', _choices)}

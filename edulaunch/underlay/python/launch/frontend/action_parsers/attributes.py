@@ -1,4 +1,4 @@
-"""What elements have in common: optional attributes of several kinds, and children with a name and a value."""
+"""What elements have in common: optional attributes, and children with a name and a value."""
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -48,4 +48,5 @@ def _split(text: str) -> list[str]:
     try:
         return split(text)
     except ValueError as error:
-        raise hints.hinted(error, f'in {text!r} a quote is not closed; close it before a $(...) begins') from None
+        hint = f'in {text!r} a quote is not closed; close it before a $(...) begins'
+        raise hints.hinted(error, hint) from None

@@ -18,7 +18,7 @@ from .node import NODE_CHILDREN, node_attributes
 def parse_node_container(entity: Entity, parser: Parser) -> Parsed:
     """`<node_container>`: a container with the nodes it loads."""
     kwargs = node_attributes(entity, parser)
-    add_optionals(kwargs, entity, parser, {'composable_node': ('composable_node_descriptions', _descriptions)})
+    add_optionals(kwargs, entity, parser, _OPTIONALS_OF_CONTAINER)
     return ComposableNodeContainer, kwargs
 
 
@@ -52,5 +52,6 @@ def _extra_arguments(entity: Entity, parser: Parser, name: str) -> list[Any]:
     return [{tuple(key): value} for key, value in pairs(entity, parser, name)]
 
 
+_OPTIONALS_OF_CONTAINER: Optionals = {'composable_node': ('composable_node_descriptions', _descriptions)}
 _OPTIONALS: Optionals = {
     **NODE_CHILDREN, 'namespace': ('namespace', text), 'extra_arg': ('extra_arguments', _extra_arguments)}

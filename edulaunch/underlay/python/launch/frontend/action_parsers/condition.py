@@ -23,4 +23,5 @@ def condition_of(entity: Entity, parser: Parser) -> dict[str, Any]:
     if len(given) > 1:
         raise RuntimeError("if and unless conditions can't be used simultaneously")
     name, = given
-    return {'condition': _CONDITIONS[name](predicate_expression=parser.parse_substitution(entity.get_attr(name)))}
+    predicate = parser.parse_substitution(entity.get_attr(name))
+    return {'condition': _CONDITIONS[name](predicate_expression=predicate)}

@@ -16,7 +16,8 @@ def _boolean(entity: Entity, parser: Parser, name: str) -> bool:
 
 
 _OPTIONALS: Optionals = {
-    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean), 'keep': ('launch_configurations', mapping)}
+    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean),
+    'keep': ('launch_configurations', mapping)}
 
 
 def parse_group(entity: Entity, parser: Parser) -> Parsed:

@@ -3,8 +3,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
+
+from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 
 from .. import hints
 from ..entity import Entities, Entity

@@ -1,0 +1,86 @@
+"""The node that a command uses, and waiting in simulated time."""
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.current import current_process
+from edulaunch.sim.task import current_task
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+DISCOVERY_S = 0.5
+"""How long a command of ROS 2 listens before it trusts what it knows of the graph."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options about discovery that most verbs have."""
+    parser.add_argument('--spin-time', type=float, default=None, metavar='SPIN_TIME',
+                        help='Spin time in seconds to wait for discovery (default: 0.5 while the simulation is younger than that)')
+    parser.add_argument('-s', '--use-sim-time', action='store_true', help='Enable ROS simulation time')
+    parser.add_argument('--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery')
+
+
+@contextmanager
+def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None) -> Iterator[Node]:
+    """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
+
+    :param arguments: with them the command first waits until the graph is known; without them it begins at once.
+    """
+    import rclpy
+    from rclpy.parameter import Parameter
+    rclpy.init(args=[])
+    sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
+    node = rclpy.create_node(name or f'_ros2cli_{current_process().pid}', start_parameter_services=False,
+                             parameter_overrides=sim_time)
+    try:
+        if arguments is not None:
+            discover(node, arguments)
+        yield node
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def discover(node: Node, arguments: argparse.Namespace) -> None:
+    """Wait as long as it takes to know the graph.
+
+    In ROS 2 the first command listens for half a second and starts a daemon, which answers those that come later at once. Here
+    the graph is known once the simulation is half a second old: commands of a launch file see what was started beside them.
+    """
+    if arguments.spin_time is not None:
+        pause(node, arguments.spin_time)
+    elif arguments.no_daemon:
+        pause(node, DISCOVERY_S)
+    else:
+        sim = current_task().sim
+        pause(node, DISCOVERY_S - (sim.now_ns - sim.start_ns) / 1e9)
+
+
+def pause(node: Node, seconds: float) -> bool:
+    """Let simulated time pass; False when ROS 2 was shut down meanwhile. Ctrl-C raises KeyboardInterrupt here."""
+    sim = current_task().sim
+    until = sim.now_ns + round(seconds * 1e9)
+    while sim.now_ns < until and node.context.ok():
+        node.context.park(until)
+    return bool(node.context.ok())
+
+
+def call(node: Node, service: str, service_type: Any, **fields: Any) -> Any:
+    """Call a service and wait for its response.
+
+    :raises RuntimeError: when there is none because ROS 2 was shut down.
+    """
+    import rclpy
+    client = node.create_client(service_type, service)
+    client.wait_for_service()
+    future = client.call_async(service_type.Request(**fields))
+    rclpy.spin_until_future_complete(node, future)
+    node.destroy_client(client)
+    response = future.result()
+    if response is None:
+        raise RuntimeError(f'Exception while calling service of node: {future.exception()!r}')
+    return response

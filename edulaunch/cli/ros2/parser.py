@@ -1,0 +1,79 @@
+"""Command lines: argparse as ros2cli uses it, written to the streams of the running process."""
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterable, Sequence
+from importlib import import_module
+from typing import Any, NoReturn
+
+from edulaunch.cli.ros2.commands import COMMANDS
+from edulaunch.cli.ros2.output import with_help
+from edulaunch.packages import nearest
+from edulaunch.processes.current import current_process
+
+WIDTH = 100
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that writes where the simulated program writes, as wide as any other day."""
+
+    def __init__(self, prog: str, description: str) -> None:
+        super().__init__(prog=prog, description=description,
+                         formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH))
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        process = current_process()
+        (process.stderr if file is sys.stderr else process.stdout).write(message)
+
+    def error(self, message: str) -> NoReturn:
+        """Usage and message on standard error, with the nearest option when one is unknown; status 2."""
+        self.print_usage(sys.stderr)
+        unknown = message.partition('unrecognized arguments: ')[2].split()
+        near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
+        self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
+
+
+def command_line(words: Sequence[str]) -> tuple[str, argparse.Namespace]:
+    """The module that does what `ros2 WORDS...` says, and its arguments.
+
+    :raises SystemExit: 0 after showing help, 2 after an error.
+    """
+    command = _chosen('ros2', 'command', 'ros2 is an extensible command-line tool for ROS 2.', words,
+                      {name: text for name, (text, _) in COMMANDS.items()})
+    text, verbs = COMMANDS[command]
+    prog, module, rest = f'ros2 {command}', f'edulaunch.cli.ros2.{command}', words[1:]
+    if verbs:
+        verb = _chosen(prog, 'verb', f'{text}.', rest, verbs)
+        prog, module, text, rest = f'{prog} {verb}', f'{module}.{verb}', verbs[verb], rest[1:]
+    parser = Parser(prog, text)
+    import_module(module).add_arguments(parser)
+    return module, parser.parse_args(rest)
+
+
+def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known: dict[str, str]) -> str:
+    """The first word, which must be one of the known ones; without one, help is shown."""
+    usage = f'usage: {prog} [-h] Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
+    if not words or words[0] in ('-h', '--help'):
+        current_process().stdout.write(f'{usage}\n{description}\n\n' + _listed(kind, known))
+        raise SystemExit(0)
+    word = words[0]
+    if word in known:
+        return word
+    near = nearest(word, known)
+    choices = ', '.join(repr(name) for name in known)
+    message = with_help(f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: invalid choice: {word!r} '
+                        f'(choose from {choices})', near and f'did you mean `{prog} {near}`?')
+    current_process().stderr.write(f'{usage}{message}\n')
+    raise SystemExit(2)
+
+
+def _listed(kind: str, known: dict[str, str]) -> str:
+    width = max(map(len, known))
+    return f'{kind.capitalize()}s:\n' + ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
+
+
+def nearest_help(word: str, known: Iterable[str]) -> str | None:
+    """One line of help with the nearest of the known names, if one is near."""
+    near = nearest(word, known)
+    return near and f'did you mean {near!r}?'

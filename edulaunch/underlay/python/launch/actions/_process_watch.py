@@ -1,0 +1,220 @@
+"""What happens to a process after its action was executed: start, output, signals, respawn, end."""
+from __future__ import annotations
+
+import signal
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
+from ..event import Event
+from ..event_handler import BaseEventHandler
+from ..events.process.process_exited import ProcessExited
+from ..events.process.process_io import ProcessIO
+from ..events.process.process_started import ProcessStarted
+from ..events.process.process_stderr import ProcessStderr
+from ..events.process.process_stdout import ProcessStdout
+from ..events.process.process_targeted_event import ProcessTargetedEvent
+from ..events.process.shutdown_process import ShutdownProcess
+from ..events.process.signal_process import SignalProcess
+from ..events.shutdown import Shutdown
+from ..launch_description_entity import LaunchDescriptionEntity
+from ..logging import get_logger, get_output_loggers
+from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from ._output_lines import OutputLines
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Callable
+
+    from ..launch_context import LaunchContext
+    from ._process_run import ProcessRun
+    from .execute_local import ExecuteLocal
+
+Entities = list[LaunchDescriptionEntity]
+
+
+class WatchOptions(NamedTuple):
+    """What an action wants of its process; all substitutions are evaluated."""
+
+    shell: bool
+    output: Any
+    output_format: str | None
+    cached_output: bool
+    log_cmd: bool
+    respawn: bool
+    respawn_delay: float | None
+    respawn_max_retries: int
+
+
+class ProcessWatch(BaseEventHandler):
+    """Runs the program of one action, and handles all events that concern it.
+
+    :param details: the action's `process_details`; gets `pid` when the process runs.
+    :ivar completed: done when the process has ended for good.
+    :ivar return_code: of the last run, None before its end.
+    """
+
+    def __init__(self, action: ExecuteLocal, details: dict[str, Any], options: WatchOptions,
+                 loop: asyncio.AbstractEventLoop) -> None:
+        super().__init__(matcher=self._concerns)
+        self._event_keys = (
+            (ProcessIO, action), (ProcessStarted, action), (ProcessExited, action), (Shutdown, None),
+            (ShutdownProcess, None), (SignalProcess, None))
+        self._action = action
+        self._details = details
+        self._options = options
+        self._run: ProcessRun | None = None
+        self._retries = 0
+        self._asked_to_end = loop.create_future()
+        self._ends_on_start: bool | None = None
+        self._timers: list[Any] = []
+        self._logger = get_logger(details['name'])
+        self.completed: asyncio.Future[None] = loop.create_future()
+        self.return_code: int | None = None
+        loggers = get_output_loggers(details['name'], options.output)
+        self._lines = {stream: OutputLines(self._line_printer(logger), options.cached_output)
+                       for stream, logger in zip(('stdout', 'stderr'), loggers)}
+
+    def text_of(self, stream: str) -> str:
+        """What was written to 'stdout' or 'stderr' so far."""
+        return self._lines[stream].text
+
+    def _line_printer(self, logger: Any) -> Callable[[str], object]:
+        info, template, action = logger.info, self._options.output_format, self._action
+        if template is None:
+            prefix = f"[{self._details['name']}] "
+            return lambda line: info(prefix + line)
+        return lambda line: info(template.format(line=line, this=action))
+
+    # -- running
+
+    async def run(self, context: LaunchContext) -> None:
+        """Run the program, and again as long as it is to be respawned.
+
+        A mistake that comes up here ends the action; the launch service reports it.
+        """
+        try:
+            while not context._starts_are_abandoned:
+                returncode = await self._run_once(context)
+                if returncode is None or not await self._is_to_respawn(context):
+                    break
+        except Exception as error:
+            self.completed.set_exception(error)
+        else:
+            self.completed.set_result(None)
+        for timer in self._timers:
+            timer.cancel()
+
+    async def _run_once(self, context: LaunchContext) -> int | None:
+        """Start the program and wait for its end; None when it cannot be started."""
+        details = self._details
+        shown = ' '.join(part for part in details['cmd'] if part.strip())
+        if self._options.log_cmd:
+            self._logger.info(f"process details: cmd='{shown}', cwd='{details['cwd']}', "
+                              f"custom_env?={details['env'] is not None}")
+        _check_emulate_tty(context)
+        try:
+            self._run = self._start(context)
+        except Exception:
+            import traceback
+            self._logger.error(f'exception occurred while executing process:\n{traceback.format_exc()}')
+            return None
+        pid = details['pid'] = self._run.pid
+        self._logger.info(f'process started with pid [{pid}]')
+        await context.emit_event(ProcessStarted(**details))
+        self.return_code = await self._run.complete
+        if self.return_code == 0:
+            self._logger.info(f'process has finished cleanly [pid {pid}]')
+        else:
+            self._logger.error(f"process has died [pid {pid}, exit code {self.return_code}, cmd '{shown}'].")
+        await context.emit_event(ProcessExited(returncode=self.return_code, **details))
+        return self.return_code
+
+    def _start(self, context: LaunchContext) -> ProcessRun:
+        from edulaunch.processes import ProcessSpec
+
+        from ._process_run import ProcessRun
+        details = self._details
+        spec = ProcessSpec(
+            argv=tuple(details['cmd']), name=details['name'], cwd=details['cwd'], env=details['env'],
+            shell=self._options.shell, origin=self._action.origin, **self._action._process_spec_details())
+
+        def on_output(stream: str, text: str) -> None:
+            event_type = ProcessStdout if stream == 'stdout' else ProcessStderr
+            context.emit_event_sync(event_type(text=text.encode('utf-8', 'surrogateescape'), **details))
+
+        return ProcessRun(context.asyncio_loop, spec, on_output)
+
+    async def _is_to_respawn(self, context: LaunchContext) -> bool:
+        """Whether the program is to be started again; waits for the delay."""
+        options = self._options
+        if context.is_shutdown or self._asked_to_end.done() or not options.respawn:
+            return False
+        if 0 <= options.respawn_max_retries <= self._retries:
+            return False
+        self._retries += 1
+        if options.respawn_delay is not None and options.respawn_delay > 0.0:
+            import asyncio
+            await asyncio.wait([self._asked_to_end], timeout=options.respawn_delay)
+        return not self._asked_to_end.done()
+
+    # -- events
+
+    def _concerns(self, event: Event) -> bool:
+        if isinstance(event, ProcessTargetedEvent):
+            return event.process_matcher(self._action)
+        return isinstance(event, Shutdown) or getattr(event, 'action', None) is self._action
+
+    def handle(self, event: Event, context: LaunchContext) -> Entities | None:
+        """React to an event of this process, or to one that is meant for it."""
+        super().handle(event, context)
+        if isinstance(event, ProcessIO):
+            self._on_io(event)
+        elif isinstance(event, ProcessExited):
+            for lines in self._lines.values():
+                lines.flush()
+        elif isinstance(event, SignalProcess):
+            self._on_signal(event)
+        elif isinstance(event, ShutdownProcess):
+            return self._shut_down(context, send_sigint=True)
+        elif isinstance(event, Shutdown):
+            # After ctrl-c in a terminal the terminal has sent SIGINT to the process already.
+            return self._shut_down(context, send_sigint=not event.due_to_sigint or context.noninteractive)
+        elif isinstance(event, ProcessStarted) and self._ends_on_start is not None:
+            return self._shut_down(context, send_sigint=self._ends_on_start)
+        return None
+
+    def _on_io(self, event: ProcessIO) -> None:
+        if event.from_stdin:
+            self._logger.warning(f"in ExecuteProcess('{self._details['name']}').__on_process_stdin_event()")
+        else:
+            self._lines['stdout' if event.from_stdout else 'stderr'].write(event.text)
+
+    def _on_signal(self, event: SignalProcess) -> None:
+        if self._run is None:
+            raise RuntimeError('Signal event received before subprocess transport available.')
+        name = self._details['name']
+        if self._run.complete.done():
+            self._logger.debug(f"signal '{event.signal_name}' not sent to '{name}' because it is already closing")
+            return
+        self._logger.info(f"sending signal '{event.signal_name}' to process[{name}]")
+        self._run.send_signal(event.signal)
+
+    def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
+        """Begin to end the process: timers for stronger signals to visit, and the first signal."""
+        if self._asked_to_end.done() or self.completed.done():
+            return None
+        if self._run is None:
+            self._ends_on_start = send_sigint
+            return None
+        from ._escalation import escalation_timers, request_signal
+        self._asked_to_end.set_result(None)
+        context.extend_locals({'process_name': self._details['name']})
+        self._timers = escalation_timers(self._action, self._logger)
+        return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]
+
+
+def _check_emulate_tty(context: LaunchContext) -> None:
+    """The launch configuration `emulate_tty` must be a condition; programs here run as if in a terminal anyway."""
+    wanted = context.launch_configurations.get('emulate_tty')
+    if wanted is not None:
+        evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))

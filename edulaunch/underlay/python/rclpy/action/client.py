@@ -1,0 +1,262 @@
+"""Sending goals to action servers."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from action_msgs.msg import GoalStatus
+from edulaunch.processes.current import current_process
+from edulaunch.sim.task import current_task
+from rclpy.action.server import await_or_execute
+from rclpy.client import POLL_NS
+from rclpy.process_state import process_state
+from rclpy.qos import (
+    QoSProfile,
+    engine_qos,
+    qos_profile_action_status_default,
+    qos_profile_services_default,
+    validate_qos,
+)
+from rclpy.task import Future
+from rclpy.type_support import check_is_valid_action_type
+from rclpy.waitable import Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+
+__all__ = ['ActionClient', 'ClientGoalHandle', 'GoalStatus']
+
+
+class ClientGoalHandle:
+    """One goal, as its client sees it: the result of the future of `send_goal_async`."""
+
+    def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
+        self._action_client = action_client
+        self._goal_id = goal_id
+        self._goal_response = goal_response
+        self._status = GoalStatus.STATUS_UNKNOWN
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ClientGoalHandle) and bytes(self._goal_id.uuid) == bytes(other._goal_id.uuid)
+
+    def __hash__(self) -> int:
+        return hash(bytes(self._goal_id.uuid))
+
+    def __repr__(self) -> str:
+        return 'ClientGoalHandle <id={0}, accepted={1}, status={2}>'.format(self._goal_id.uuid, self.accepted, self.status)
+
+    @property
+    def goal_id(self) -> Any:
+        """The goal's id, a unique_identifier_msgs/UUID."""
+        return self._goal_id
+
+    @property
+    def stamp(self) -> Any:
+        """When the server accepted it."""
+        return self._goal_response.stamp
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the server accepted it."""
+        return bool(self._goal_response.accepted)
+
+    @property
+    def status(self) -> int:
+        """The last known state, as a number of action_msgs/GoalStatus."""
+        return int(self._status)
+
+    def cancel_goal(self) -> Any:
+        """Ask the server to cancel, and wait for its answer. Some other thread must spin."""
+        return self._action_client._wait_for(self.cancel_goal_async(), 'cancel_goal')
+
+    def cancel_goal_async(self) -> Future:
+        """Ask the server to cancel; the future gets a CancelGoal.Response."""
+        return self._action_client._cancel_goal_async(self)
+
+    def get_result(self) -> Any:
+        """Wait for the result. Some other thread must spin."""
+        return self._action_client._wait_for(self.get_result_async(), 'get_result')
+
+    def get_result_async(self) -> Future:
+        """Ask for the result; the future gets a response with `.status` and `.result`."""
+        return self._action_client._get_result_async(self)
+
+
+class ActionClient(Waitable):
+    """A client of an action."""
+
+    def __init__(self, node: Node, action_type: Any, action_name: str, *, callback_group: CallbackGroup | None = None,
+                 goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+                 result_service_qos_profile: QoSProfile = qos_profile_services_default,
+                 cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+                 feedback_sub_qos_profile: QoSProfile | int = 10,
+                 status_sub_qos_profile: QoSProfile = qos_profile_action_status_default) -> None:
+        super().__init__(callback_group or node.default_callback_group)
+        check_is_valid_action_type(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._logger = node.get_logger().get_child('action_client')
+        self._pending: dict[tuple[str, int], Future] = {}
+        self._goal_ids: dict[int, Any] = {}
+        self._goal_handles: dict[bytes, ClientGoalHandle] = {}
+        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        node.add_waitable(self)
+        self.callback_group.add_entity(self)
+        core, impl = node._rclpy, action_type.Impl
+        self._name = core.resolve(action_name, 'topic', only_expand=True)
+        self._goal_client = self._client('send_goal', impl.SendGoalService, goal_service_qos_profile)
+        self._cancel_client = self._client('cancel_goal', impl.CancelGoalService, cancel_service_qos_profile)
+        self._result_client = self._client('get_result', impl.GetResultService, result_service_qos_profile)
+        self._feedback = self._subscribe('feedback', impl.FeedbackMessage, validate_qos(feedback_sub_qos_profile))
+        self._status = self._subscribe('status', impl.GoalStatusMessage, status_sub_qos_profile)
+
+    def _client(self, part: str, srv_type: Any, qos: QoSProfile) -> Any:
+        core = self._node._rclpy
+        name = core.resolve(f'{self._name}/_action/{part}', 'service')
+        return core.graph.create_client(core.entry, name, srv_type, engine_qos(qos), self._signal)
+
+    def _subscribe(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
+        core = self._node._rclpy
+        name = core.resolve(f'{self._name}/_action/{part}', 'topic')
+        return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self._signal)
+
+    def _run(self, executor: Executor) -> Any:
+        """At most one answer of each kind, one feedback and one status in a turn, as rclpy."""
+        self._queued = False
+        sources = (('goal', self._goal_client), ('cancel', self._cancel_client), ('result', self._result_client),
+                   ('feedback', self._feedback), ('status', self._status))
+        taken = [(kind, source.take()) for kind, source in sources]
+        if any(source.queue for _, source in sources):
+            self._signal()
+        return self._handle_all(taken, executor)
+
+    async def _handle_all(self, taken: list[tuple[str, Any]], executor: Executor) -> None:
+        for kind, one in taken:
+            if one is None:
+                continue
+            if kind == 'feedback':
+                await self._handle_feedback(one[0])
+            elif kind == 'status':
+                self._handle_status(one[0])
+            else:
+                self._handle_answer(kind, *one, executor)
+
+    def _handle_answer(self, kind: str, sequence: int, wire: Any, executor: Executor) -> None:
+        impl = self._action_type.Impl
+        service = {'goal': impl.SendGoalService, 'cancel': impl.CancelGoalService, 'result': impl.GetResultService}[kind]
+        answer = service.Response.from_wire(wire)
+        if kind == 'goal':
+            answer = ClientGoalHandle(self, self._goal_ids.pop(sequence), answer)
+            if answer.accepted:
+                self._goal_handles[bytes(answer.goal_id.uuid)] = answer
+        future = self._pending.pop((kind, sequence), None)
+        if future is not None:
+            future._set_executor(executor)
+            future.set_result(answer)
+
+    async def _handle_feedback(self, wire: Any) -> None:
+        message = self._action_type.Impl.FeedbackMessage.from_wire(wire)
+        callback = self._feedback_callbacks.get(bytes(message.goal_id.uuid))
+        if callback is not None:
+            await await_or_execute(callback, message)
+
+    def _handle_status(self, wire: Any) -> None:
+        for entry in self._action_type.Impl.GoalStatusMessage.from_wire(wire).status_list:
+            goal_uuid = bytes(entry.goal_info.goal_id.uuid)
+            goal_handle = self._goal_handles.get(goal_uuid)
+            if goal_handle is not None:
+                goal_handle._status = entry.status
+                if entry.status >= GoalStatus.STATUS_SUCCEEDED:
+                    del self._goal_handles[goal_uuid]
+
+    def send_goal(self, goal: Any, **kwargs: Any) -> Any:
+        """Send a goal and wait for its result. Some other thread must spin: inside a callback it waits for ever."""
+        goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs), 'send_goal')
+        return self._wait_for(self._get_result_async(goal_handle), 'get_result')
+
+    def _wait_for(self, future: Future, what: str) -> Any:
+        executor = self._ready_list.executor
+        if executor is not None and executor._cannot_serve(self):
+            current_process().note('deadlock', (
+                f"{what}() of action '{self._name}' inside a callback waits for ever: the answer can only be taken when this "
+                f'callback has ended. Use {what}_async() with add_done_callback() or await.'))
+        task = current_task()
+        future.add_done_callback(lambda _: task.wake())
+        while not future._done:
+            task.park()
+        return future.result()
+
+    def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None,
+                        goal_uuid: Any = None) -> Future:
+        """Send a goal; the future gets a :class:`ClientGoalHandle` when the server has answered.
+
+        :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
+        :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; a random one if None.
+        :raises TypeError: unless `goal` is an `ActionType.Goal`.
+        """
+        if not isinstance(goal, self._action_type.Goal):
+            raise TypeError()
+        request_class = self._action_type.Impl.SendGoalService.Request
+        request = request_class(goal_id=_random_uuid() if goal_uuid is None else goal_uuid, goal=goal)
+        if feedback_callback is not None:
+            self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
+        sequence = self._goal_client.send(request_class.to_wire(request))
+        self._goal_ids[sequence] = request.goal_id
+        return self._remember('goal', sequence)
+
+    def _cancel_goal_async(self, goal_handle: ClientGoalHandle) -> Future:
+        self._check_handle(goal_handle)
+        request = self._action_type.Impl.CancelGoalService.Request()
+        request.goal_info.goal_id = goal_handle.goal_id
+        return self._remember('cancel', self._cancel_client.send(type(request).to_wire(request)))
+
+    def _get_result_async(self, goal_handle: ClientGoalHandle) -> Future:
+        self._check_handle(goal_handle)
+        request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
+        return self._remember('result', self._result_client.send(type(request).to_wire(request)))
+
+    @staticmethod
+    def _check_handle(goal_handle: ClientGoalHandle) -> None:
+        if not isinstance(goal_handle, ClientGoalHandle):
+            raise TypeError('Expected type ClientGoalHandle but received {}'.format(type(goal_handle)))
+
+    def _remember(self, kind: str, sequence: int) -> Future:
+        future = Future()
+        self._pending[kind, sequence] = future
+        return future
+
+    def server_is_ready(self) -> bool:
+        """Whether a server is there now."""
+        current_task().poll()
+        return self._server_is_ready()
+
+    def _server_is_ready(self) -> bool:
+        return all(client.server_is_ready() for client in (self._goal_client, self._cancel_client, self._result_client))
+
+    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+        """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+        task = current_task()
+        while self._node.context._ok and not self._server_is_ready() and left > 0.0:
+            task.sleep_until(task.sim.now_ns + POLL_NS)
+            left -= POLL_NS / 1e9
+        return self.server_is_ready()
+
+    def destroy(self) -> None:
+        """Leave the action."""
+        if self._destroyed:
+            return
+        self._node.remove_waitable(self)
+        for endpoint in (self._goal_client, self._cancel_client, self._result_client, self._feedback, self._status):
+            endpoint.destroy()
+
+
+def _random_uuid() -> Any:
+    """A goal id: random, but the same in every run."""
+    from unique_identifier_msgs.msg import UUID
+    state = process_state()
+    if state.goal_ids is None:
+        state.goal_ids = state.process.sim.random(f'{state.process.name}/goal ids')
+    return UUID(uuid=list(state.goal_ids.getrandbits(128).to_bytes(16, 'big')))

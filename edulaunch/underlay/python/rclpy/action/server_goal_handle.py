@@ -1,0 +1,98 @@
+"""One goal, as its action server sees it."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
+
+if TYPE_CHECKING:
+    from rclpy.action.server import ActionServer
+
+
+class ServerGoalHandle:
+    """Given to an execute callback: the goal's `request`, feedback, cancelling and how it ends."""
+
+    def __init__(self, action_server: ActionServer, goal_id: Any, stamp: Any, goal_request: Any) -> None:
+        self._action_server = action_server
+        self._goal_id = goal_id
+        self._stamp = stamp
+        self._goal_request = goal_request
+        self._state = GoalState.ACCEPTED
+        self._ended_ns = 0
+        self._destroyed = False
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ServerGoalHandle) and bytes(self._goal_id.uuid) == bytes(other._goal_id.uuid)
+
+    def __hash__(self) -> int:
+        return hash(bytes(self._goal_id.uuid))
+
+    @property
+    def request(self) -> Any:
+        """The goal message."""
+        return self._goal_request
+
+    @property
+    def goal_id(self) -> Any:
+        """The goal's id, a unique_identifier_msgs/UUID."""
+        return self._goal_id
+
+    @property
+    def is_active(self) -> bool:
+        """Whether the goal has not ended."""
+        return self._state in ACTIVE and not self._destroyed
+
+    @property
+    def is_cancel_requested(self) -> bool:
+        """Whether a request to cancel was accepted."""
+        return self._state is GoalState.CANCELING
+
+    @property
+    def status(self) -> int:
+        """The state, as a number of action_msgs/GoalStatus."""
+        return int(self._state)
+
+    def _info(self) -> Any:
+        from action_msgs.msg import GoalInfo
+        return GoalInfo(goal_id=self._goal_id, stamp=self._stamp)
+
+    def _update_state(self, event: GoalEvent) -> None:
+        if self._destroyed:
+            return
+        self._state = state_after(self._state, event)
+        if self._state not in ACTIVE:
+            self._ended_ns = self._action_server._node.get_clock()._now_ns()
+        self._action_server._publish_status()
+
+    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+        """Let the executor work on the goal."""
+        if not self.is_cancel_requested:
+            self._update_state(GoalEvent.EXECUTE)
+        self._action_server.notify_execute(self, execute_callback)
+
+    def publish_feedback(self, feedback: Any) -> None:
+        """Send feedback. Raises TypeError unless it is an `ActionType.Feedback`."""
+        action_type = self._action_server._action_type
+        if not isinstance(feedback, action_type.Feedback):
+            raise TypeError()
+        if not self._destroyed:
+            message_class = action_type.Impl.FeedbackMessage
+            message = message_class(goal_id=self._goal_id, feedback=feedback)
+            self._action_server._feedback.publish(message_class.to_wire(message))
+
+    def succeed(self) -> None:
+        """End the goal as SUCCEEDED. Raises RCLError in a state that does not allow it."""
+        self._update_state(GoalEvent.SUCCEED)
+
+    def abort(self) -> None:
+        """End the goal as ABORTED. Raises RCLError in a state that does not allow it."""
+        self._update_state(GoalEvent.ABORT)
+
+    def canceled(self) -> None:
+        """End the goal as CANCELED. Raises RCLError unless a request to cancel was accepted."""
+        self._update_state(GoalEvent.CANCELED)
+
+    def destroy(self) -> None:
+        """Forget the goal."""
+        self._destroyed = True

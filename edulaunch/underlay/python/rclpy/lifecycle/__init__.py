@@ -1,0 +1,16 @@
+"""Nodes with managed life cycles."""
+from __future__ import annotations
+
+from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
+from rclpy.lifecycle.node import LifecycleNode
+from rclpy.lifecycle.publisher import LifecyclePublisher
+from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
+
+Node = LifecycleNode
+Publisher = LifecyclePublisher
+State = LifecycleState
+
+__all__ = [
+    'LifecycleNode', 'LifecyclePublisher', 'LifecycleState', 'ManagedEntity', 'Node', 'Publisher', 'SimpleManagedEntity',
+    'State', 'TransitionCallbackReturn',
+]

@@ -1,0 +1,20 @@
+"""A publisher that is silent while its node is not active."""
+from __future__ import annotations
+
+from typing import Any
+
+from rclpy.lifecycle.managed_entity import SimpleManagedEntity
+from rclpy.publisher import Publisher
+
+
+class LifecyclePublisher(SimpleManagedEntity, Publisher):
+    """Made by `LifecycleNode.create_lifecycle_publisher`. Messages published while the node is not active are dropped."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        SimpleManagedEntity.__init__(self)
+        Publisher.__init__(self, *args, **kwargs)
+
+    @SimpleManagedEntity.when_enabled
+    def publish(self, msg: Any) -> None:
+        """Send a message, if the node is active."""
+        Publisher.publish(self, msg)

@@ -1,0 +1,69 @@
+"""How others see and steer the life cycle of a managed node."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.lifecycle.state_machine import STATES, LifecycleState, TransitionCallbackReturn, all_transitions
+
+if TYPE_CHECKING:
+    from rclpy.lifecycle.node import LifecycleNode
+
+
+class LifecycleServices:
+    """The five services and the topic of a managed node."""
+
+    def __init__(self, node: LifecycleNode) -> None:
+        from lifecycle_msgs import srv
+        from lifecycle_msgs.msg import TransitionEvent
+        self._node = node
+        self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
+        node.create_service(srv.ChangeState, '~/change_state', self._on_change_state)
+        node.create_service(srv.GetState, '~/get_state', self._on_get_state)
+        node.create_service(srv.GetAvailableStates, '~/get_available_states', self._on_get_available_states)
+        node.create_service(srv.GetAvailableTransitions, '~/get_available_transitions', self._on_get_available_transitions)
+        node.create_service(srv.GetAvailableTransitions, '~/get_transition_graph', self._on_get_transition_graph)
+
+    def publish_event(self, number: int, label: str, start: LifecycleState, goal: LifecycleState) -> None:
+        """Tell of a step."""
+        from lifecycle_msgs.msg import Transition, TransitionEvent
+        event = TransitionEvent(timestamp=self._node.get_clock().now().nanoseconds, start_state=_state(start),
+                                goal_state=_state(goal), transition=Transition(id=number, label=label))
+        self._events.publish(event)
+
+    def _on_change_state(self, request: Any, response: Any) -> Any:
+        wanted = request.transition.label or request.transition.id
+        try:
+            response.success = self._node._trigger(wanted) is TransitionCallbackReturn.SUCCESS
+        except RCLError as error:
+            self._node.get_logger().warning(str(error))
+            response.success = False
+        return response
+
+    def _on_get_state(self, request: Any, response: Any) -> Any:
+        response.current_state = _state(self._node._lifecycle_state)
+        return response
+
+    def _on_get_available_states(self, request: Any, response: Any) -> Any:
+        response.available_states = [_state(state) for state in STATES.values()]
+        return response
+
+    def _on_get_available_transitions(self, request: Any, response: Any) -> Any:
+        here = self._node._lifecycle_state.label
+        response.available_transitions = [_description(*one) for one in all_transitions() if one[2] == here]
+        return response
+
+    def _on_get_transition_graph(self, request: Any, response: Any) -> Any:
+        response.available_transitions = [_description(*one) for one in all_transitions()]
+        return response
+
+
+def _state(state: LifecycleState) -> Any:
+    from lifecycle_msgs.msg import State
+    return State(id=state.state_id, label=state.label)
+
+
+def _description(number: int, label: str, start: str, goal: str) -> Any:
+    from lifecycle_msgs.msg import Transition, TransitionDescription
+    return TransitionDescription(transition=Transition(id=number, label=label), start_state=_state(STATES[start]),
+                                 goal_state=_state(STATES[goal]))

@@ -1,0 +1,113 @@
+"""Reading and changing the parameters of another node."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import current_task
+from rclpy.client import POLL_NS
+from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
+from rclpy.qos import QoSProfile, qos_profile_services_default
+from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.node import Node
+
+Done = Callable[[Future], None]
+
+
+class AsyncParameterClient:
+    """Calls the parameter services of a node; each method gives the future of a service's response.
+
+    :param remote_node_name: the other node's name, relative to this node's namespace or absolute.
+    """
+
+    def __init__(self, node: Node, remote_node_name: str, qos_profile: QoSProfile = qos_profile_services_default,
+                 callback_group: CallbackGroup | None = None) -> None:
+        from rcl_interfaces import srv
+        self.remote_node_name = remote_node_name
+        self.node = node
+
+        def client(srv_type: Any, name: str) -> Any:
+            return node.create_client(srv_type, f'{remote_node_name}/{name}', qos_profile=qos_profile,
+                                      callback_group=callback_group)
+
+        self._get = client(srv.GetParameters, 'get_parameters')
+        self._list = client(srv.ListParameters, 'list_parameters')
+        self._set = client(srv.SetParameters, 'set_parameters')
+        self._get_types = client(srv.GetParameterTypes, 'get_parameter_types')
+        self._describe = client(srv.DescribeParameters, 'describe_parameters')
+        self._set_atomically = client(srv.SetParametersAtomically, 'set_parameters_atomically')
+
+    @property
+    def _clients(self) -> tuple[Any, ...]:
+        return self._list, self._set, self._get, self._get_types, self._describe, self._set_atomically
+
+    def services_are_ready(self) -> bool:
+        """Whether all six services are there."""
+        return all(client.service_is_ready() for client in self._clients)
+
+    def wait_for_services(self, timeout_sec: float | None = None) -> bool:
+        """Wait for the services, looking each 0.25 s; whether they are there."""
+        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+        task = current_task()
+        while self.node.context._ok and not self.services_are_ready() and left > 0.0:
+            task.sleep_until(task.sim.now_ns + POLL_NS)
+            left -= POLL_NS / 1e9
+        return self.services_are_ready()
+
+    @staticmethod
+    def _call(client: Any, callback: Done | None, **fields: Any) -> Future:
+        future: Future = client.call_async(client.srv_type.Request(**fields))
+        if callback is not None:
+            future.add_done_callback(callback)
+        return future
+
+    def list_parameters(self, prefixes: list[str] | None = None, depth: int | None = None,
+                        callback: Done | None = None) -> Future:
+        """Ask for the names of the parameters under `prefixes`."""
+        return self._call(self._list, callback, prefixes=prefixes or [], depth=depth or 0)
+
+    def get_parameters(self, names: list[str], callback: Done | None = None) -> Future:
+        """Ask for values."""
+        return self._call(self._get, callback, names=names)
+
+    def set_parameters(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
+        """Set each of some Parameters, or messages of them."""
+        return self._call(self._set, callback, parameters=_messages(parameters))
+
+    def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
+        """Ask for descriptors."""
+        return self._call(self._describe, callback, names=names)
+
+    def get_parameter_types(self, names: list[str], callback: Done | None = None) -> Future:
+        """Ask for types."""
+        return self._call(self._get_types, callback, names=names)
+
+    def set_parameters_atomically(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
+        """Set all of some Parameters, or none of them."""
+        return self._call(self._set_atomically, callback, parameters=_messages(parameters))
+
+    def delete_parameters(self, names: list[str], callback: Done | None = None) -> Future:
+        """Take values back, where the other node allows that."""
+        return self.set_parameters([Parameter(name) for name in names], callback)
+
+    def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
+        """Set the parameters that a file gives for the other node."""
+        name = self.remote_node_name
+        nodes = [name, name.lstrip('/'), self.node._rclpy.resolve(name, 'service', only_expand=True)]
+        found = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=nodes)
+        return self.set_parameters(list(found.values()), callback)
+
+    def load_parameter_file_atomically(self, parameter_file: str, use_wildcard: bool = False,
+                                       callback: Done | None = None) -> Future:
+        """As :meth:`load_parameter_file`, all or none."""
+        name = self.remote_node_name
+        nodes = [name, name.lstrip('/'), self.node._rclpy.resolve(name, 'service', only_expand=True)]
+        found = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=nodes)
+        return self.set_parameters_atomically(list(found.values()), callback)
+
+
+def _messages(parameters: Sequence[Any]) -> list[Any]:
+    return [parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter for parameter in parameters]

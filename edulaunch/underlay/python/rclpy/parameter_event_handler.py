@@ -1,0 +1,93 @@
+"""Being told when parameters of any node change."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.qos import QoSProfile, qos_profile_parameter_events
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.node import Node
+
+
+class ParameterCallbackHandle:
+    """A callback for one parameter of one node; keep it to remove the callback."""
+
+    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Any], None]) -> None:
+        self.parameter_name = parameter_name
+        self.node_name = node_name
+        self.callback = callback
+
+
+class ParameterEventCallbackHandle:
+    """A callback for all parameter events; keep it to remove the callback."""
+
+    def __init__(self, callback: Callable[[Any], None]) -> None:
+        self.callback = callback
+
+
+class ParameterEventHandler:
+    """Listens to /parameter_events. The newest callbacks are called first."""
+
+    def __init__(self, node: Node, qos_profile: QoSProfile = qos_profile_parameter_events,
+                 callback_group: CallbackGroup | None = None) -> None:
+        from rcl_interfaces.msg import ParameterEvent
+        self.node = node
+        self._parameter_callbacks: list[ParameterCallbackHandle] = []
+        self._event_callbacks: list[ParameterEventCallbackHandle] = []
+        self.parameter_event_subscription = node.create_subscription(
+            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group)
+
+    def destroy(self) -> None:
+        """Listen no more."""
+        self.node.destroy_subscription(self.parameter_event_subscription)
+
+    def _on_event(self, event: Any) -> None:
+        for handle in list(self._parameter_callbacks):
+            if handle.node_name == event.node:
+                parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
+                if parameter is not None:
+                    handle.callback(parameter)
+        for event_handle in list(self._event_callbacks):
+            event_handle.callback(event)
+
+    @staticmethod
+    def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
+        """The rcl_interfaces/Parameter of that name among the new and changed ones of an event, or None."""
+        if event.node != node_name:
+            return None
+        return next((parameter for parameter in (*event.new_parameters, *event.changed_parameters)
+                     if parameter.name == parameter_name), None)
+
+    @staticmethod
+    def get_parameters_from_event(event: Any) -> list[Any]:
+        """All new and changed parameters of an event."""
+        return [*event.new_parameters, *event.changed_parameters]
+
+    def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
+        """Call `callback(event)` at each event of any node."""
+        handle = ParameterEventCallbackHandle(callback)
+        self._event_callbacks.insert(0, handle)
+        return handle
+
+    def remove_parameter_event_callback(self, callback_handle: ParameterEventCallbackHandle) -> None:
+        """Undo `add_parameter_event_callback`. Raises ValueError when it is not there."""
+        self._event_callbacks.remove(callback_handle)
+
+    def add_parameter_callback(self, parameter_name: str, node_name: str,
+                               callback: Callable[[Any], None]) -> ParameterCallbackHandle:
+        """Call `callback(parameter)` when that parameter of that node changes; a relative node name is resolved here."""
+        handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
+        self._parameter_callbacks.insert(0, handle)
+        return handle
+
+    def remove_parameter_callback(self, callback_handle: ParameterCallbackHandle) -> None:
+        """Undo `add_parameter_callback`. Raises ValueError when it is not there."""
+        self._parameter_callbacks.remove(callback_handle)
+
+
+    def _resolved(self, node_name: str) -> str:
+        if not node_name:
+            return self.node.get_fully_qualified_name()
+        return self.node.resolve_topic_name(node_name, only_expand=True)

@@ -1,0 +1,93 @@
+"""Letting parameters override an endpoint's quality of service."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from rclpy.duration import Duration
+from rclpy.parameter import Parameter
+from rclpy.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import SetParametersResult
+    from rclpy.node import Node
+
+QosCallbackType = Callable[[QoSProfile], 'SetParametersResult']
+
+
+class InvalidQosOverridesError(Exception):
+    """The callback of the options refused the profile."""
+
+
+class QoSOverridingOptions:
+    """Which policies parameters may override.
+
+    :param policy_kinds: the policies.
+    :param callback: may refuse the resulting profile.
+    :param entity_id: tells apart several endpoints of one topic in one node.
+    """
+
+    def __init__(self, policy_kinds: Iterable[QoSPolicyKind], *, callback: QosCallbackType | None = None,
+                 entity_id: str | None = None) -> None:
+        self._policy_kinds = list(policy_kinds)
+        self._callback = callback
+        self._entity_id = entity_id
+
+    @property
+    def policy_kinds(self) -> list[QoSPolicyKind]:
+        """The policies."""
+        return self._policy_kinds
+
+    @property
+    def callback(self) -> QosCallbackType | None:
+        """The callback that may refuse."""
+        return self._callback
+
+    @property
+    def entity_id(self) -> str | None:
+        """The endpoint's own id."""
+        return self._entity_id
+
+    @classmethod
+    def with_default_policies(cls, *, callback: QosCallbackType | None = None,
+                              entity_id: str | None = None) -> QoSOverridingOptions:
+        """Options for history, depth and reliability."""
+        return cls((QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), callback=callback,
+                   entity_id=entity_id)
+
+
+def declare_qos_parameters(node: Node, side: str, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions) -> QoSProfile:
+    """Declare the read-only parameters `qos_overrides.<topic>.<side>[_<id>].<policy>`; the profile with their values.
+
+    :param side: 'publisher' or 'subscription'.
+    :raises InvalidQosOverridesError: when the callback of the options refuses the profile.
+    """
+    from rcl_interfaces.msg import ParameterDescriptor
+    suffix = f'_{options.entity_id}' if options.entity_id else ''
+    profile = QoSProfile(**{slot[1:]: getattr(qos, slot) for slot in QoSProfile.__slots__})
+    for kind in options.policy_kinds:
+        policy = kind.name.lower()
+        name = f'qos_overrides.{topic_name}.{side}{suffix}.{policy}'
+        descriptor = ParameterDescriptor(description=f'{policy} override for {side} of {topic_name}', read_only=True)
+        if node.has_parameter(name):
+            parameter = node.get_parameter(name)
+        else:
+            parameter = node.declare_parameter(name, _to_parameter(getattr(profile, policy)), descriptor)
+        setattr(profile, policy, _to_policy(getattr(profile, policy), parameter))
+    if options.callback is not None:
+        result = options.callback(profile)
+        if not result.successful:
+            raise InvalidQosOverridesError(f"{result.reason}: {side} of topic '{topic_name}'")
+    return profile
+
+
+def _to_parameter(value: Any) -> Any:
+    if isinstance(value, QoSPolicyEnum):
+        return value.short_key
+    return value.nanoseconds if isinstance(value, Duration) else value
+
+
+def _to_policy(present: Any, parameter: Parameter) -> Any:
+    if isinstance(present, QoSPolicyEnum):
+        return type(present).get_from_short_key(parameter.value)
+    return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value

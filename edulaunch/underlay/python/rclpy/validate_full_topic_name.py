@@ -1,0 +1,13 @@
+"""The rules for expanded topic and service names."""
+from __future__ import annotations
+
+from edulaunch.graph.names import full_topic_name_problem
+from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
+
+
+def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """True; raises InvalidTopicNameException or InvalidServiceNameException for a name that breaks the rules."""
+    problem = full_topic_name_problem(name)
+    if problem is None:
+        return True
+    raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *problem)

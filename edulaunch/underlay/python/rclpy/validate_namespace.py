@@ -1,0 +1,13 @@
+"""The rules for namespaces."""
+from __future__ import annotations
+
+from edulaunch.graph.names import namespace_problem
+from rclpy.exceptions import InvalidNamespaceException
+
+
+def validate_namespace(namespace: str) -> bool:
+    """True; raises InvalidNamespaceException for an absolute namespace that breaks the rules."""
+    problem = namespace_problem(namespace)
+    if problem is None:
+        return True
+    raise InvalidNamespaceException(namespace, *problem)

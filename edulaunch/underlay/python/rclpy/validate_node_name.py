@@ -1,0 +1,13 @@
+"""The rules for node names."""
+from __future__ import annotations
+
+from edulaunch.graph.names import node_name_problem
+from rclpy.exceptions import InvalidNodeNameException
+
+
+def validate_node_name(node_name: str) -> bool:
+    """True; raises InvalidNodeNameException for a name that breaks the rules."""
+    problem = node_name_problem(node_name)
+    if problem is None:
+        return True
+    raise InvalidNodeNameException(node_name, *problem)

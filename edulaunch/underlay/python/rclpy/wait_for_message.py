@@ -1,0 +1,31 @@
+"""Waiting for one message of a topic."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.task import current_task
+from rclpy.qos import QoSProfile, engine_qos, validate_qos
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+
+def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSProfile | int = 1,
+                     time_to_wait: float = -1) -> tuple[bool, Any]:
+    """Wait for the next message of a topic; the node need not be spun.
+
+    :param time_to_wait: simulated seconds, or -1 for ever.
+    :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down.
+    """
+    core = node._rclpy
+    task = current_task()
+    impl = core.graph.create_subscription(core.entry, core.resolve(topic, 'topic'), msg_type,
+                                          engine_qos(validate_qos(qos_profile)), task.wake)
+    deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
+    try:
+        while not impl.queue and core.context._ok and (deadline is None or task.sim.now_ns < deadline):
+            core.context.park(deadline)
+        taken = impl.take()
+    finally:
+        impl.destroy()
+    return (False, None) if taken is None else (True, msg_type.from_wire(taken[0]))
