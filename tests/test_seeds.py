@@ -43,11 +43,22 @@ def name_of(case: Any) -> str:
 @pytest.fixture(scope='module')
 def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The packages of the seeds, as a student's source workspace."""
-    source = tmp_path_factory.mktemp('ws') / 'src'
+    return make_workspace(tmp_path_factory.mktemp('ws'))
+
+
+def make_workspace(folder: Path) -> Path:
     for package in ('large_projects/launch_tutorial', 'launch_lesson/simple_robot_launch',
                     'launch_lesson/week5_lesson1_launch_example', 'tf2_book/learning_tf2_py'):
-        shutil.copytree(SEEDS / 'files' / package, source / package.rpartition('/')[2])
-    return source.parent
+        shutil.copytree(SEEDS / 'files' / package, folder / 'src' / package.rpartition('/')[2])
+    return folder
+
+
+def at_stage(file: str, folder: Path) -> Path:
+    """A workspace as it was when the tutorial showed this file: the other files of that stage replace the final ones."""
+    package = make_workspace(folder) / 'src' / 'launch_tutorial'
+    for other in sorted((SEEDS / 'files' / file).parent.iterdir()):
+        shutil.copy(other, package / ('config' if other.suffix == '.yaml' else 'launch') / other.name)
+    return folder
 
 
 def arguments(oracle: dict[str, Any]) -> dict[str, str]:
@@ -55,13 +66,20 @@ def arguments(oracle: dict[str, Any]) -> dict[str, str]:
 
 
 @pytest.mark.parametrize(('file', 'oracle'), RUNNING, ids=name_of)
-def test_what_runs_with_ros_runs_here(file: str, oracle: dict[str, Any], workspace: Path) -> None:
+def test_what_runs_with_ros_runs_here(file: str, oracle: dict[str, Any], workspace: Path, tmp_path: Path) -> None:
+    if file.startswith('large_projects/stage'):
+        workspace = at_stage(file, tmp_path)
     recording = edulaunch.run(SEEDS / 'files' / file, arguments=arguments(oracle), duration_s=6.0, workspaces=[workspace])
     names = [node.name for node in recording.nodes]
-    started = [re.sub(r'^/student_', f'/{user()}_', name) for name in oracle.get('nodes', ())]
-    missing = [name for name in started if name not in names and not name.startswith('(')]
-    dead = [line for line in recording.launch.warnings if 'died' in line]
+    expected = [re.sub(r'^/student_', f'/{user()}_', name) for name in oracle.get('nodes', ())]
+    missing = [name for name in expected if name not in names and not name.startswith('(')]
+    dead = [line for line in recording.launch.warnings if 'died' in line and not dies_in_ros_too(oracle, line)]
     assert (missing, dead, recording.launch.error) == ([], [], None)
+
+
+def dies_in_ros_too(oracle: dict[str, Any], line: str) -> bool:
+    """A whole number for a parameter of type double ends the node in ROS 2 as well; launch's plan does not show that."""
+    return oracle['args'] == ['circle_radius:=2'] and "'2' of type 'INTEGER', expecting type 'DOUBLE'" in line
 
 
 def user() -> str:
@@ -100,7 +118,5 @@ def test_the_large_project_behaves_as_the_tutorial_says(workspace: Path) -> None
     frames = recording.frames_at(12.0)
     assert {child: frame.parent for child, frame in frames.items()} == {
         'turtle1': 'world', 'turtle2': 'world', 'carrot1': 'turtle1'}
-    leader = recording.series('/turtle2/pose', 'linear_velocity')[-2]
-    copy = recording.series('/turtlesim2/turtle1/cmd_vel', 'linear.x')[-1]
-    assert abs(leader[1] - copy[1]) < 1e-6
+    assert recording.series('/turtlesim2/turtle1/cmd_vel', 'linear.x') == recording.series('/turtle2/pose', 'linear_velocity')
     assert any('turtle_rviz.rviz' in log.message for log in recording.logs if log.process.startswith('rviz2'))

@@ -152,7 +152,7 @@ def _substituted(name: str, node_name: str, namespace: str) -> str:
     for part in parts:
         key, _, rest = part.partition('}')
         if key not in values:
-            raise ValueError(f"unknown substitution: {{{key}}}")
+            raise ValueError(f'unknown substitution: {{{key}}}')
         value = values[key]
         if head.endswith('/') and value.startswith('/'):
             value = value[1:]

@@ -54,7 +54,7 @@ class _Reader:
 
     def __init__(self, text: str) -> None:
         import yaml
-        self._events: Iterator[Any] = yaml.parse(text, Loader=getattr(yaml, 'CLoader', yaml.Loader))  # type: ignore[no-untyped-call]
+        self._events: Iterator[Any] = yaml.parse(text, Loader=getattr(yaml, 'CLoader', yaml.Loader))
         self._error = yaml.YAMLError
 
     def next(self) -> Any:

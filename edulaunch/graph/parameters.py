@@ -35,10 +35,8 @@ def type_of_value(value: Any) -> int:
         for python_type, number in _ARRAY_TYPES:
             if all(isinstance(item, python_type) for item in value):
                 return number
-        allowed = [python_type for python_type, _ in _ARRAY_TYPES]
-        raise TypeError(f"The given value is not a list of one of the allowed types '{allowed}'.")
-    allowed = [*_SCALAR_TYPES, list, tuple]
-    raise TypeError(f"The given value is not one of the allowed types '{allowed}'.")
+        raise TypeError(f"The given value is not a list of one of the allowed types '{[kind for kind, _ in _ARRAY_TYPES]}'.")
+    raise TypeError(f"The given value is not one of the allowed types '{[*_SCALAR_TYPES, list, tuple]}'.")
 
 
 def value_fits(value: Any, number: int) -> bool:

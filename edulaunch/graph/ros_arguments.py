@@ -84,13 +84,13 @@ _FLAGS = {
     '--log-file-name': 'log-file-name', '--log-config-file': 'log-config-file', '--log-file': 'log-file-name',
 }
 _MISSING = {
-    'remap': 'Couldn\'t parse trailing {} flag. No remap rule found.',
-    'param': 'Couldn\'t parse trailing {} flag. No parameter override rule found.',
-    'params-file': 'Couldn\'t parse trailing {} flag. No file path provided.',
-    'log-level': 'Couldn\'t parse trailing log level flag: \'{}\'. No log level found.',
-    'enclave': 'Couldn\'t parse trailing {} flag. No enclave path provided.',
-    'log-file-name': 'Couldn\'t parse trailing {} flag. No file name prefix provided.',
-    'log-config-file': 'Couldn\'t parse trailing {} flag. No file path provided.',
+    'remap': "Couldn't parse trailing {} flag. No remap rule found.",
+    'param': "Couldn't parse trailing {} flag. No parameter override rule found.",
+    'params-file': "Couldn't parse trailing {} flag. No file path provided.",
+    'log-level': "Couldn't parse trailing log level flag: '{}'. No log level found.",
+    'enclave': "Couldn't parse trailing {} flag. No enclave path provided.",
+    'log-file-name': "Couldn't parse trailing {} flag. No file name prefix provided.",
+    'log-config-file': "Couldn't parse trailing {} flag. No file path provided.",
 }
 
 

@@ -90,7 +90,7 @@ class Index:
         return os.path.join(place.path, 'lib', package, executable)
 
     def native_executables(self, package: str) -> dict[str, str]:
-        """Executables that are built from C++ and so cannot run here: name -> 'file:line' in CMakeLists.txt."""
+        """Executables that are built from C++ and so cannot run here: name -> 'file:line'."""
         place = self._place(package)
         if not isinstance(place, Workspace):
             return {}

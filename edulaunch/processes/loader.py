@@ -68,7 +68,7 @@ class Loader:
         """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
         if self._locate(name.partition('.')[0], self.search_path()) is not None:
             return self.import_module(name)
-        package = _shared_import(name.rpartition('.')[0], None, None, ['*'], 0)
+        package = _shared_import(name.rpartition('.')[0], None, None, ['__name__'], 0)
         found = self._locate(name.rpartition('.')[2], list(package.__path__))
         if found is None:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
@@ -135,7 +135,7 @@ class Loader:
         if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
             return None
         try:
-            _shared_import(name, None, None, ('*',), 0)
+            _shared_import(name, None, None, ('__name__',), 0)
         except ImportError:
             return None
         return sys.modules.get(name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import sqrt
 
 from edulaunch.tf.history import History
 from edulaunch.tf.transforms import IDENTITY, Transform, canonical, relative
@@ -49,9 +50,10 @@ class Path:
             found = None if down is None else relative(down, found)
         if found is None:
             return None
-        _, _, _, qx, qy, qz, qw = found
-        if qw > 0.51 and qx * qx + qy * qy + qz * qz + qw * qw == 1.0:
-            return found  # already what `canonical` gives, and most single hops are
+        x, y, z, qx, qy, qz, qw = found
+        if qw > 0.501:  # the common case of `canonical`, written out for speed
+            s = 1.0 / sqrt(qx * qx + qy * qy + qz * qz + qw * qw)
+            return (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
         return canonical(found)
 
 

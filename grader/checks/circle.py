@@ -72,11 +72,16 @@ def radius_is_passed(run: Evidence) -> None:
     """The node's parameter radius has the value of circle_radius"""
     wanted = [_asked_radius(run, name) for name in run]
     seen = [_radius_parameter(run, name) for name in run]
-    if seen != wanted:
-        fixed = ', whatever the argument is' if len(set(seen)) == 1 else ''
-        raise Mismatch('the parameter radius', ' and '.join(f'{ARGUMENT}:={value:.2f}' for value in wanted),
-                       ' and '.join(map(str, seen)) + fixed, where=_node_place(run),
-                       try_=f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]")
+    if seen == wanted:
+        return
+    advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
+    given = find_processes(run.first, PACKAGE, EXECUTABLE)[0].parameter_origins
+    if 'radius' not in given:
+        raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice,
+                      where=_node_place(run))
+    fixed = ', whatever the argument is' if len(set(seen)) == 1 else ''
+    raise Mismatch('the parameter radius', ' and '.join(f'{ARGUMENT}:={value:.2f}' for value in wanted),
+                   ' and '.join(map(str, seen)) + fixed, where=_node_place(run), try_=advice)
 
 
 @check(points=4, needs=[world_is_there, no_node_dies])
@@ -109,7 +114,7 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
     if length(track) < SHORTEST_TRACK_M:
         raise Failure('the robot does not move', expected=expected, where=run.source.place,
                       seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
-                      try_=f'compare the topic that {EXECUTABLE} publishes with the robot\'s: /cmd_vel')
+                      try_=f"compare the topic that {EXECUTABLE} publishes with the robot's: /cmd_vel")
     circle = fit_circle([(x, y) for _, x, y in track])
     if circle is None or circle.residual > TOLERANCE * circle.radius:
         seen = 'a line' if circle is None else f'{circle.residual:.2f} m off the best circle'

@@ -58,8 +58,9 @@ def follower_exists(run: Evidence) -> None:
     for recording in run.values():
         if not turtle_track(recording, FOLLOWER):
             turtles = [topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose')]
-            raise Missing('turtle2', name='turtle2', seen='only ' + ', '.join(turtles),
-                          where=run.source.place, try_='turtle_tf2_listener spawns it: '
+            raise Missing('turtle2', name='turtle2', expected='a turtle named turtle2',
+                          seen='only ' + ', '.join(turtles), where=run.source.place,
+                          try_='turtle_tf2_listener spawns it: '
                                "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)")
 
 

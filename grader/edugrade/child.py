@@ -9,7 +9,7 @@ letter content
 ====== ===========================================================================
 R      the recording's bytes
 U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
-S      JSON: the run was stopped (too long, too large, the program ended itself)
+S      JSON: the run was stopped: 'timeout' or 'memory'
 B      JSON: edulaunch itself broke
 ====== ===========================================================================
 """
@@ -85,7 +85,7 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     """Run the scenario; what it came to, as a frame's letter and content."""
     try:
         import edulaunch
-        from edulaunch.errors import RunawayProgramError, UnusableInput
+        from edulaunch.errors import UnusableInput
     except ImportError as error:
         return _broke(error)
     try:
@@ -95,25 +95,10 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
             return b'R', session.recording().to_bytes()
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
-    except RunawayProgramError as error:
-        return b'S', json.dumps({'reason': 'runaway', 'text': error.message, 'help': error.help}).encode()
     except MemoryError:
         return b'S', b'{"reason": "memory"}'
-    except SystemExit as error:
-        return b'S', _ended_itself(error, job)
     except BaseException as error:
         return _broke(error)
-
-
-def _ended_itself(error: SystemExit, job: dict[str, Any]) -> bytes:
-    report: dict[str, Any] = {'reason': 'exit'}
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    place = innermost(trace.tb_frame, job) if trace is not None else None
-    if place is not None:
-        report['file'], report['line'] = place
-    return json.dumps(report).encode()
 
 
 def _broke(error: BaseException) -> tuple[bytes, bytes]:

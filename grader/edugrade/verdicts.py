@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 from typing import TYPE_CHECKING, Any
 
@@ -75,7 +76,17 @@ def _launch_error(launch: LaunchRecord) -> dict[str, Any]:
     """Launch's own text without its last line, which is the place again."""
     text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
     where = None if launch.error_file is None else Place(launch.error_file, launch.error_line)
+    if where is not None and _is_engine(where.file):
+        where = None
     return {'text': text, 'where': where, 'try_': launch.help or _LOOK}
+
+
+def _is_engine(file: str) -> bool:
+    """Whether a file is code of edulaunch; its shared launch files are not."""
+    import edulaunch
+
+    engine = os.path.dirname(os.path.abspath(edulaunch.__file__))
+    return file.startswith(engine + os.sep) and not file.startswith(os.path.join(engine, 'underlay', 'share'))
 
 
 def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) -> Outcome:
@@ -88,10 +99,6 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
             f'it asked for more memory than {run.limits.memory_mib} MiB',
             'look for a list that grows without end',
         )
-    if reason == 'exit':
-        return _stopped(run, 'the launch file ended the whole program itself', _OWN_EXIT, where)
-    if reason == 'runaway':
-        return _stopped(run, _text(report, 'text'), _text(report, 'help') or _LOOP, where)
     return _garbage(run)
 
 

@@ -59,7 +59,7 @@ class FakeRecording:
 
 def process(package: str, executable: str, **changes: Any) -> ProcessRecord:
     return ProcessRecord(
-        f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {}, 0.0
+        f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {'radius': 'here'}, 0.0
     )._replace(**changes)
 
 

@@ -40,6 +40,13 @@ def test_a_fixed_radius_fails_in_parameter_and_movement() -> None:
     assert results['circle_is_driven'].where == ('/student/a.launch.py', 7)
 
 
+def test_a_misspelt_parameter_is_recognised() -> None:
+    node = process('part3_beyond_basics', 'param_circle.py', parameter_origins={'raduis': 'launch argument'})
+    results = graded('circle', lambda scenario: circle_run(0.5, processes=[node]))
+    assert results['radius_is_passed'].reason == 'the parameter radius of the Node is missing'
+    assert results['radius_is_passed'].try_.startswith('did you mean "radius" where you wrote "raduis"?')
+
+
 def test_a_parameter_that_the_robot_does_not_drive_earns_nothing_for_the_movement() -> None:
     results = graded('circle', lambda scenario: circle_run(radius(scenario), tracks={'/odom': arc(0.5)}))
     assert statuses(results) == {'circle_is_driven': 'failed'}

@@ -8,6 +8,7 @@ from statistics import median
 
 import pytest
 from edugrade.catalogue import exercises, find_rubric
+from edugrade.cli import main
 from edugrade.hints import LEVELS, read_course
 from edugrade.source import Source
 from edugrade.submission import exercise_of
@@ -72,3 +73,16 @@ def test_a_stub_has_one_to_three_gaps_and_its_solution_none(name: str) -> None:
 
 def test_gaps_are_small() -> None:
     assert median(added_lines(name) / len(gaps_of(STUBS, name)) for name in NAMES) <= 10
+
+
+@pytest.mark.parametrize('name', NAMES)
+def test_a_solution_passes_everything(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(SOLUTIONS / name)]) == 0
+    assert 'FAILED' not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize('name', NAMES)
+def test_a_stub_fails_and_its_first_gap_is_named(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(STUBS / name)]) == 1
+    line = gaps_of(STUBS, name)[0][0]
+    assert f'Next: fill in line {line} of ' in capsys.readouterr().out

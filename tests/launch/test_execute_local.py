@@ -191,10 +191,11 @@ def test_on_exit_takes_an_entity_a_list_or_a_callable(on_exit: Any, launch_it: A
 def test_handlers_see_start_output_completion_and_exit(launch_it: Any, host: Any) -> None:
     talker = ExecuteProcess(cmd=['talker'])
     lines = launch_it(
+        RegisterEventHandler(OnExecutionComplete(target_action=talker, on_completion=[say('complete')])),
         talker, ExecuteProcess(cmd=['quick']),
         RegisterEventHandler(OnProcessStart(target_action=talker, on_start=[say('started')])),
-        RegisterEventHandler(OnProcessIO(target_action=talker, on_stdout=lambda event: say(event.text.decode().split()[0]))),
-        RegisterEventHandler(OnExecutionComplete(target_action=talker, on_completion=[say('complete')])),
+        RegisterEventHandler(OnProcessIO(
+            target_action=talker, on_stdout=lambda event: say(event.text.decode().split()[0]))),
         RegisterEventHandler(OnProcessExit(target_action=talker, on_exit=[say('exited')])))[1]
     assert said(lines) == ['started', 'one', 'exited', 'complete']
 

@@ -87,7 +87,7 @@ def test_a_chain_of_includes_loads_each_file_at_most_twice(launch_it: Any, write
     depth = 12
     for n in range(depth):
         below = f'IncludeLaunchDescription({str(tmp_path)!r} + "/{n + 1}.launch.py")' if n + 1 < depth else ''
-        write(f'{n}.launch.py', below, f'open({str(log)!r}, "a").write("{n}\\n")\n')
+        write(f'{n}.launch.py', below, f'with open({str(log)!r}, "a") as log:\n    log.write("{n}\\n")\n')
     launch_it(IncludeLaunchDescription(f'{tmp_path}/0.launch.py'))
     loads = log.read_text().split()
     assert [loads.count(str(n)) for n in range(depth)] == [1] + [2] * (depth - 1)

@@ -155,3 +155,39 @@ def test_an_extension_brings_a_format(monkeypatch):
     root, parser = Parser.load(stream('<launch/>', 'x.loud'))
     assert isinstance(root, Entity)
     assert type(parser) is Shouting
+
+
+def test_an_extension_builds_on_a_built_in_action(actions_of):
+    from launch_ros.actions import Node
+
+    @expose_action('my_node')
+    class MyNode(Node):
+        @classmethod
+        def parse(cls, entity, parser):
+            _, kwargs = super().parse(entity, parser)
+            kwargs['package'] = 'mine'
+            return cls, kwargs
+
+    try:
+        (it,) = actions_of('<my_node exec="e" if="true"><param name="a" value="1"/></my_node>')
+    finally:
+        del action_parse_methods['my_node']
+    assert (type(it), it.node_package, it.condition is not None) == (MyNode, 'mine', True)
+
+
+def test_an_extension_of_executable_reads_its_command_itself(actions_of):
+    from launch.actions import ExecuteProcess
+
+    @expose_action('my_executable')
+    class MyExecutable(ExecuteProcess):
+        @classmethod
+        def parse(cls, entity, parser):
+            _, kwargs = super().parse(entity, parser, ['cmd'])
+            kwargs['cmd'] = ['echo', entity.get_attr('word')]
+            return cls, kwargs
+
+    try:
+        (it,) = actions_of('<my_executable word="hi" shell="true"/>')
+    finally:
+        del action_parse_methods['my_executable']
+    assert [word[0].describe() for word in it.cmd] == ["'echo'", "'hi'"]

@@ -1,4 +1,5 @@
 """Launching descriptions whose processes are only noted."""
+
 from __future__ import annotations
 
 import re
@@ -46,11 +47,16 @@ def launch(entities: Sequence[Any], index: Index) -> Launched:
         service = LaunchService(noninteractive=True)
         service.include_launch_description(LaunchDescription(list(entities)))
         return service.run()
+
     process = host.run_launch(main)
     sim.run()
     result.specs = [one.spec for one in host.imaginary]
     result.contents = [
-        Path(word).read_text(encoding='utf-8') for spec in result.specs for word in spec.argv if 'launch_params_' in word]
+        Path(word).read_text(encoding='utf-8')
+        for spec in result.specs
+        for word in spec.argv
+        if 'launch_params_' in word
+    ]
     while process.returncode is None and host.end_next():
         sim.run()
     result.logs = notes.logs
@@ -81,8 +87,10 @@ def run(robo: Index) -> Callable[..., Launched]:
 @pytest.fixture
 def context() -> Callable[..., LaunchContext]:
     """A context with launch configurations."""
+
     def make(**configurations: str) -> LaunchContext:
         made = LaunchContext()
         made.launch_configurations.update(configurations)
         return made
+
     return make

@@ -1,4 +1,5 @@
 """SetParameter, SetParametersFromFile, SetRemap, SetROSLogDir: settings for all nodes that follow."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -23,8 +24,17 @@ def drive(**arguments: Any) -> Node:
     return Node(package='robo', executable='drive', **arguments)
 
 
-@pytest.mark.parametrize(('value', 'word'), [
-    (1, 'p:=1'), ('text', 'p:=text'), (True, 'p:=True'), ([1, 2], 'p:=(1, 2)'), ('', 'p:='), (1.0, 'p:=1.0')])
+@pytest.mark.parametrize(
+    ('value', 'word'),
+    [
+        (1, 'p:=1'),
+        ('text', 'p:=text'),
+        (True, 'p:=True'),
+        ([1, 2], 'p:=(1, 2)'),
+        ('', 'p:='),
+        (1.0, 'p:=1.0'),
+    ],
+)
 def test_a_global_parameter_is_written_as_ros_writes_it(run: Any, value: Any, word: str) -> None:
     assert run(SetParameter('p', value), drive()).words == ['--ros-args', '-p', word]
 
@@ -34,7 +44,18 @@ def test_global_settings_come_before_the_nodes_own(run: Any, tmp_path: Path) -> 
     file.write_text('{}', encoding='utf-8')
     settings = [SetRemap('x', 'y'), SetParameter('p', 1), SetParametersFromFile(str(file))]
     assert run(*settings, drive(parameters=[{'q': 2}], remappings=[('a', 'b')])).words == [
-        '--ros-args', '-p', 'p:=1', '--params-file', str(file), '--params-file', 'PARAMS', '-r', 'x:=y', '-r', 'a:=b']
+        '--ros-args',
+        '-p',
+        'p:=1',
+        '--params-file',
+        str(file),
+        '--params-file',
+        'PARAMS',
+        '-r',
+        'x:=y',
+        '-r',
+        'a:=b',
+    ]
 
 
 def test_a_group_ends_a_setting_unless_one_was_made_before_it(run: Any) -> None:
@@ -68,5 +89,8 @@ def test_the_log_folder_of_nodes_is_set_in_the_environment_relative_to_the_one_b
 
 def test_a_namespace_that_cannot_be_is_refused(run: Any) -> None:
     assert PushRosNamespace is PushROSNamespace
-    assert run(PushRosNamespace('a-b')).logs[0][2].endswith(
-        "The resulting namespace is invalid: [previous_namespace='None', pushed_namespace='a-b']")
+    assert (
+        run(PushRosNamespace('a-b'))
+        .logs[0][2]
+        .endswith("The resulting namespace is invalid: [previous_namespace='None', pushed_namespace='a-b']")
+    )

@@ -1,4 +1,5 @@
 """Joining namespaces."""
+
 from __future__ import annotations
 
 from hypothesis import given
@@ -9,10 +10,36 @@ NAMES = st.text('ab/', max_size=6) | st.none()
 
 
 def test_prefixes_join_as_measured() -> None:
-    pairs = [(None, None), (None, 'n'), ('b', None), ('b', 'n'), ('/b', 'n'), ('/b', '/n'), ('/', 'n'), ('', 'n'), ('b', ''),
-             ('b/', 'n'), ('/b', 'n/'), (None, '/'), ('/b', '/')]
+    pairs = [
+        (None, None),
+        (None, 'n'),
+        ('b', None),
+        ('b', 'n'),
+        ('/b', 'n'),
+        ('/b', '/n'),
+        ('/', 'n'),
+        ('', 'n'),
+        ('b', ''),
+        ('b/', 'n'),
+        ('/b', 'n/'),
+        (None, '/'),
+        ('/b', '/'),
+    ]
     assert [prefix_namespace(base, ns) for base, ns in pairs] == [
-        None, 'n', 'b', 'b/n', '/b/n', '/n', '/n', 'n', 'b', 'b//n', '/b/n', '/', '/']
+        None,
+        'n',
+        'b',
+        'b/n',
+        '/b/n',
+        '/n',
+        '/n',
+        'n',
+        'b',
+        'b//n',
+        '/b/n',
+        '/',
+        '/',
+    ]
 
 
 @given(NAMES, NAMES)

@@ -1,4 +1,5 @@
 """Actions that talk to running nodes: composition, life cycle, timers on ROS time."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -66,9 +67,13 @@ Lines = Callable[[str], list[tuple[float, str]]]
 
 @pytest.fixture
 def lines(tmp_path: Path) -> Lines:
-    """Runs a launch file with the body of entities(), and gives (seconds, line) of the console but its frame."""
-    for name, text in (('CMakeLists.txt', LISTS), ('package.xml', '<package><name>robo</name></package>'),
-                       ('container.py', CONTAINER), ('managed.py', MANAGED)):
+    """Runs a launch file with the body of entities(), and gives (seconds, line) of its console."""
+    for name, text in (
+        ('CMakeLists.txt', LISTS),
+        ('package.xml', '<package><name>robo</name></package>'),
+        ('container.py', CONTAINER),
+        ('managed.py', MANAGED),
+    ):
         (tmp_path / name).write_text(text, encoding='utf-8')
     (tmp_path / 'launch').mkdir()
 
@@ -79,12 +84,23 @@ def lines(tmp_path: Path) -> Lines:
 
         def console(stream: str, text: str) -> None:
             found.extend((sessions[0].sim.elapsed_s, line) for line in text.splitlines())
+
         with Session(workspaces=[tmp_path], env={}, console=console) as session:
             sessions.append(session)
             session.launch('robo', 'a.launch.py')
             session.run(8.0)
-        noise = ('process started', 'Default logging', 'Traceback', 'File', 'rclpy.spin', 'KeyboardInterrupt', 'has died', 'SIGINT')
+        noise = (
+            'process started',
+            'Default logging',
+            'Traceback',
+            'File',
+            'rclpy.spin',
+            'KeyboardInterrupt',
+            'has died',
+            'SIGINT',
+        )
         return [line for line in found if not any(word in line[1] for word in noise)]
+
     return run
 
 
@@ -93,15 +109,23 @@ def test_a_container_gets_its_nodes_one_after_another(lines: Lines) -> None:
     return [SetRemap('g', 'h'), ComposableNodeContainer(
         package='robo', executable='container.py', name='c', namespace='/ns', output='screen',
         composable_node_descriptions=[
-            ComposableNode(package='p', plugin='a::B', name='n', namespace='x', parameters=[{'k': 7}], remappings=[('a', 'b')]),
+            ComposableNode(package='p', plugin='a::B', name='n', namespace='x', parameters=[{'k': 7}],
+                           remappings=[('a', 'b')]),
             ComposableNode(package='p', plugin='bad::One', name='m')]),
         TimerAction(period=5.0, actions=[Shutdown()])]
 """) == [
         (0.0, "[container.py-1] a::B /x ['g:=h', 'a:=b'] [('k', 7)]"),
         (0.0, "[INFO] [launch_ros.actions.load_composable_nodes]: Loaded node '/x/n' in container '/ns/c'"),
         (0.0, "[container.py-1] bad::One  ['g:=h'] []"),
-        (0.0, "[ERROR] [launch_ros.actions.load_composable_nodes]: Failed to load node '/m' of type 'bad::One' "
-              "in container '/ns/c': no such plugin")]
+        (
+            0.0,
+            (
+                "[ERROR] [launch_ros.actions.load_composable_nodes]: Failed to load node '/m' of type "
+                "'bad::One' "
+                "in container '/ns/c': no such plugin"
+            ),
+        ),
+    ]
 
 
 def test_waiting_for_a_container_that_never_comes_ends_with_launch(lines: Lines) -> None:
@@ -109,8 +133,15 @@ def test_waiting_for_a_container_that_never_comes_ends_with_launch(lines: Lines)
     return [LoadComposableNodes(target_container='/none', composable_node_descriptions=[
                 ComposableNode(package='p', plugin='a::B', name='n')]),
             TimerAction(period=2.0, actions=[Shutdown()])]
-""") == [(2.0, "[WARNING] [launch_ros.actions.load_composable_nodes]: Abandoning wait for the "
-               "'/none/_container/load_node' service, due to shutdown.")]
+""") == [
+        (
+            2.0,
+            (
+                '[WARNING] [launch_ros.actions.load_composable_nodes]: Abandoning wait for the '
+                "'/none/_container/load_node' service, due to shutdown."
+            ),
+        )
+    ]
 
 
 def test_a_lifecycle_node_goes_through_its_transitions_in_order(lines: Lines) -> None:
@@ -121,7 +152,11 @@ def test_a_lifecycle_node_goes_through_its_transitions_in_order(lines: Lines) ->
         RegisterEventHandler(OnStateTransition(
             target_lifecycle_node=node, goal_state='active', entities=[LogInfo(msg='active'), Shutdown()])),
         LifecycleTransition(lifecycle_node_names=['/m'], transition_ids=[1, 3])]
-""") == [(0.0, '[managed.py-1] transition 1'), (0.0, '[managed.py-1] transition 3'), (0.0, '[INFO] [launch.user]: active')]
+""") == [
+        (0.0, '[managed.py-1] transition 1'),
+        (0.0, '[managed.py-1] transition 3'),
+        (0.0, '[INFO] [launch.user]: active'),
+    ]
 
 
 def test_a_ros_timer_fires_once_on_ros_time(lines: Lines) -> None:

@@ -1,4 +1,5 @@
 """Substitutions that look into packages."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -20,6 +21,7 @@ def performed(run: Any, substitution: Any) -> Any:
             found.append(substitution.perform(context))
         except Exception as error:
             found.append(error)
+
     run(OpaqueFunction(function=perform))
     return found[0]
 
@@ -33,7 +35,10 @@ def test_packages_and_executables_are_found(run: Any, robo: Index) -> None:
 
 def test_a_missing_executable_gives_the_text_of_ros_and_a_hint(run: Any, robo: Index) -> None:
     error = performed(run, ExecutableInPackage('drvie', 'robo'))
-    assert str(error) == f"executable 'drvie' not found on the libexec directory '{robo.search_paths()[0]}/lib/robo' "
+    assert (
+        str(error)
+        == f"executable 'drvie' not found on the libexec directory '{robo.search_paths()[0]}/lib/robo' "
+    )
     assert error.edulaunch_hint == "did you mean 'drive'?"
 
 
@@ -41,26 +46,42 @@ def test_a_package_without_executables_has_no_libexec_directory(run: Any, tmp_pa
     marker = tmp_path / 'opt/share/ament_index/resource_index/packages/bare'
     marker.write_text('', encoding='utf-8')
     error = performed(run, ExecutableInPackage('x', 'bare'))
-    assert str(error) == f"package 'bare' found at '{tmp_path}/opt', but libexec directory '{tmp_path}/opt/lib/bare' does not exist"
+    assert (
+        str(error) == f"package 'bare' found at '{tmp_path}/opt', "
+        f"but libexec directory '{tmp_path}/opt/lib/bare' does not exist"
+    )
     assert error.edulaunch_hint.startswith('bare installs no executable')
 
 
 def test_a_c_plus_plus_executable_is_named_with_its_line(tmp_path: Any) -> None:
     from tests.launch_ros.conftest import launch
-    (tmp_path / 'CMakeLists.txt').write_text('project(robo_cpp)\nadd_executable(fast a.cpp)\ninstall(TARGETS fast DESTINATION lib/robo_cpp)')
+
+    (tmp_path / 'CMakeLists.txt').write_text(
+        'project(robo_cpp)\nadd_executable(fast a.cpp)\ninstall(TARGETS fast DESTINATION lib/robo_cpp)'
+    )
     (tmp_path / 'package.xml').write_text('<package><name>robo_cpp</name></package>')
     index = Index([], [tmp_path], underlay=None)
     error = performed(lambda *entities: launch(entities, index), ExecutableInPackage('fast', 'robo_cpp'))
-    assert error.edulaunch_hint == f'fast is built from C++ ({tmp_path}/CMakeLists.txt:2); edulaunch runs Python programs only'
+    assert (
+        error.edulaunch_hint
+        == f'fast is built from C++ ({tmp_path}/CMakeLists.txt:2); edulaunch runs Python programs only'
+    )
 
 
 def test_a_node_of_a_missing_package_stops_the_launch_before_anything_starts(run: Any) -> None:
-    launched = run(LogInfo(msg='x'), Node(package='robo', executable='drive'), Node(package='rob', executable='drive'))
+    launched = run(
+        LogInfo(msg='x'), Node(package='robo', executable='drive'), Node(package='rob', executable='drive')
+    )
     assert launched.specs == []
     assert "package 'rob' not found, searching: ['" in launched.logs[0][2]
 
 
-@pytest.mark.parametrize(('substitution', 'text'), [
-    (FindPackageShare('p'), "FindPackageShare(pkg='p')"), (ExecutableInPackage('e', 'p'), "ExecInPkg(pkg='p', exec='e')")])
+@pytest.mark.parametrize(
+    ('substitution', 'text'),
+    [
+        (FindPackageShare('p'), "FindPackageShare(pkg='p')"),
+        (ExecutableInPackage('e', 'p'), "ExecInPkg(pkg='p', exec='e')"),
+    ],
+)
 def test_descriptions_are_those_that_show_args_prints(substitution: Any, text: str) -> None:
     assert substitution.describe() == text

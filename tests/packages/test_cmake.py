@@ -37,11 +37,17 @@ FILES = {
             ['launch/z.launch.py'],
         ),
         (
-            'file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION share/${PROJECT_NAME}/config)',
+            (
+                'file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION '
+                'share/${PROJECT_NAME}/config)'
+            ),
             ['config/p.yaml'],
         ),
         (
-            'set(DIRS launch config)\nforeach(d ${DIRS})\n  INSTALL(DIRECTORY ${d} DESTINATION share/${PROJECT_NAME})\nendforeach()',
+            (
+                'set(DIRS launch config)\nforeach(d ${DIRS})\n  INSTALL(DIRECTORY ${d} DESTINATION '
+                'share/${PROJECT_NAME})\nendforeach()'
+            ),
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
         ),
         (
@@ -51,7 +57,10 @@ FILES = {
         ('install(DIRECTORY launch DESTINATION share/robo PATTERN "sub" EXCLUDE)', ['launch/a.launch.py']),
         ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
         (
-            'if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION share/robo)\nendif()',
+            (
+                'if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION '
+                'share/robo)\nendif()'
+            ),
             [],
         ),
         ('#[[ install(DIRECTORY config DESTINATION share/robo) ]]', []),

@@ -10,8 +10,10 @@ import pytest
 
 from edulaunch.packages import Index
 
-SETUP = "from setuptools import setup\nsetup(packages=['{0}'], data_files=[('share/{0}/launch', ['launch/a.launch.py'])])\n"
-MARKERS = 'share/ament_index/resource_index/packages'
+SETUP = """
+from setuptools import setup
+setup(packages=['{0}'], data_files=[('share/{0}/launch', ['launch/a.launch.py'])])
+"""
 
 
 def make_prefix(path: Path, package: str) -> Path:
@@ -131,7 +133,10 @@ def test_of_two_packages_with_one_name_the_first_is_used_and_the_other_named(wor
     workspace.files({'src/one/launch/a.launch.py': ''})
     assert workspace.installed('alpha') == ['launch/a.launch.py', 'package.xml']
     assert workspace.warnings('alpha') == [
-        "src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon refuses duplicate names"
+        (
+            "src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon "
+            'refuses duplicate names'
+        )
     ]
 
 
@@ -140,8 +145,10 @@ def test_of_two_packages_with_one_name_the_first_is_used_and_the_other_named(wor
     [
         (
             '<package>\n<name>alpha</name>\n',
-            (':3: this is not well-formed XML (no element found: line 3, column 0), '
-            'so colcon skips the package'),
+            (
+                ':3: this is not well-formed XML (no element found: line 3, column 0), '
+                'so colcon skips the package'
+            ),
         ),
         ('<package/>', ": has no usable <name> inside <package> (found ''), so colcon skips the package"),
     ],

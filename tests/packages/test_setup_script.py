@@ -53,16 +53,24 @@ def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, 
         HEAD + "data = [('share/' + package_name, ['package.xml'])]\n"
         "data.append(('share/robo/launch', glob('launch/*.xml')))\nsetup(name='robo', data_files=data)",
         HEAD
-        + "data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', data_files=data)",
+        + (
+            "data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', "
+            'data_files=data)'
+        ),
         # a function of the file's own
         HEAD + 'def files(folder):\n    found = []\n    for path, _, names in os.walk(folder):\n'
         "        for name in names:\n            if name.endswith('.xml'):\n"
         "                found.append(('share/robo/' + path, [os.path.join(path, name)]))\n    return found\n"
         "setup(name='robo', data_files=[*files('launch')])",
         HEAD
-        + "options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', **options)",
-        ('import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
-        'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])'),
+        + (
+            "options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', "
+            '**options)'
+        ),
+        (
+            'import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
+            'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])'
+        ),
     ],
 )
 def test_lists_made_by_a_program_are_followed(workspace: Any, setup: str) -> None:
@@ -81,8 +89,11 @@ def test_what_cannot_be_known_costs_only_its_own_entry_and_names_the_line(worksp
     workspace.python_package('robo', setup_with(data_files=entries)).files(LAUNCH)
     assert workspace.installed('robo') == ['launch/c.launch.xml', 'package.xml']
     assert workspace.warnings('robo') == [
-        ("robo/setup.py:7: data_files= contains download('x'), which is not followed without running the file; "
-        'write the value out')
+        (
+            "robo/setup.py:7: data_files= contains download('x'), which is not followed without running "
+            'the file; '
+            'write the value out'
+        )
     ]
 
 
@@ -110,8 +121,11 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
     workspace.files({'robo/setup.cfg': '[develop]\nscript_dir=$base/lib/robo\n'})
     assert workspace.index().executables('robo') == []
     assert workspace.warnings('robo') == [
-        ('robo/setup.cfg: has no install_scripts=$base/lib/robo below [install], so `ros2 run robo ...` and Node() '
-        'find no executable of this package')
+        (
+            'robo/setup.cfg: has no install_scripts=$base/lib/robo below [install], so `ros2 run robo ...` '
+            'and Node() '
+            'find no executable of this package'
+        )
     ]
 
 
@@ -120,12 +134,17 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
     [
         (
             {'data_files': "[('share/robo/launch', ['launch/none.py'])]"},
-            "data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy 'launch/none.py'\")",
+            (
+                "data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy "
+                "'launch/none.py'\")"
+            ),
         ),
         (
             {'data_files': "[('share/robo', ['launch'])]"},
-            ("data_files lists 'launch', which is a folder; only files can be listed, so use glob() "
-            "(a build stops with \"can't copy 'launch'\")"),
+            (
+                "data_files lists 'launch', which is a folder; only files can be listed, so use glob() "
+                "(a build stops with \"can't copy 'launch'\")"
+            ),
         ),
         (
             {'data_files': "['share/robo']"},
@@ -148,8 +167,10 @@ def test_what_a_build_would_reject_is_a_warning_with_its_line(
 def test_a_package_folder_that_is_missing_is_named(workspace: Any) -> None:
     workspace.python_package('robo', "from setuptools import setup\nsetup(packages=['rob'])\n")
     assert workspace.warnings('robo') == [
-        ("robo/setup.py:2: packages= names 'rob', but there is no folder rob/ "
-        '(a build stops with "package directory \'rob\' does not exist")')
+        (
+            "robo/setup.py:2: packages= names 'rob', but there is no folder rob/ "
+            '(a build stops with "package directory \'rob\' does not exist")'
+        )
     ]
 
 

@@ -62,10 +62,14 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
 
 def pause(node: Node, seconds: float) -> bool:
     """Let simulated time pass; False when ROS 2 was shut down meanwhile. Ctrl-C raises KeyboardInterrupt here."""
+    return pause_until(node, current_task().sim.now_ns + round(seconds * 1e9))
+
+
+def pause_until(node: Node, at_ns: int) -> bool:
+    """Let time pass until the simulated time `at_ns`; see :func:`pause`."""
     sim = current_task().sim
-    until = sim.now_ns + round(seconds * 1e9)
-    while sim.now_ns < until and node.context.ok():
-        node.context.park(until)
+    while sim.now_ns < at_ns and node.context.ok():
+        node.context.park(at_ns)
     return bool(node.context.ok())
 
 

@@ -120,7 +120,7 @@ def _not_a_text(error: BaseException, text: str) -> str | None:
         return None
     keyword = _keyword_with(error, value)
     if isinstance(value, (int, float)):
-        shown = f'{str(value).lower() if isinstance(value, bool) else value!r}'
+        shown = str(value).lower()
         return f"{keyword}{value!r} must be a text: write {keyword}'{shown}'"
     if isinstance(value, (list, tuple)):
         return 'a list inside a list of substitutions: take the inner brackets away'

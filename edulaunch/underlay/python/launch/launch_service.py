@@ -81,7 +81,7 @@ class LaunchService:
 
     def emit_event(self, event: Event) -> None:
         """Let an event happen. May be called from any thread, whether the service runs or not."""
-        if self.__loop is None or self.__is_inside():
+        if self.__loop is None:
             self.__context.emit_event_sync(event)
         else:
             self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
@@ -93,9 +93,12 @@ class LaunchService:
         """
         if self.__loop is None:
             return None
-        inside = self.__is_inside()
-        self.__shut_down('LaunchService.shutdown() called')
-        if not inside or force_sync:
+        reason = 'LaunchService.shutdown() called'
+        if force_sync:
+            self.__shut_down(reason)
+            return None
+        self.__loop.call_soon_threadsafe(self.__shut_down, reason)
+        if not self.__is_inside():
             return None
         done = self.__loop.create_future()
         done.set_result(None)
@@ -264,7 +267,7 @@ class LaunchService:
 
     def __shut_down(self, reason: str, due_to_sigint: bool = False) -> None:
         if not self.__shutting_down:
-            self.emit_event(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
+            self.__context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
         self.__shutting_down = True
         self.__context._set_is_shutdown(True)
 

@@ -8,12 +8,9 @@ uniform lists, or
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any
 
 from launch.substitution import Substitution
-
-if TYPE_CHECKING:
-    pass
 
 SomeParameterFile = Any
 """A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
@@ -29,6 +26,6 @@ ParametersDict = dict[ParameterName, Any]
 Parameters = Sequence[Any]
 """Of ParameterFile, ParametersDict and Parameter."""
 
-EvaluatedParameterValue = Union[str, int, float, bool, bytes, tuple[Any, ...]]
+EvaluatedParameterValue = str | int | float | bool | bytes | tuple[Any, ...]
 EvaluatedParameters = tuple[Any, ...]
 """Of Path, dict of names and plain values, and Parameter."""

@@ -203,7 +203,7 @@ class ROSClock(Clock):
     def set_ros_time_override(self, time: Time) -> None:
         """Let it be `time`; counts only while /clock rules. Raises TypeError when `time` is none."""
         if not isinstance(time, Time):
-            raise TypeError('Time must be specified as rclpy.time.Time. Received type: {0}'.format(type(time)))
+            raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
         if self.ros_time_is_active:
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
 

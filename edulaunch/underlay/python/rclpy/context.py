@@ -93,7 +93,7 @@ class Context:
     def on_shutdown(self, callback: Callable[[], object]) -> None:
         """Call `callback()` when the context ends. Raises TypeError when it is not callable."""
         if not callable(callback):
-            raise TypeError('callback should be a callable, got {}'.format(type(callback)))
+            raise TypeError(f'callback should be a callable, got {type(callback)}')
         self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:

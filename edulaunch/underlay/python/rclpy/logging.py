@@ -61,5 +61,5 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 def get_logging_directory() -> str:
     """Where log files would be written."""
-    env = logging_state().process.env
+    env: dict[str, str] = logging_state().process.env
     return env.get('ROS_LOG_DIR') or (env.get('ROS_HOME') or env.get('HOME', '~') + '/.ros') + '/log'

@@ -63,9 +63,9 @@ class Parameter:
         if type_ is None:
             type_ = ParameterType.from_parameter_value(value)
         if not isinstance(type_, ParameterType):
-            raise TypeError("type must be an instance of '{}'".format(repr(ParameterType)))
+            raise TypeError(f"type must be an instance of '{repr(ParameterType)}'")
         if not type_.check(value):
-            raise ValueError("Type '{}' and value '{}' do not agree".format(type_, value))
+            raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
         self._name = name
         self._type_ = type_
         self._value = value

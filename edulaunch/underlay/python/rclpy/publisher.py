@@ -1,6 +1,7 @@
 """Publishing messages."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
@@ -23,7 +24,7 @@ class Publisher:
         self._impl = publisher_impl
         self._context = context
         self._to_wire = msg_type.to_wire
-        self._send = publisher_impl.publish
+        self._send: Callable[[Any], object] = publisher_impl.publish
 
     def publish(self, msg: Any) -> None:
         """Send a message, or the bytes of a serialized one, to everybody who listens now.
@@ -38,7 +39,7 @@ class Publisher:
 
     def _publish_other(self, msg: Any) -> None:
         if not (isinstance(msg, (self.msg_type, bytes))):
-            raise TypeError('Expected {}, got {}'.format(self.msg_type, type(msg)))
+            raise TypeError(f'Expected {self.msg_type}, got {type(msg)}')
         if self._impl.destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         if not self._context._ok:

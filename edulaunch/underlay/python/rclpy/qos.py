@@ -61,7 +61,7 @@ class QoSPolicyEnum(IntEnum):
     def short_key(self) -> str:
         """The short key of this value. Raises AttributeError for UNKNOWN."""
         if self.name == 'UNKNOWN':
-            raise AttributeError('failed to find value %s in %s' % (self.value, self.__class__.__name__))
+            raise AttributeError(f'failed to find value {self.value} in {self.__class__.__name__}')
         return self.name.lower()
 
 
@@ -143,7 +143,7 @@ class QoSProfile:
         avoid_ros_namespace_conventions: bool
 
     def __init__(self, **kwargs: Any) -> None:
-        assert kwargs.keys() <= _DEFAULTS.keys(), 'Invalid arguments passed to constructor: %r' % kwargs.keys()
+        assert kwargs.keys() <= _DEFAULTS.keys(), f'Invalid arguments passed to constructor: {kwargs.keys()!r}'
         if 'history' not in kwargs:
             if 'depth' not in kwargs:
                 raise InvalidQoSProfileException('History and/or depth settings are required.')
@@ -163,7 +163,7 @@ class QoSProfile:
     __hash__ = None  # type: ignore[assignment]
 
     def __str__(self) -> str:
-        return '%s(%s)' % (type(self).__name__, ', '.join('%s=%s' % (slot[1:], getattr(self, slot)) for slot in self.__slots__))
+        return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
 
     __repr__ = __str__
 
@@ -234,7 +234,7 @@ def validate_qos(qos: QoSProfile | int) -> QoSProfile:
     if isinstance(qos, QoSProfile):
         return qos
     if not isinstance(qos, int):
-        raise TypeError('Expected QoSProfile or int, but received {!r}'.format(type(qos)))
+        raise TypeError(f'Expected QoSProfile or int, but received {type(qos)!r}')
     if qos < 0:
         raise ValueError('history depth must be greater than or equal to zero')
     return QoSProfile(depth=qos)

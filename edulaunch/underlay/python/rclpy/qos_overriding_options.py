@@ -10,7 +10,7 @@ from rclpy.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult
-    from rclpy.node import Node
+
 
 QosCallbackType = Callable[[QoSProfile], 'SetParametersResult']
 
@@ -56,7 +56,7 @@ class QoSOverridingOptions:
                    entity_id=entity_id)
 
 
-def declare_qos_parameters(node: Node, side: str, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions) -> QoSProfile:
+def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions) -> QoSProfile:
     """Declare the read-only parameters `qos_overrides.<topic>.<side>[_<id>].<policy>`; the profile with their values.
 
     :param side: 'publisher' or 'subscription'.

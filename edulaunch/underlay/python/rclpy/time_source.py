@@ -9,6 +9,7 @@ from rclpy.time import Time
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult
+
     from rclpy.node import Node
     from rclpy.subscription import Subscription
 
@@ -34,7 +35,7 @@ class TimeSource:
         if value.type_ is ParameterType.BOOL:
             self._set_active(value.value)
         else:
-            node.get_logger().error("Invalid type for parameter '{}' {!r} should be bool".format(USE_SIM_TIME_NAME, value.type_))
+            node.get_logger().error(f"Invalid type for parameter '{USE_SIM_TIME_NAME}' {value.type_!r} should be bool")
         node.add_on_set_parameters_callback(self._on_parameter_event)
 
     @property
@@ -66,8 +67,9 @@ class TimeSource:
             self._subscription = None
 
     def _subscribe(self) -> None:
-        from rclpy.qos import QoSProfile, ReliabilityPolicy
         from rosgraph_msgs.msg import Clock
+
+        from rclpy.qos import QoSProfile, ReliabilityPolicy
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._subscription = self._node.create_subscription(Clock, CLOCK_TOPIC, self._on_clock, profile)
 

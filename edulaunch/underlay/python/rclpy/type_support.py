@@ -21,7 +21,7 @@ def check_is_valid_msg_type(msg_type: Any) -> None:
     :raises AttributeError: for anything else.
     """
     check_for_type_support(msg_type)
-    if not hasattr(msg_type, 'to_wire'):
+    if not _has(msg_type, 'to_wire'):
         raise RuntimeError(f'The message type provided is not valid ({msg_type}), this might be a service or action')
 
 
@@ -32,7 +32,7 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
     :raises AttributeError: for anything else.
     """
     check_for_type_support(srv_type)
-    if not (hasattr(srv_type, 'Request') and hasattr(srv_type, 'Response')):
+    if not (_has(srv_type, 'Request') and _has(srv_type, 'Response')):
         raise RuntimeError(f'The service type provided is not valid ({srv_type}), this might be a message or action')
 
 
@@ -43,5 +43,10 @@ def check_is_valid_action_type(action_type: Any) -> None:
     :raises AttributeError: for anything else.
     """
     check_for_type_support(action_type)
-    if not (hasattr(action_type, 'Goal') and hasattr(action_type, 'Impl')):
+    if not (_has(action_type, 'Goal') and _has(action_type, 'Impl')):
         raise RuntimeError(f'The action type provided is not valid ({action_type}), this might be a message or service')
+
+
+def _has(cls: Any, name: str) -> bool:
+    """As `hasattr`, without making the parts of services and actions, which are made when first read."""
+    return any(name in vars(base) for base in getattr(cls, '__mro__', ()))

@@ -52,9 +52,8 @@ class ROSTimer(TimerAction):
             if not fired.done():
                 fired.set_result(None)
 
-        timer = node.create_timer(
-            perform_typed_substitution(context, self.period, float), lambda: loop.call_soon_threadsafe(fire)
-        )
+        period: Any = perform_typed_substitution(context, self.period, float)
+        timer = node.create_timer(period, lambda: loop.call_soon_threadsafe(fire))
         assert self._canceled_future is not None
         await asyncio.wait([fired, self._canceled_future], return_when=asyncio.FIRST_COMPLETED)
         node.destroy_timer(timer)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, when there is no such executable; `edulaunch_hint` says what to try.
+    :raises SubstitutionFailure: on evaluation, when there is none; its `edulaunch_hint` says what to try.
     """
 
     parse = parsed_as_substitution('exec-in-pkg')

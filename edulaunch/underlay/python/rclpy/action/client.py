@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
+
 from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy.action.server import await_or_execute
@@ -45,7 +46,7 @@ class ClientGoalHandle:
         return hash(bytes(self._goal_id.uuid))
 
     def __repr__(self) -> str:
-        return 'ClientGoalHandle <id={0}, accepted={1}, status={2}>'.format(self._goal_id.uuid, self.accepted, self.status)
+        return f'ClientGoalHandle <id={self._goal_id.uuid}, accepted={self.accepted}, status={self.status}>'
 
     @property
     def goal_id(self) -> Any:
@@ -141,7 +142,7 @@ class ActionClient(Waitable):
             elif kind == 'status':
                 self._handle_status(one[0])
             else:
-                self._handle_answer(kind, *one, executor)
+                self._handle_answer(kind, one[0], one[1], executor)
 
     def _handle_answer(self, kind: str, sequence: int, wire: Any, executor: Executor) -> None:
         impl = self._action_type.Impl
@@ -220,7 +221,7 @@ class ActionClient(Waitable):
     @staticmethod
     def _check_handle(goal_handle: ClientGoalHandle) -> None:
         if not isinstance(goal_handle, ClientGoalHandle):
-            raise TypeError('Expected type ClientGoalHandle but received {}'.format(type(goal_handle)))
+            raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
     def _remember(self, kind: str, sequence: int) -> Future:
         future = Future()

@@ -187,5 +187,9 @@ class Waiting:
 
     def _forget_work(self) -> None:
         work, self._work = self._work, None
-        if work is not None and not work.gi_running:
+        if work is not None and not self._is_running(work):
             work.close()
+
+    @staticmethod
+    def _is_running(work: Any) -> bool:
+        return bool(work.gi_running)

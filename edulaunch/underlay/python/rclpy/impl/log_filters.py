@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.clock import Clock
+
 _FILTERS: dict[str, dict[str, Any]] = {
     'once': {'once': None},
     'throttle': {'throttle_duration_sec': None, 'throttle_time_source_type': False},
@@ -58,7 +60,7 @@ class CallSite:
         if name == 'skip_first':
             return self.calls > 1
         source = options.get('throttle_time_source_type')
-        if hasattr(source, '_now_ns'):
+        if isinstance(source, Clock):
             now_ns = source._now_ns()
         if self.next_ns and now_ns < self.next_ns:
             return False

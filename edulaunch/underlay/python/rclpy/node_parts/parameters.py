@@ -17,7 +17,12 @@ from rclpy.node_parts.core import NodeCore
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 
 if TYPE_CHECKING:
-    from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
+    from rcl_interfaces.msg import (
+        ListParametersResult,
+        ParameterDescriptor,
+        ParameterValue,
+        SetParametersResult,
+    )
 
 OnSet = Callable[[list[Parameter]], 'SetParametersResult']
 

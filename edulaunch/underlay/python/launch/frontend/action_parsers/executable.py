@@ -39,13 +39,13 @@ PROCESS_OPTIONALS: Optionals = {
 """What every element that starts a program may have."""
 
 
-def parse_executable(entity: Entity, parser: Parser, ignore: Iterable[str] = ()) -> Parsed:
+def parse_executable(entity: Entity, parser: Parser, ignore: Iterable[str] | None = None) -> Parsed:
     """A program with its command line.
 
     :param ignore: attributes that a subclass reads by itself.
     """
     kwargs = condition_of(entity, parser)
-    ignored = frozenset(ignore)
+    ignored = frozenset(ignore or ())
     if 'cmd' not in ignored:
         kwargs['cmd'] = words_of(entity.get_attr('cmd'), parser)
     optionals = {name: how for name, how in PROCESS_OPTIONALS.items() if name not in ignored}

@@ -1,0 +1,184 @@
+"""The phases of a plan, and what it tells of errors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from edulaunch.errors import UnusableInput
+from edulaunch.packages import Index
+from edulaunch.plan import make_plan
+
+HEAD = """
+from launch import LaunchDescription
+from launch.actions import *
+from launch.actions import DeclareLaunchArgument, EmitEvent, ExecuteProcess, GroupAction, LogInfo
+from launch.event_handlers import OnProcessExit, OnProcessStart, OnShutdown
+from launch.substitutions import LaunchConfiguration, LocalSubstitution
+from launch_ros.actions import Node, SetParameter
+
+def run(name, **arguments):
+    return ExecuteProcess(cmd=[name], **arguments)
+
+def generate_launch_description():
+    return LaunchDescription(entities())
+
+"""
+Plan = Callable[..., dict[str, Any]]
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Plan:
+    """The plan of a launch file with this body of entities()."""
+
+    def make(body: str, *arguments: str, **options: Any) -> dict[str, Any]:
+        path = tmp_path / 'a.launch.py'
+        path.write_text(HEAD + 'def entities():\n' + body, encoding='utf-8')
+        return make_plan(path, arguments, Index(), {'HOME': '/h'}, **options)
+
+    return make
+
+
+def steps(plan: dict[str, Any]) -> list[tuple[str, float | None, str]]:
+    """(phase, time, what) of logs and processes."""
+    return [
+        (item['phase'], item.get('time'), item.get('msg') or item['process_name'])
+        for item in plan['items']
+        if item['kind'] in ('log', 'process', 'node')
+    ]
+
+
+def test_reactions_stand_in_the_phase_of_their_event(plan: Plan) -> None:
+    found = plan("""
+    a, b = run('a'), Node(package='turtlesim', executable='turtlesim_node', name='b')
+    return [
+        RegisterEventHandler(OnProcessStart(target_action=a, on_start=[LogInfo(msg='a started'), run('c')])),
+        RegisterEventHandler(OnProcessExit(target_action=b, on_exit=[LogInfo(msg='b ended')])),
+        RegisterEventHandler(OnShutdown(on_shutdown=[
+            LogInfo(msg=['end: ', LocalSubstitution('event.reason')])])),
+        TimerAction(period=2.5, actions=[run('d')]), b, a]
+""")
+    assert steps(found) == [
+        ('launch', None, 'turtlesim_node'),
+        ('launch', None, 'a'),
+        ('on_start', None, 'a started'),
+        ('on_start', None, 'c'),
+        ('timer', 2.5, 'd'),
+        ('on_exit', None, 'b ended'),
+        ('on_shutdown', None, 'end: idle'),
+    ]
+    assert found['shutdown_reason'] == 'idle'
+
+
+def test_plain_commands_end_before_nodes_each_in_the_order_they_started(plan: Plan) -> None:
+    found = plan("""
+    def node(name):
+        return Node(package='turtlesim', executable='turtlesim_node', name=name, on_exit=[LogInfo(msg=name)])
+    def command(name):
+        return run(name, on_exit=[LogInfo(msg=name)])
+    return [node('n1'), command('p1'), node('n2'), command('p2')]
+""")
+    assert [what for phase, _, what in steps(found) if phase == 'on_exit'] == ['p1', 'p2', 'n1', 'n2']
+
+
+def test_a_required_process_ends_the_plan_with_its_reason(plan: Plan) -> None:
+    found = plan(
+        "    return [run('a', on_exit=Shutdown(reason='a is gone')), TimerAction(period=9.0, "
+        "actions=[run('late')])]"
+    )
+    assert found['shutdown_reason'] == 'a is gone'
+    assert [what for _, _, what in steps(found)] == ['a', 'late']
+
+
+def test_a_respawning_process_does_not_keep_the_plan_alive(plan: Plan) -> None:
+    found = plan("    return [run('a', respawn=True, respawn_delay=1.0)]")
+    (item,) = [item for item in found['items'] if item['kind'] == 'process']
+    assert (item['respawn'], item['respawn_delay']) == (True, 1.0)
+    assert found['shutdown_reason'] == 'idle'
+
+
+def test_nothing_is_started_and_nothing_is_printed(
+    plan: Plan, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    found = plan(f"    print('hello')\n    return [ExecuteProcess(cmd=['touch', '{tmp_path}/made'])]")
+    assert not (tmp_path / 'made').exists()
+    assert capfd.readouterr() == ('', '')
+    assert found['stdout'] == 'hello\n' * found['stdout'].count('hello')
+
+
+def test_values_and_changes_are_noted(plan: Plan) -> None:
+    found = plan(
+        """
+    return [DeclareLaunchArgument('x', default_value='1', description='an x'),
+            SetEnvironmentVariable('E', LaunchConfiguration('x')),
+            GroupAction([SetLaunchConfiguration('y', '2'), run('a', additional_env={'F': 'f'})]),
+            SetParameter('p', 1)]
+""",
+        'x:=5',
+    )
+    assert found['given'] == {'x': '5'}
+    assert found['configurations'] == {'x': '5', 'global_params': [['p', 1]]}
+    assert found['arguments'] == [
+        {'choices': None, 'conditional': False, 'default': "'1'", 'description': 'an x', 'name': 'x'}
+    ]
+    assert [item for item in found['items'] if item['kind'] in ('set_env', 'set_parameter')] == [
+        {'kind': 'set_env', 'name': 'E', 'phase': 'launch', 'value': '5'},
+        {'kind': 'set_parameter', 'name': 'p', 'phase': 'launch', 'value': 1},
+    ]
+    assert [item['env_changes'] for item in found['items'] if item['kind'] == 'process'] == [
+        {'E': '5', 'F': 'f'}
+    ]
+
+
+def test_an_error_has_its_type_text_place_and_help(plan: Plan, tmp_path: Path) -> None:
+    found = plan("    return [LogInfo(msg='before'),\n      Node(package='turtelsim', executable='x')]\n")
+    error = found['error']
+    assert (error['type'], error['stage'], error['help']) == (
+        'PackageNotFoundError',
+        'visit',
+        "did you mean the package 'turtlesim'?",
+    )
+    assert error['origin'] == f'{tmp_path}/a.launch.py:{HEAD.count(chr(10)) + 3}'
+    assert [what for _, _, what in steps(found)] == ['before']
+
+
+def test_with_assumed_packages_nothing_is_missing_and_no_executable_is_looked_up(plan: Plan) -> None:
+    found = plan(
+        "    return [Node(package='nowhere', executable='x'), Node(package='turtlesim', executable='y')]",
+        assume_packages=True,
+    )
+    assert found['error'] is None
+    assert [item['cmd'][0].rsplit('/', 3)[1:] for item in found['items'] if item['kind'] == 'node'] == [
+        ['lib', 'nowhere', 'x'],
+        ['lib', 'turtlesim', 'y'],
+    ]
+
+
+def test_the_parameters_are_what_the_node_would_get(plan: Plan, tmp_path: Path) -> None:
+    (tmp_path / 'p.yaml').write_text(
+        '/**:\n  ros__parameters: {a: 1, b: 1}\n/s/n:\n  ros__parameters: {b: 2}\n', encoding='utf-8'
+    )
+    found = plan(f"""
+    return [Node(package='turtlesim', executable='turtlesim_node', name='n', namespace='s',
+                 parameters=['{tmp_path}/p.yaml', {{'a': 3, 'c': [1, 2]}}])]
+""")
+    (item,) = [item for item in found['items'] if item['kind'] == 'node']
+    assert item['parameters'] == {'a': 3, 'b': 2, 'c': [1, 2]}
+    assert (item['runtime_name'], item['namespace'], item['fully_qualified_name']) == ('/s/n', '/s', '/s/n')
+
+
+@pytest.mark.parametrize('text', ['mode=zz', ':=x', 'x:='])
+def test_malformed_arguments_are_refused_as_by_ros2_launch(plan: Plan, text: str) -> None:
+    with pytest.raises(UnusableInput) as caught:
+        plan('    return []', text)
+    assert str(caught.value) == f"malformed launch argument '{text}', expected format '<name>:=<value>'"
+
+
+def test_a_plan_repeats_byte_for_byte(plan: Plan) -> None:
+    body = (
+        "    return [Node(package='turtlesim', executable='turtlesim_node', parameters=[{'a': 1}, {'a': 1}])]"
+    )
+    assert repr(plan(body)) == repr(plan(body))

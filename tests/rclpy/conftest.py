@@ -1,0 +1,99 @@
+"""Programs as plain functions, run as processes of one simulation; what they say is kept as (milliseconds, program, what)."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from edulaunch.graph.graph import Graph
+from edulaunch.graph.tracer import Tracer
+from edulaunch.packages import Index
+from edulaunch.processes.current import current_process
+from edulaunch.processes.host import Host
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.simulation import Simulation
+
+
+class Notes(Tracer):
+    """Keeps what a test may want to look at."""
+
+    def __init__(self) -> None:
+        self.notes: list[tuple[str, str]] = []
+        self.parameters: list[tuple[str, str, Any, str]] = []
+        self.logs: list[tuple[int, str, str]] = []
+
+    def note(self, process: Any, kind: str, text: str) -> None:
+        self.notes.append((kind, text))
+
+    def parameter(self, node: Any, name: str, value: Any, origin: str) -> None:
+        self.parameters.append((node.fully_qualified_name, name, value, origin))
+
+    def log(self, process: Any, level: int, logger: str, message: str) -> None:
+        self.logs.append((level, logger, message))
+
+
+class World:
+    """One simulation. `start(program)` makes a process of a function; `say(what)` inside it adds to `log`."""
+
+    def __init__(self) -> None:
+        self.sim = Simulation()
+        self.tracer = Notes()
+        self.graph = Graph(self.sim, self.tracer)
+        self.host = Host(self.sim, self.graph, Index([], []), env={})
+        self.log: list[tuple[float, str, Any]] = []
+        self.output: dict[str, str] = {}
+
+    def say(self, what: Any) -> None:
+        self.log.append(((self.sim.now_ns - self.sim.start_ns) / 1e6, current_process().name, what))
+
+    def start(self, program: Callable[[], Any], *arguments: str, name: str = 'main', env: dict[str, str] | None = None,
+              parameter_origins: dict[str, str] | None = None) -> Process:
+        spec = ProcessSpec(argv=(name, *arguments), name=name, env=env or {}, parameter_origins=parameter_origins or {})
+
+        def main(process: Process) -> Any:
+            program()
+
+        process = Process(self.host, spec, self.host.next_pid(), [name, *arguments], main)
+        self.output[name] = ''
+
+        def keep(stream: str, text: str) -> None:
+            self.output[name] += text
+
+        process.on_output = keep
+        process.task.start()
+        return process
+
+    def run(self, seconds: float = 100.0) -> list[tuple[float, str, Any]]:
+        """Let time pass and give back the log."""
+        self.sim.run(until_ns=self.sim.now_ns + int(seconds * 1e9))
+        return self.log
+
+    def run_program(self, program: Callable[[], Any], *arguments: str, seconds: float = 100.0, **options: Any) -> list[Any]:
+        """Run one program and give back what it said, without times."""
+        process = self.start(program, *arguments, **options)
+        self.run(seconds)
+        if process.returncode:
+            raise AssertionError(self.output['main'])
+        return [what for _, _, what in self.log]
+
+
+@pytest.fixture
+def world() -> World:
+    return World()
+
+
+@pytest.fixture
+def ros(world: World) -> Callable[[Callable[[], Any]], list[Any]]:
+    """Run a function between rclpy.init() and the end of a program; gives what it said."""
+    import rclpy
+
+    def run(body: Callable[[], Any], *arguments: str) -> list[Any]:
+        def program() -> None:
+            rclpy.init()
+            body()
+
+        return world.run_program(program, *arguments)
+
+    return run

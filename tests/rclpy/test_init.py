@@ -1,0 +1,185 @@
+"""rclpy: init, shutdown, signals, what belongs to one program."""
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+import rclpy
+from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.exceptions import NotInitializedException
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+
+from .conftest import World
+
+
+def test_init_twice_is_refused(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        with pytest.raises(RuntimeError, match=r'Context.init\(\) must only be called once'):
+            rclpy.init()
+        world.say('refused')
+
+    assert world.run_program(program) == ['refused']
+
+
+def test_init_works_again_after_a_shutdown(world: World) -> None:
+    def program() -> None:
+        for _ in range(2):
+            rclpy.init()
+            world.say(rclpy.ok())
+            rclpy.shutdown()
+        world.say(rclpy.ok())
+
+    assert world.run_program(program) == [True, True, False]
+
+
+def test_shutdown_without_init_is_refused_and_try_shutdown_is_not(world: World) -> None:
+    def program() -> None:
+        rclpy.try_shutdown()
+        with pytest.raises(RuntimeError, match='Context must be initialized before it can be shutdown'):
+            rclpy.shutdown()
+        world.say('refused')
+
+    assert world.run_program(program) == ['refused']
+
+
+def test_a_node_needs_init(world: World) -> None:
+    def program() -> None:
+        with pytest.raises(NotInitializedException) as caught:
+            Node('n')
+        world.say(str(caught.value))
+
+    assert world.run_program(program) == ['rclpy.init() has not been called. msg:cannot create node']
+
+
+@pytest.mark.parametrize(('arguments', 'error', 'text'), [
+    (['--foo', '-x'], UnknownROSArgsError, "['--foo', '-x']"),
+    (['-r', 'x'], RCLInvalidROSArgsError, "Couldn't parse remap rule: '-r x'. Error: "),
+    (['-p', 'x'], RCLInvalidROSArgsError, "Couldn't parse parameter override rule: '-p x'. Error: "),
+    (['-r'], RCLInvalidROSArgsError, "Couldn't parse trailing -r flag. No remap rule found."),
+    (['--params-file', '/no'], RCLInvalidROSArgsError, "Couldn't parse params file: '--params-file /no'. Error: "),
+])
+def test_bad_ros_arguments_end_init(world: World, arguments: list[str], error: type[Exception], text: str) -> None:
+    def program() -> None:
+        with pytest.raises(error) as caught:
+            rclpy.init()
+        world.say(text in str(caught.value))
+
+    assert world.run_program(program, '--ros-args', *arguments) == [True]
+
+
+def test_two_programs_have_contexts_of_their_own(world: World) -> None:
+    def first() -> None:
+        rclpy.init()
+        rclpy.spin(Node('first'))
+
+    def second() -> None:
+        world.say(rclpy.ok())
+
+    world.start(first, name='first')
+    world.start(second, name='second')
+    assert world.run(1) == [(0.0, 'second', False)]
+
+
+def test_a_spinning_program_ends_by_keyboard_interrupt_on_sigint(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        try:
+            rclpy.spin(Node('n'))
+        except KeyboardInterrupt:
+            world.say(('interrupted', rclpy.ok()))
+
+    process = world.start(program)
+    world.run(1)
+    process.send_signal(signal.SIGINT)
+    assert world.run(1) == [(1000.0, 'main', ('interrupted', False))]
+    assert process.returncode == 0
+
+
+def test_shutdown_after_ctrl_c_raises_as_in_ros(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        try:
+            rclpy.spin(Node('n'))
+        except KeyboardInterrupt:
+            with pytest.raises(RuntimeError):
+                rclpy.get_default_context().shutdown()
+            rclpy.try_shutdown()
+            world.say('still alive')
+
+    process = world.start(program)
+    world.run(1)
+    process.send_signal(signal.SIGINT)
+    assert world.run(1) == [(1000.0, 'main', 'still alive')]
+    assert RCLError.__module__ == 'rclpy._rclpy_pybind11'
+
+
+def test_sigterm_ends_spin_with_external_shutdown(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        try:
+            rclpy.spin(Node('n'))
+        except ExternalShutdownException as error:
+            world.say(type(error).__module__)
+
+    process = world.start(program)
+    world.run(1)
+    process.send_signal(signal.SIGTERM)
+    assert world.run(1) == [(1000.0, 'main', 'rclpy.executors')]
+
+
+def test_a_handler_that_was_there_before_is_called_too(world: World) -> None:
+    def program() -> None:
+        from edulaunch.processes.current import current_process
+        current_process().signal_handlers[signal.SIGINT] = lambda _: world.say('own handler')
+        rclpy.init()
+        try:
+            rclpy.spin(Node('n'))
+        except ExternalShutdownException:
+            world.say('ended')
+
+    process = world.start(program)
+    world.run(1)
+    process.send_signal(signal.SIGINT)
+    assert [what for _, _, what in world.run(1)] == ['own handler', 'ended']
+
+
+def test_polling_ok_lets_time_pass(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        start = node.get_clock().now()
+        while rclpy.ok() and (node.get_clock().now() - start).nanoseconds < 10**9:
+            pass
+        world.say('a second is over')
+
+    assert world.run_program(program) == ['a second is over']
+
+
+def test_the_global_executor_ends_with_shutdown(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        executor = rclpy.get_global_executor()
+        assert isinstance(executor, SingleThreadedExecutor)
+        rclpy.shutdown()
+        rclpy.init()
+        world.say(rclpy.get_global_executor() is executor)
+
+    assert world.run_program(program) == [False]
+
+
+def test_remove_ros_args_keeps_the_rest() -> None:
+    assert rclpy.remove_ros_args(['x', '1', '--ros-args', '-r', 'a:=b', '--', '2']) == ['x', '1', '2']
+
+
+def test_importing_rclpy_loads_nothing_heavy() -> None:
+    root = Path(__file__).resolve().parents[2]
+    code = ('import sys, edulaunch; edulaunch.source(); import rclpy, rclpy.node, rclpy.executors; '
+            "print(sorted({'numpy', 'asyncio', 'yaml', 'logging', 'typing_extensions'} & set(sys.modules)))")
+    done: Any = subprocess.run([sys.executable, '-c', code], cwd=root, capture_output=True, text=True, check=False)
+    assert (done.stdout.strip(), done.stderr) == ('[]', '')

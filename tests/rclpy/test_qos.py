@@ -1,0 +1,61 @@
+"""rclpy.qos."""
+from __future__ import annotations
+
+import pytest
+from rclpy import qos
+from rclpy.duration import Duration
+
+
+@pytest.mark.parametrize(('keywords', 'text'), [
+    ({}, 'History and/or depth settings are required.'),
+    ({'history': qos.HistoryPolicy.KEEP_LAST}, 'History set to KEEP_LAST without a depth setting.'),
+])
+def test_a_profile_needs_history_or_depth(keywords: dict[str, object], text: str) -> None:
+    with pytest.raises(qos.InvalidQoSProfileException) as caught:
+        qos.QoSProfile(**keywords)
+    assert caught.value.args == ('Invalid QoSProfile', text)
+
+
+def test_an_unknown_keyword_is_an_assertion() -> None:
+    with pytest.raises(AssertionError, match='Invalid arguments passed to constructor'):
+        qos.QoSProfile(depth=1, reliabilty=1)
+
+
+def test_defaults_are_reliable_and_volatile() -> None:
+    profile = qos.QoSProfile(depth=3)
+    assert (profile.reliability, profile.durability, profile.depth) == (
+        qos.ReliabilityPolicy.RELIABLE, qos.DurabilityPolicy.VOLATILE, 3)
+
+
+@pytest.mark.parametrize(('value', 'error', 'text'), [
+    (-1, ValueError, 'history depth must be greater than or equal to zero'),
+    ('10', TypeError, "Expected QoSProfile or int, but received <class 'str'>"),
+])
+def test_the_qos_argument_is_a_depth_or_a_profile(value: object, error: type[Exception], text: str) -> None:
+    with pytest.raises(error) as caught:
+        qos.validate_qos(value)  # type: ignore[arg-type]
+    assert str(caught.value) == text
+
+
+def test_presets_are_found_by_their_short_key() -> None:
+    assert qos.QoSPresetProfiles.get_from_short_key('sensor_data') == qos.qos_profile_sensor_data
+
+
+def test_policies_are_found_by_their_short_key() -> None:
+    assert qos.ReliabilityPolicy.get_from_short_key('best_effort') is qos.QoSReliabilityPolicy.BEST_EFFORT
+
+
+@pytest.mark.parametrize(('offered', 'requested', 'reason'), [
+    ({'reliability': 2}, {'reliability': 1}, 'ERROR: Best effort publisher and reliable subscription;'),
+    ({'durability': 2}, {'durability': 1}, 'ERROR: Volatile publisher and transient local subscription;'),
+    ({}, {'deadline': Duration(seconds=1)}, 'ERROR: Subscription has a deadline, but publisher does not;'),
+    ({'liveliness': 1}, {'liveliness': 3},
+     "ERROR: Publisher's liveliness is automatic and subscription's is manual by topic;"),
+])
+def test_incompatible_profiles_are_explained(offered: dict[str, object], requested: dict[str, object], reason: str) -> None:
+    check = qos.qos_check_compatible(qos.QoSProfile(depth=1, **offered), qos.QoSProfile(depth=1, **requested))
+    assert check == (qos.QoSCompatibility.ERROR, reason)
+
+
+def test_a_profile_is_shown_alike_on_every_python() -> None:
+    assert str(qos.QoSProfile(depth=3)).startswith('QoSProfile(history=1, depth=3, reliability=1, durability=2, ')
