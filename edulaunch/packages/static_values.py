@@ -37,69 +37,87 @@ def first_unknown(value: Any) -> Unknown | None:
     return None
 
 
+PURE: dict[str, Callable[..., Any]] = {
+    'os.path.join': os.path.join,
+    'os.path.basename': os.path.basename,
+    'os.path.dirname': os.path.dirname,
+    'os.path.splitext': os.path.splitext,
+    'os.path.split': os.path.split,
+    'os.path.normpath': os.path.normpath,
+    'pathlib.Path': lambda *parts: os.path.join(*parts) if parts else '.',
+    'str': str,
+    'int': int,
+    'bool': bool,
+    'list': list,
+    'tuple': tuple,
+    'set': set,
+    'dict': dict,
+    'sorted': sorted,
+    'len': len,
+    'sum': sum,
+    'zip': lambda *columns: list(zip(*columns, strict=False)),
+    'enumerate': lambda items: list(enumerate(items)),
+}
+"""Functions that may be called because they look at their arguments only."""
+
+
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
-    """The functions that setup.py files use to list their files, with relative paths meaning `folder`."""
-
-    def local(path: Any) -> str:
-        return os.path.join(folder, os.fspath(path))
-
-    def glob(pattern: str, recursive: bool = False) -> list[str]:
-        from glob import glob as real_glob
-
-        found = sorted(real_glob(local(pattern), recursive=recursive))
-        return found if os.path.isabs(pattern) else [os.path.relpath(path, folder) for path in found]
-
-    def walk(top: str) -> list[tuple[str, list[str], list[str]]]:
-        found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(local(top)))
-        return [
-            (
-                path
-                if os.path.isabs(top)
-                else os.path.normpath(os.path.join(top, os.path.relpath(path, local(top)))),
-                folders,
-                files,
-            )
-            for path, folders, files in found
-        ]
-
+    """The functions with which setup.py files list their files; relative paths mean `folder`."""
+    listing = _Listing(folder)
+    local = listing.local
     return {
-        'glob.glob': glob,
-        'glob.iglob': glob,
-        'os.walk': walk,
+        **PURE,
+        'glob.glob': listing.glob,
+        'glob.iglob': listing.glob,
+        'os.walk': listing.walk,
         'os.listdir': lambda path='.': sorted(os.listdir(local(path))),
         'os.getcwd': lambda: folder,
-        'pathlib.Path': lambda *parts: os.path.join(*parts) if parts else '.',
-        'os.path.join': os.path.join,
-        'os.path.basename': os.path.basename,
-        'os.path.dirname': os.path.dirname,
-        'os.path.splitext': os.path.splitext,
-        'os.path.split': os.path.split,
-        'os.path.normpath': os.path.normpath,
         'os.path.relpath': lambda path, start='.': os.path.relpath(local(path), local(start)),
         'os.path.abspath': lambda path: os.path.normpath(local(path)),
         'os.path.realpath': lambda path: os.path.realpath(local(path)),
         'os.path.exists': lambda path: os.path.exists(local(path)),
         'os.path.isfile': lambda path: os.path.isfile(local(path)),
         'os.path.isdir': lambda path: os.path.isdir(local(path)),
-        'setuptools.find_packages': lambda where='.', exclude=(), include=('*',): find_packages(
-            local(where), exclude, include
-        ),
-        'setuptools.find_namespace_packages': lambda where='.', exclude=(), include=('*',): find_packages(
-            local(where), exclude, include, ''
-        ),
-        'str': str,
-        'list': list,
-        'tuple': tuple,
-        'set': set,
-        'sorted': sorted,
-        'len': len,
-        'dict': dict,
-        'zip': lambda *a: list(zip(*a, strict=False)),
-        'enumerate': lambda items: list(enumerate(items)),
-        'sum': sum,
-        'int': int,
-        'bool': bool,
+        'setuptools.find_packages': listing.find_packages,
+        'setuptools.find_namespace_packages': listing.find_namespace_packages,
     }
+
+
+class _Listing:
+    """Looks at files below a folder. Everything comes out sorted, so that it is the same on every machine."""
+
+    def __init__(self, folder: str) -> None:
+        self._folder = folder
+
+    def local(self, path: Any) -> str:
+        """A path that may be relative to the folder."""
+        return os.path.join(self._folder, os.fspath(path))
+
+    def glob(self, pattern: str, recursive: bool = False) -> list[str]:
+        """glob.glob."""
+        from glob import glob as real_glob
+
+        found = sorted(real_glob(self.local(pattern), recursive=recursive))
+        return found if os.path.isabs(pattern) else [os.path.relpath(path, self._folder) for path in found]
+
+    def walk(self, top: str) -> list[tuple[str, list[str], list[str]]]:
+        """os.walk."""
+        start = self.local(top)
+        found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(start))
+        return [
+            (os.path.normpath(os.path.join(top, os.path.relpath(path, start))), folders, files)
+            for path, folders, files in found
+        ]
+
+    def find_packages(self, where: str = '.', exclude: Any = (), include: Any = ('*',)) -> list[str]:
+        """setuptools.find_packages."""
+        return find_packages(self.local(where), exclude, include)
+
+    def find_namespace_packages(
+        self, where: str = '.', exclude: Any = (), include: Any = ('*',)
+    ) -> list[str]:
+        """setuptools.find_namespace_packages."""
+        return find_packages(self.local(where), exclude, include, '')
 
 
 METHODS: dict[type, frozenset[str]] = {

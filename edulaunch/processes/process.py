@@ -135,8 +135,18 @@ class Process:
     def _print_traceback(self, error: BaseException) -> None:
         from edulaunch.processes.traceback_text import student_traceback
         text, place = student_traceback(error)
-        self.write('stderr', text)
+        help = self._help(error)
+        self.write('stderr', text if help is None else f'{text}  help: {help}\n')
         self.state['exception'] = {'type': type(error).__name__, 'message': str(error), 'place': place}
+
+    @staticmethod
+    def _help(error: BaseException) -> str | None:
+        """What to try: ROS 2 leaves a misspelt message field at Python's own text."""
+        if not isinstance(error, AttributeError):
+            return None
+        from edulaunch.interfaces import current_registry
+        from edulaunch.interfaces.attribute_help import attribute_help
+        return attribute_help(error, current_registry())
 
     def _join_threads(self) -> None:
         for thread in self.threads:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -78,7 +79,10 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _seconds(text: str) -> float:
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
     if not 0 < value < 86_400:
         raise argparse.ArgumentTypeError(f'{text} is not a sensible number of seconds')
     return value
@@ -113,12 +117,22 @@ def _grade(options: argparse.Namespace) -> int:
         tuple(results),
         tuple(submission.source.gaps),
     )
-    print(render(report, colour=_colour()), end='')
     if options.json is not None:
         from .document import write_document
 
         write_document(report, options.json)
+    _show(render(report, colour=_colour()))
     return report.exit_code
+
+
+def _show(text: str) -> None:
+    """Print; a reader that has seen enough (``| head``) is no fault of the grader."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors='backslashreplace')
+    try:
+        print(text, end='', flush=True)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _colour() -> bool:

@@ -36,7 +36,7 @@ def render(report: Report, *, colour: bool = False) -> str:
             lines += [mark(status) + _title(result), *_explanation(result)]
     lines += _not_run(results, mark)
     lines += [mark(PASSED) + _title(result) for result in _of(PASSED, results)]
-    lines += ['', _points(report), *textwrap.wrap(_next(report), WIDTH, break_on_hyphens=False)]
+    lines += ['', _points(report), *textwrap.wrap(_printable(_next(report)), WIDTH, break_on_hyphens=False)]
     return '\n'.join(lines) + '\n'
 
 
@@ -69,12 +69,17 @@ def _explanation(result: CheckResult) -> Iterator[str]:
 def _wrapped(label: str, text: str) -> Iterator[str]:
     """A text under its label, line by line; what is indented in it stays so."""
     margin = INDENT + (f'{label:<10}' if label else '')
-    for line in text.splitlines():
+    for line in _printable(text).splitlines():
         indent = ' ' * (len(line) - len(line.lstrip()))
         yield from textwrap.wrap(line.strip(), WIDTH, initial_indent=margin + indent,
                                  subsequent_indent=' ' * len(margin) + indent + ('  ' if indent else ''),
                                  break_long_words=False, break_on_hyphens=False)
         margin = ' ' * len(margin)
+
+
+def _printable(text: str) -> str:
+    """Without control characters: a submission's texts must not move the cursor or repaint the report."""
+    return ''.join(sign if sign.isprintable() or sign == '\n' else '?' for sign in text)
 
 
 def _not_run(results: list[CheckResult], mark: Callable[[str], str]) -> Iterator[str]:

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
 import signal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .outcome import Outcome
 from .place import Place
-
-if TYPE_CHECKING:
-    from edulaunch.recording.records import LaunchRecord
+from .recorded import recorded
 
 REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
 _OWN_EXIT = 'take out calls of sys.exit(), os._exit() and os.kill(): launch itself ends its processes'
-_STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls of os._exit() and sys.exit()'
-_LOOK = 'look at this line, and at the one before it'
 _LONGEST_TEXT = 8000
 
 
@@ -35,7 +30,7 @@ def verdict(run: ChildRun) -> Outcome:
 
 def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:
     if letter == 'R':
-        return _recorded(run, content)
+        return recorded(run.scenario, content) or _garbage(run)
     report = _report(content)
     if report is None:
         return _garbage(run)
@@ -51,42 +46,6 @@ def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:
             detail=_text(report, 'trace'),
         )
     return _stopped_itself(run, report, where)
-
-
-def _recorded(run: ChildRun, content: bytes) -> Outcome:
-    from edulaunch.recording import Recording
-
-    asked = run.scenario
-    try:
-        recording = Recording.from_bytes(content)
-        launch, programs = recording.launch, recording.processes
-        if recording.seed != asked.seed or launch.arguments != dict(asked.arguments):
-            return _garbage(run)
-    except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
-        return _garbage(run)
-    if launch.error is not None:
-        return Outcome(asked, 'unusable', **_launch_error(launch))
-    if launch.returncode is not None and len(programs) <= 1:
-        return _stopped(run, f'launch ended with exit code {launch.returncode} and had started nothing',
-                        _STARTS_NOTHING)
-    return Outcome(asked, 'recorded', recording=recording)
-
-
-def _launch_error(launch: LaunchRecord) -> dict[str, Any]:
-    """Launch's own text without its last line, which is the place again."""
-    text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
-    where = None if launch.error_file is None else Place(launch.error_file, launch.error_line)
-    if where is not None and _is_engine(where.file):
-        where = None
-    return {'text': text, 'where': where, 'try_': launch.help or _LOOK}
-
-
-def _is_engine(file: str) -> bool:
-    """Whether a file is code of edulaunch; its shared launch files are not."""
-    import edulaunch
-
-    engine = os.path.dirname(os.path.abspath(edulaunch.__file__))
-    return file.startswith(engine + os.sep) and not file.startswith(os.path.join(engine, 'underlay', 'share'))
 
 
 def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) -> Outcome:

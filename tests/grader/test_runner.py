@@ -110,6 +110,14 @@ def test_memory_is_limited(tmp_path: Path) -> None:
     assert 'memory' in outcome.text.lower()
 
 
+def test_a_child_has_limits_and_a_home_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv('SECRET', 'of the caller')
+    seen = 'resource.getrlimit(resource.RLIMIT_NOFILE)[0], posix.environ.get(b"SECRET"), posix.getcwd()'
+    outcome = run(tmp_path, f'import posix, resource\nraise ValueError(repr(({seen})))\n')
+    assert "ValueError: (256, None, '/" in outcome.text
+    assert '/edugrade-' in outcome.text
+
+
 def test_nothing_of_the_process_group_is_left(tmp_path: Path) -> None:
     pids = tmp_path / 'pids'
     child = f'    open({str(pids)!r}, "w").write(str(posix.getpid()))\n    while True: pass\n'

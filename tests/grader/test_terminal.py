@@ -7,6 +7,7 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.outcome import Outcome
+from edugrade.results import CheckResult
 from edugrade.terminal import render
 from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
 
@@ -68,3 +69,9 @@ def test_long_texts_are_wrapped_under_their_label() -> None:
     ).splitlines()
     assert max(map(len, lines)) <= 100
     assert [line for line in lines if 'thing' in line][1].startswith(' ' * 19 + 'thing')
+
+
+def test_a_text_of_the_submission_cannot_repaint_the_report() -> None:
+    text = render(report(CheckResult('a', 'A', 'failed', reason='\x1b[2Kok', seen='a\x07b')))
+    assert '?[2Kok' in text
+    assert 'seen:     a?b' in text

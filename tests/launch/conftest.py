@@ -16,7 +16,12 @@ from edulaunch.sim.task import AmbientTask
 @pytest.fixture(autouse=True)
 def fresh_simulation(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     """The ambient process of this test, whose simulation nobody has used before."""
-    for name in ('ROS_LOG_DIR', 'ROS_HOME', 'OVERRIDE_LAUNCH_PROCESS_OUTPUT', 'OVERRIDE_LAUNCH_SCREEN_FORMAT'):
+    for name in (
+        'ROS_LOG_DIR',
+        'ROS_HOME',
+        'OVERRIDE_LAUNCH_PROCESS_OUTPUT',
+        'OVERRIDE_LAUNCH_SCREEN_FORMAT',
+    ):
         monkeypatch.delenv(name, raising=False)
     here: Any = getcurrent()
     before = here.__dict__.pop('task', None)
@@ -79,7 +84,7 @@ class FakeHost:
 
 @pytest.fixture
 def host(fresh_simulation: Any) -> FakeHost:
-    """Programs: `quick` ends after 1 s, `forever` ends on SIGINT, `stubborn` only on SIGKILL, `talker` prints at 1 s."""
+    """`quick` ends after 1 s, `forever` on SIGINT, `stubborn` only on SIGKILL, `talker` prints at 1 s."""
     fake = FakeHost(fresh_simulation.sim)
     fresh_simulation.host = fake
 
@@ -99,7 +104,7 @@ def host(fresh_simulation: Any) -> FakeHost:
 
 @pytest.fixture
 def launch_it(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, list[str]]]:
-    """Launch entities; gives the return code and the lines on the screen, but the first, which is always the same."""
+    """Launch entities; gives the return code and the lines on the screen but the first, always equal one."""
     from launch import LaunchDescription, LaunchService
 
     def run(*entities: Any, **kwargs: Any) -> tuple[int, list[str]]:

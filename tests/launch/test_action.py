@@ -55,21 +55,32 @@ def test_conditions_decide(condition: Any, executed: bool) -> None:
 
 def test_a_false_condition_means_no_completion(launch_it: Any) -> None:
     lines = launch_it(
-        RegisterEventHandler(OnExecutionComplete(
-            target_action=lambda action: isinstance(action, OpaqueFunction), on_completion=LogInfo(msg='done'))),
-        OpaqueFunction(function=lambda context: None), OpaqueFunction(function=lambda context: None, condition=IfCondition('0')))[1]
+        RegisterEventHandler(
+            OnExecutionComplete(
+                target_action=lambda action: isinstance(action, OpaqueFunction),
+                on_completion=LogInfo(msg='done'),
+            )
+        ),
+        OpaqueFunction(function=lambda context: None),
+        OpaqueFunction(function=lambda context: None, condition=IfCondition('0')),
+    )[1]
     assert lines == ['[INFO] [launch.user]: done']
 
 
 def test_completion_is_told_even_after_an_error(launch_it: Any) -> None:
-    lines = launch_it(RegisterEventHandler(OnExecutionComplete(on_completion=LogInfo(msg='done'), handle_once=True)),
-                      OpaqueFunction(function=lambda context: 1 / 0))[1]
+    lines = launch_it(
+        RegisterEventHandler(OnExecutionComplete(on_completion=LogInfo(msg='done'), handle_once=True)),
+        OpaqueFunction(function=lambda context: 1 / 0),
+    )[1]
     assert lines[-1] == '[INFO] [launch.user]: done'
 
 
 def test_sub_entities_are_conditional_when_the_action_is() -> None:
     inside = LogInfo(msg='x')
-    plain, conditional = GroupAction([inside], scoped=False), GroupAction([inside], scoped=False, condition=IfCondition('1'))
+    plain, conditional = (
+        GroupAction([inside], scoped=False),
+        GroupAction([inside], scoped=False, condition=IfCondition('1')),
+    )
     assert (plain.describe_sub_entities(), plain.describe_conditional_sub_entities()) == ([inside], [])
     assert conditional.describe_sub_entities() == []
     assert conditional.describe_conditional_sub_entities() == [

@@ -5,6 +5,7 @@ import asyncio
 from typing import Any
 
 import pytest
+from launch import Event, EventHandler
 from launch.actions import (
     AppendEnvironmentVariable,
     DeclareLaunchArgument,
@@ -26,8 +27,6 @@ from launch.actions import (
 from launch.event_handlers import OnShutdown, event_named
 from launch.substitutions import EnvironmentVariable, LaunchConfiguration
 
-from launch import Event, EventHandler
-
 
 def conf(name: str) -> LaunchConfiguration:
     return LaunchConfiguration(name, default='-')
@@ -42,8 +41,14 @@ def said(result: tuple[int, list[str]]) -> list[str]:
 
 
 def test_a_declared_argument_keeps_a_value_that_is_set(launch_it: Any) -> None:
-    assert said(launch_it(SetLaunchConfiguration('a', '1'), DeclareLaunchArgument('a', default_value='2'),
-                          DeclareLaunchArgument('b', default_value=['x', conf('a')]), say(conf('a'), conf('b')))) == ['1x1']
+    assert said(
+        launch_it(
+            SetLaunchConfiguration('a', '1'),
+            DeclareLaunchArgument('a', default_value='2'),
+            DeclareLaunchArgument('b', default_value=['x', conf('a')]),
+            say(conf('a'), conf('b')),
+        )
+    ) == ['1x1']
 
 
 def test_a_required_argument_that_is_missing_is_logged_and_raised(launch_it: Any) -> None:
@@ -65,19 +70,34 @@ def test_descriptions_name_the_choices(kwargs: Any, description: str) -> None:
 def test_a_scoped_group_undoes_configurations_and_environment(launch_it: Any) -> None:
     inside = [SetLaunchConfiguration('a', '1'), SetEnvironmentVariable('E', '1')]
     after = say(conf('a'), EnvironmentVariable('E', default_value='-'))
-    assert said(launch_it(GroupAction(inside), after, GroupAction(inside, scoped=False), after)) == ['--', '11']
+    assert said(launch_it(GroupAction(inside), after, GroupAction(inside, scoped=False), after)) == [
+        '--',
+        '11',
+    ]
 
 
 def test_a_group_without_forwarding_sees_only_what_it_is_given(launch_it: Any) -> None:
-    group = GroupAction([say(conf('a'), conf('b'), conf('c'))], forwarding=False, launch_configurations={'c': conf('a')})
-    assert said(launch_it(SetLaunchConfiguration('a', '1'), SetLaunchConfiguration('b', '2'), group, say(conf('b')))) == ['--1', '2']
+    group = GroupAction(
+        [say(conf('a'), conf('b'), conf('c'))], forwarding=False, launch_configurations={'c': conf('a')}
+    )
+    assert said(
+        launch_it(SetLaunchConfiguration('a', '1'), SetLaunchConfiguration('b', '2'), group, say(conf('b')))
+    ) == ['--1', '2']
 
 
 def test_configurations_can_be_unset_and_reset(launch_it: Any) -> None:
-    assert said(launch_it(
-        SetLaunchConfiguration('a', '1'), UnsetLaunchConfiguration('a'), UnsetLaunchConfiguration('never'), say(conf('a')),
-        SetLaunchConfiguration('a', '2'), SetLaunchConfiguration('b', '3'),
-        ResetLaunchConfigurations({'a': conf('b')}), say(conf('a'), conf('b')))) == ['-', '3-']
+    assert said(
+        launch_it(
+            SetLaunchConfiguration('a', '1'),
+            UnsetLaunchConfiguration('a'),
+            UnsetLaunchConfiguration('never'),
+            say(conf('a')),
+            SetLaunchConfiguration('a', '2'),
+            SetLaunchConfiguration('b', '3'),
+            ResetLaunchConfigurations({'a': conf('b')}),
+            say(conf('a'), conf('b')),
+        )
+    ) == ['-', '3-']
 
 
 def test_environment_variables_are_set_appended_and_unset(launch_it: Any) -> None:
@@ -97,7 +117,9 @@ def test_an_opaque_function_gets_context_and_arguments_and_may_return_entities(l
                           OpaqueFunction(function=build, args=['2'], kwargs={'end': '3'}))) == ['123']
 
 
-def test_a_coroutine_runs_in_simulated_time_and_ends_with_the_launch(launch_it: Any, fresh_simulation: Any) -> None:
+def test_a_coroutine_runs_in_simulated_time_and_ends_with_the_launch(
+    launch_it: Any, fresh_simulation: Any
+) -> None:
     log: list[Any] = []
 
     async def count(context: Any) -> None:
@@ -131,9 +153,13 @@ def test_own_events_are_emitted_and_handled_until_unregistered(launch_it: Any) -
         name = 'mine'
 
     handler = EventHandler(matcher=event_named('mine'), entities=[say('got it')])
-    assert said(launch_it(
-        RegisterEventHandler(handler), EmitEvent(event=Mine()),
-        TimerAction(period=1.0, actions=[UnregisterEventHandler(handler), EmitEvent(event=Mine())]))) == ['got it']
+    assert said(
+        launch_it(
+            RegisterEventHandler(handler),
+            EmitEvent(event=Mine()),
+            TimerAction(period=1.0, actions=[UnregisterEventHandler(handler), EmitEvent(event=Mine())]),
+        )
+    ) == ['got it']
 
 
 def test_a_handler_sees_only_later_events(launch_it: Any) -> None:
@@ -157,7 +183,9 @@ def test_a_timer_can_be_cancelled_before_and_while_it_waits(launch_it: Any) -> N
 
 
 def test_a_period_may_be_a_substitution_that_is_wrong(launch_it: Any) -> None:
-    code, lines = launch_it(SetLaunchConfiguration('p', 'soon'), TimerAction(period=LaunchConfiguration('p'), actions=[]))
+    code, lines = launch_it(
+        SetLaunchConfiguration('p', 'soon'), TimerAction(period=LaunchConfiguration('p'), actions=[])
+    )
     assert code == 1
     assert lines[0].endswith("could not convert string to float: 'soon'")
 

@@ -12,7 +12,9 @@ from typing import Any
 import pytest
 
 PROBES = Path(__file__).resolve().parents[2] / '..' / 'shared' / 'probes'
-OTHER_FOLDERS = re.compile(r'\b(PV|PT|N|S|SP|XML|args_of)\(|Node\b|normalize_parameters|prefix_namespace|InPackage|FindPackage|Composable')
+OTHER_FOLDERS = re.compile(
+    r'\b(PV|PT|N|S|SP|XML|args_of)\(|Node\b|normalize_parameters|prefix_namespace|InPackage|FindPackage|Composable'
+)
 
 
 def _questions() -> list[str]:
@@ -26,20 +28,28 @@ def _questions() -> list[str]:
 def names() -> Iterator[dict[str, Any]]:
     """What the probes see: their own functions, and launch."""
     text = (PROBES / 'launch_probes.py').read_text()
-    helpers = text[text.index('CONF = {'):text.index("def S(text")] + text[text.index('def C(cond)'):text.index('def XML(')]
+    helpers = (
+        text[text.index('CONF = {') : text.index('def S(text')]
+        + text[text.index('def C(cond)') : text.index('def XML(')]
+    )
     helpers += text[text.index('def visit('):text.index('def N(')]
     loop = asyncio.new_event_loop()
     known: dict[str, Any] = {'loop': loop, 'HERE': str(PROBES)}
-    exec('import launch\nfrom launch import *\nfrom launch.actions import *\nfrom launch.conditions import *\n'
-         'from launch.substitutions import *\nfrom launch.launch_description_sources import *\n'
-         'from launch.utilities import perform_substitutions, normalize_to_list_of_substitutions\n' + helpers, known)
+    exec(
+        'import launch\nfrom launch import *\nfrom launch.actions import *\nfrom launch.conditions import *\n'
+        'from launch.substitutions import *\nfrom launch.launch_description_sources import *\n'
+        'from launch.utilities import perform_substitutions, normalize_to_list_of_substitutions\n' + helpers,
+        known,
+    )
     yield known
     loop.close()
 
 
 @pytest.mark.skipif(not PROBES.exists(), reason='../shared/probes is not here')
 @pytest.mark.parametrize('question', _questions())
-def test_answers_as_the_original(question: str, names: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_answers_as_the_original(
+    question: str, names: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv('PROBE_ENV', 'probe value')
     monkeypatch.delenv('PROBE_MISSING', raising=False)
     with warnings.catch_warnings():

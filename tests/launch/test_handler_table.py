@@ -28,14 +28,24 @@ TYPES = (Event, About, AboutMore)
 
 
 def make_handler(event_type: Any, action: Any) -> BaseEventHandler:
-    handler = BaseEventHandler(matcher=lambda event: (event_type is None or isinstance(event, event_type)) and (
-        action is None or getattr(event, 'action', None) is action))
+    handler = BaseEventHandler(
+        matcher=lambda event: (
+            (event_type is None or isinstance(event, event_type))
+            and (action is None or getattr(event, 'action', None) is action)
+        )
+    )
     if event_type is not None:
         handler._event_keys = ((event_type, action),)
     return handler
 
 
-@given(st.lists(st.tuples(st.sampled_from((None, *TYPES)), st.sampled_from((None, *ACTIONS)), st.booleans(), st.booleans())))
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from((None, *TYPES)), st.sampled_from((None, *ACTIONS)), st.booleans(), st.booleans()
+        )
+    )
+)
 def test_the_same_handlers_in_the_same_order_as_a_plain_list(steps: list[Any]) -> None:
     table, plain = HandlerTable(), deque[BaseEventHandler]()
     for event_type, action, append, remove in steps:

@@ -1,4 +1,5 @@
 """The line of help below each mistake that students make: golden texts."""
+# ruff: noqa: E501
 from __future__ import annotations
 
 from pathlib import Path
@@ -8,8 +9,10 @@ import pytest
 from launch._help import help_line, launch_help, launch_origin
 from launch.launch_description_sources import get_launch_description_from_any_launch_file
 
-IMPORTS = ('from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'
-           'from launch.conditions import *\nfrom launch.event_handlers import *\n')
+IMPORTS = (
+    'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'
+    'from launch.conditions import *\nfrom launch.event_handlers import *\n'
+)
 
 MISTAKES = {
     'from launch.actions import IfCondition': 'IfCondition lives in launch.conditions',
@@ -18,13 +21,15 @@ MISTAKES = {
     'import launch\nx = launch.actions.LogInf': "did you mean 'LogInfo'?",
     'x = RegisterEventHandlr': "did you mean 'RegisterEventHandler' (from launch.actions import RegisterEventHandler)?",
     'x = PythonLaunchDescriptionSource': 'add the line: from launch.launch_description_sources import '
-                                         'PythonLaunchDescriptionSource',
+    'PythonLaunchDescriptionSource',
     'x = os.getcwd()': 'add the line: import os',
     'x = true': 'Python writes True',
     "x = DeclareLaunchArgument('a', default_value=3)": "default_value=3 must be a text: write default_value='3'",
     "x = DeclareLaunchArgument('a', default_value=True)": "default_value=True must be a text: write default_value='true'",
     "x = DeclareLaunchArgument('a', default='3')": 'DeclareLaunchArgument has no default=; did you mean default_value=?',
     "x = ExecuteProcess(cmd=['ls'], outptu='screen')": 'ExecuteProcess has no outptu=; did you mean output=?',
+    "from launch_ros.actions import Node\nx = Node(package='a', executable='b', parameters={'a': 1})": 'put it into a list: parameters=[...]',
+    "from launch_ros.actions import Node\nx = Node(package='a', executable='b', node_name='c')": 'Node has no node_name=; did you mean name=?',
     "x = LogInfo('hello')": 'give the arguments by name: LogInfo(msg=...)',
     "x = LogInfo(msg=['a', 3])": "3 must be a text: write '3'",
     'x = TimerAction(period=2, actions=[])': 'write period=2.0',
@@ -59,18 +64,19 @@ VISITED = {
     "LogInfo(msg=LaunchConfiguration('robot_nam'))": "did you mean 'robot_name'?",
     "LogInfo(msg=LaunchConfiguration('zzz'))": "put DeclareLaunchArgument('zzz', default_value='...') before its use",
     "LogInfo(msg='a', condition=IfCondition('yes'))": 'conditions take true, 1, false or 0; compare texts with '
-                                                      'EqualsSubstitution(left, right)',
+    'EqualsSubstitution(left, right)',
     "LogInfo(msg=PythonExpression(['abc', ' == \"abc\"']))": 'the text abc stands bare in a PythonExpression: put quotes '
-        "around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'text'\"]",
-    "IncludeLaunchDescription(__file__, launch_arguments={'name': '1', 'other': '2'})":
-        'launch_arguments needs (name, value) pairs: add .items() to the dictionary',
+    "around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'text'\"]",
+    "IncludeLaunchDescription(__file__, launch_arguments={'name': '1', 'other': '2'})": 'launch_arguments needs (name, value) pairs: add .items() to the dictionary',
     "OpaqueFunction(function=lambda context: LogInfo(msg='a'))": 'a list is expected: put the LogInfo into [ ]',
     "'text'": 'among the entities is a str: a list of actions holds only actions and launch descriptions',
 }
 
 
 @pytest.mark.parametrize('entity', VISITED)
-def test_a_mistake_found_while_launching_is_explained_with_its_line(entity: str, launch_it: Any, tmp_path: Path) -> None:
+def test_a_mistake_found_while_launching_is_explained_with_its_line(
+    entity: str, launch_it: Any, tmp_path: Path
+) -> None:
     path = tmp_path / 'wrong.launch.py'
     path.write_text(f"{IMPORTS}def generate_launch_description():\n    return LaunchDescription([\n"
                     f"        SetLaunchConfiguration('robot_name', 'r2'),\n        {entity}])\n")

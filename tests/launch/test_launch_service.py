@@ -35,13 +35,19 @@ def test_nothing_to_do_ends_at_once(launch_it: Any) -> None:
 
 
 def test_messages_of_the_visit_come_before_any_process(launch_it: Any, host: Any) -> None:
-    code, lines = launch_it(say('a'), ExecuteProcess(cmd=['quick']), say('b'), ExecuteProcess(cmd=['quick']), say('c'))
+    code, lines = launch_it(
+        say('a'), ExecuteProcess(cmd=['quick']), say('b'), ExecuteProcess(cmd=['quick']), say('c')
+    )
     assert code == 0
     assert lines == [
-        '[INFO] [launch.user]: a', '[INFO] [launch.user]: b', '[INFO] [launch.user]: c',
-        '[INFO] [quick-1]: process started with pid [101]', '[INFO] [quick-2]: process started with pid [102]',
+        '[INFO] [launch.user]: a',
+        '[INFO] [launch.user]: b',
+        '[INFO] [launch.user]: c',
+        '[INFO] [quick-1]: process started with pid [101]',
+        '[INFO] [quick-2]: process started with pid [102]',
         '[INFO] [quick-1]: process has finished cleanly [pid 101]',
-        '[INFO] [quick-2]: process has finished cleanly [pid 102]']
+        '[INFO] [quick-2]: process has finished cleanly [pid 102]',
+    ]
 
 
 def test_an_exception_in_the_visit_starts_nothing_and_gives_one(launch_it: Any, host: Any) -> None:
@@ -80,7 +86,9 @@ def test_the_reason_of_an_idle_launch_is_idle(launch_it: Any) -> None:
 
 
 def test_a_handler_must_return_entities(launch_it: Any) -> None:
-    code, lines = launch_it(RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: ['x'])), Shutdown())
+    code, lines = launch_it(
+        RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: ['x'])), Shutdown()
+    )
     assert code == 1
     assert "expected a LaunchDescriptionEntity from event_handler, got 'x'" in lines[0]
 
@@ -96,19 +104,25 @@ def test_what_a_timer_visits_sees_the_configurations_of_that_moment(launch_it: A
     assert launch_it(group)[1] == ['[INFO] [launch.user]: inside', '[INFO] [launch.user]: gone']
 
 
-def test_ctrl_c_ends_the_launch_and_a_second_one_is_ignored(launch_it: Any, host: Any, fresh_simulation: Any) -> None:
+def test_ctrl_c_ends_the_launch_and_a_second_one_is_ignored(
+    launch_it: Any, host: Any, fresh_simulation: Any
+) -> None:
     def press(context: Any) -> None:
         fresh_simulation.signal_handlers[signal.SIGINT](signal.SIGINT)
 
-    code, lines = launch_it(ExecuteProcess(cmd=['stubborn']), noninteractive=True, *(
-        TimerAction(period=period, actions=[OpaqueFunction(function=press)], cancel_on_shutdown=False)
-        for period in (1.0, 2.0)))
+    presses = [TimerAction(period=period, actions=[OpaqueFunction(function=press)], cancel_on_shutdown=False)
+               for period in (1.0, 2.0)]
+    code, lines = launch_it(ExecuteProcess(cmd=['stubborn']), *presses, noninteractive=True)
     assert code == 0
     assert [line for line in lines if 'ctrl-c' in line] == [
         '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)',
         '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT) again, ignoring...']
-    assert host.log == [(0.0, 'start', 'stubborn-1'), (1.0, 'SIGINT', 'stubborn-1'), (6.0, 'SIGTERM', 'stubborn-1'),
-                        (11.0, 'SIGKILL', 'stubborn-1')]
+    assert host.log == [
+        (0.0, 'start', 'stubborn-1'),
+        (1.0, 'SIGINT', 'stubborn-1'),
+        (6.0, 'SIGTERM', 'stubborn-1'),
+        (11.0, 'SIGKILL', 'stubborn-1'),
+    ]
 
 
 def test_in_a_terminal_ctrl_c_has_reached_the_processes_already(launch_it: Any, host: Any) -> None:
@@ -127,6 +141,13 @@ def test_a_keyboard_interrupt_counts_as_ctrl_c(launch_it: Any, host: Any, fresh_
     assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
 
 
+def test_a_keyboard_interrupt_inside_launch_itself_ends_the_run(launch_it: Any) -> None:
+    def interrupt(context: Any) -> None:
+        raise KeyboardInterrupt
+    with pytest.raises(KeyboardInterrupt):
+        launch_it(OpaqueFunction(function=interrupt))
+
+
 def test_shutdown_from_outside_ends_the_run(host: Any, fresh_simulation: Any) -> None:
     service = LaunchService()
     assert service.shutdown() is None
@@ -137,14 +158,19 @@ def test_shutdown_from_outside_ends_the_run(host: Any, fresh_simulation: Any) ->
     assert host.log == [(0.0, 'start', 'forever-1'), (1.0, 'SIGINT', 'forever-1')]
 
 
-def test_a_description_may_be_included_while_it_runs(launch_it: Any, capsys: Any, fresh_simulation: Any) -> None:
+def test_a_description_may_be_included_while_it_runs(
+    launch_it: Any, capsys: Any, fresh_simulation: Any
+) -> None:
     service = LaunchService()
     later = LaunchDescription([say('later')])
     sim = fresh_simulation.sim
     sim.schedule(sim.now_ns + 10 ** 9, lambda: service.include_launch_description(later))
     service.include_launch_description(LaunchDescription([TimerAction(period=2.0, actions=[say('end')])]))
     service.run()
-    assert capsys.readouterr().out.splitlines()[1:] == ['[INFO] [launch.user]: later', '[INFO] [launch.user]: end']
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        '[INFO] [launch.user]: later',
+        '[INFO] [launch.user]: end',
+    ]
 
 
 def test_two_runs_at_once_are_refused(capsys: Any) -> None:
@@ -234,9 +260,9 @@ def test_debug_shows_events(capsys: Any) -> None:
     service.include_launch_description(LaunchDescription())
     service.run()
     lines = capsys.readouterr().out.splitlines()
-    assert lines[:2] == [
-        "[DEBUG] [launch.launch_context]: emitting event synchronously: 'launch.events.IncludeLaunchDescription'",
-        '[INFO] [launch]: Default logging verbosity is set to DEBUG']
+    emitted = "emitting event synchronously: 'launch.events.IncludeLaunchDescription'"
+    assert lines[0] == f'[DEBUG] [launch.launch_context]: {emitted}'
+    assert lines[1] == '[INFO] [launch]: Default logging verbosity is set to DEBUG'
     assert any(line.startswith("[DEBUG] [launch]: processing event: '") and ' ✓ ' in line for line in lines)
 
 

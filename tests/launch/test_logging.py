@@ -128,7 +128,9 @@ def test_other_handlers_can_have_a_format_for_one_logger(capsys: Any) -> None:
         _ = launch.logging.handlers.NoSuchHandler
 
 
-def test_messages_of_launch_are_recorded_and_output_of_programs_is_not(fresh_simulation: Any, capsys: Any) -> None:
+def test_messages_of_launch_are_recorded_and_output_of_programs_is_not(
+    fresh_simulation: Any, capsys: Any
+) -> None:
     recorded: list[Any] = []
     fresh_simulation.log = lambda *entry: recorded.append(entry)
     get_logger('n').error('text')

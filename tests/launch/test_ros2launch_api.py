@@ -44,7 +44,10 @@ def test_the_list_of_arguments() -> None:
 
 
 def test_no_arguments() -> None:
-    assert arguments_text(LaunchDescription()) == "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
+    assert (
+        arguments_text(LaunchDescription())
+        == "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
+    )
 
 
 def test_arguments_are_split_at_the_first_sign_and_the_last_wins() -> None:
@@ -61,9 +64,11 @@ def test_malformed_arguments(text: str) -> None:
 @pytest.fixture
 def file(tmp_path: Path) -> str:
     path = tmp_path / 'a.launch.py'
-    path.write_text("from launch import LaunchDescription\nfrom launch.actions import *\n"
-                    "from launch.substitutions import *\ndef generate_launch_description():\n"
-                    "    return LaunchDescription([DeclareLaunchArgument('x'), LogInfo(msg=LaunchConfiguration('x'))])\n")
+    path.write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import *\n'
+        'from launch.substitutions import *\ndef generate_launch_description():\n'
+        "    return LaunchDescription([DeclareLaunchArgument('x'), LogInfo(msg=LaunchConfiguration('x'))])\n"
+    )
     return str(path)
 
 
@@ -86,5 +91,6 @@ def test_a_missing_argument_of_the_file_itself(file: str, capsys: Any) -> None:
 def test_what_a_launch_file_is_called(file: str, tmp_path: Path) -> None:
     (tmp_path / 'a.txt').touch()
     (tmp_path / 'a.launch.xml').touch()
-    assert [is_launch_file(str(tmp_path / name)) for name in ('a.launch.py', 'a.launch.xml', 'a.txt', 'b.py')] == [
-        True, True, False, False]
+    assert [
+        is_launch_file(str(tmp_path / name)) for name in ('a.launch.py', 'a.launch.xml', 'a.txt', 'b.py')
+    ] == [True, True, False, False]

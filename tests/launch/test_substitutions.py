@@ -96,7 +96,9 @@ def test_executables_are_looked_for_on_the_path_of_the_launch(tmp_path: Path, fr
 
 
 def test_expressions_may_use_other_modules() -> None:
-    assert PythonExpression("os.path.join('a', str(sin(0)))", ['os', 'math']).perform(LaunchContext()) == 'a/0.0'
+    assert (
+        PythonExpression("os.path.join('a', str(sin(0)))", ['os', 'math']).perform(LaunchContext()) == 'a/0.0'
+    )
 
 
 def test_chance_in_an_expression_comes_from_the_simulation() -> None:
@@ -117,5 +119,8 @@ def test_paths_and_texts_are_joined() -> None:
     context.launch_configurations['x'] = 'X'
     path = PathSubstitution('/a') / 'b' / ['c_', LaunchConfiguration('x'), '.py']
     assert path.perform(context) == '/a/b/c_X.py'
-    assert StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context) == 'a,bX'
+    assert (
+        StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context)
+        == 'a,bX'
+    )
     assert PathJoinSubstitution(['a', '/b', 'c']).perform(context) == '/b/c'

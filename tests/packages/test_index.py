@@ -16,6 +16,9 @@ setup(packages=['{0}'], data_files=[('share/{0}/launch', ['launch/a.launch.py'])
 """
 
 
+MARKERS = 'share/ament_index/resource_index/packages'
+
+
 def make_prefix(path: Path, package: str) -> Path:
     (path / MARKERS).mkdir(parents=True)
     (path / MARKERS / package).write_text('')

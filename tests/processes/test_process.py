@@ -31,6 +31,11 @@ def test_an_uncaught_exception_shows_only_the_students_frames(world: Any) -> Non
     assert world.codes == {'program-1': 1}
 
 
+def test_a_misspelt_message_field_gets_a_line_of_help(world: Any) -> None:
+    wrote = world.run('from geometry_msgs.msg import Twist\nTwist().linaer = 1\n')
+    assert wrote.endswith("  help: did you mean 'linear'?\n") and "'Twist' object has no attribute 'linaer'" in wrote
+
+
 def test_processes_take_turns_in_simulated_time(world: Any) -> None:
     script = world.write('tick.py', 'import sys, time\nfor _ in range(2):\n    time.sleep(float(sys.argv[1]))\n    print("tick")\n')
     world.start(script, 'slow-1', '1.0')

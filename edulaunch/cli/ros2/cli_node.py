@@ -25,14 +25,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 @contextmanager
-def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None) -> Iterator[Node]:
+def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, handle_signals: bool = True) -> Iterator[Node]:
     """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
 
     :param arguments: with them the command first waits until the graph is known; without them it begins at once.
+    :param handle_signals: whether Ctrl-C shuts ROS 2 down; a command that still has something to do says no.
     """
     import rclpy
     from rclpy.parameter import Parameter
-    rclpy.init(args=[])
+    from rclpy.signals import SignalHandlerOptions
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO)
     sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
     node = rclpy.create_node(name or f'_ros2cli_{current_process().pid}', start_parameter_services=False,
                              parameter_overrides=sim_time)

@@ -17,6 +17,7 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
         'list': 'List all interface types available',
         'package': 'Output a list of available interface types within one package',
         'packages': 'Output a list of packages that provide interfaces',
+        'proto': 'Output an interface prototype',
         'show': 'Output the interface definition',
     }),
     'launch': ('Run a launch file', {}),

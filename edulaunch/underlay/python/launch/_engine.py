@@ -18,7 +18,8 @@ T = TypeVar('T')
 
 
 def running_process() -> Process:
-    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
+    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script.
+    """
     from edulaunch.processes.current import current_process
     return current_process()
 
@@ -49,15 +50,17 @@ def load_module(path: str, module_name: str) -> ModuleType:
 
 
 def import_for_expression(name: str) -> ModuleType:
-    """A module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it has one."""
+    """A module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it
+    has one.
+    """
     return running_process().loader.import_(name, fromlist=('*',))
 
 
 def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
     """Run a command to its end; returns its exit code, standard output and standard error.
 
-    A command that the simulation knows (`ros2 ...`) runs in it, while launch waits in simulated time. Any other is a real
-    program and takes no simulated time, so that the run repeats.
+    A command that the simulation knows (`ros2 ...`) runs in it, while launch waits in simulated time. Any
+    other is a real program and takes no simulated time, so that the run repeats.
 
     :raises FileNotFoundError: when there is no such command.
     """

@@ -1,8 +1,9 @@
 """The event handlers of a context, found quickly.
 
-Upstream asks every handler about every event. Each process brings six handlers, so a hundred processes would cost six hundred
-questions for each line that one of them prints. Handlers that say which types of events, and events of which action, they can
-accept are therefore kept in groups by these; only the groups that can match are asked, in the same order as upstream.
+Upstream asks every handler about every event. Each process brings six handlers, so a hundred processes would
+cost six hundred questions for each line that one of them prints. Handlers that say which types of events, and
+events of which action, they can accept are therefore kept in groups by these; only the groups that can match
+are asked, in the same order as upstream.
 """
 from __future__ import annotations
 

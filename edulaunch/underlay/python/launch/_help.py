@@ -1,6 +1,7 @@
 """One line of help for errors of launch files, which ROS 2 lacks.
 
-The errors themselves keep ROS's and Python's own texts. Here is added where in whose file it happened, and what was probably meant.
+The errors themselves keep ROS's and Python's own texts. Here is added where in whose file it happened, and
+what was probably meant.
 """
 from __future__ import annotations
 
@@ -23,7 +24,8 @@ _PYTHON = os.path.dirname(os.path.abspath(os.__file__)) + os.sep
 def show_help(error: BaseException) -> None:
     """Write the line about `error` below its message, and keep the error for whoever runs this process.
 
-    The launch process's `state['launch.exceptions']` collects them; `state['launch.show_help']` can replace the writing.
+    The launch process's `state['launch.exceptions']` collects them; `state['launch.show_help']` can replace
+    the writing.
     """
     process = running_process()
     process.state.setdefault('launch.exceptions', []).append(error)
@@ -47,7 +49,9 @@ def help_line(error: BaseException) -> str | None:
 
 
 def launch_help(error: BaseException) -> str | None:
-    """What to try after `error`, which was raised while a launch file was loaded or visited; one line, or None."""
+    """What to try after `error`, which was raised while a launch file was loaded or visited; one line, or
+    None.
+    """
     from . import _help_rules
     cause = root_cause(error)
     for rule in _help_rules.RULES:
@@ -60,7 +64,9 @@ def launch_help(error: BaseException) -> str | None:
 
 
 def launch_origin(error: BaseException) -> Origin | None:
-    """Where in a student's file it happened: the innermost line that was running there, else the line of the action."""
+    """Where in a student's file it happened: the innermost line that was running there, else the line of the
+    action.
+    """
     from edulaunch.processes import Origin
     cause = root_cause(error)
     if isinstance(cause, SyntaxError) and cause.filename and not cause.filename.startswith('<'):
@@ -71,7 +77,9 @@ def launch_origin(error: BaseException) -> Origin | None:
     for frame, number in reversed(list(frames_of(cause))):
         if _is_students(frame.f_code.co_filename):
             return Origin(frame.f_code.co_filename, number)
-    origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(error, 'edulaunch_origin', None)
+    origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(
+        error, 'edulaunch_origin', None
+    )
     return origin
 
 
@@ -91,7 +99,9 @@ def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
 
 
 def local_of(error: BaseException, name: str) -> Any:
-    """The value that the variable of this name had in the innermost frame that has one; None when there is none."""
+    """The value that the variable of this name had in the innermost frame that has one; None when there is
+    none.
+    """
     found = None
     for frame, _ in frames_of(error):
         if name in frame.f_code.co_varnames:

@@ -15,9 +15,23 @@ from .launch_description_entity import LaunchDescriptionEntity
 Advice = Callable[[BaseException, str], str | None]
 
 OLD_KEYWORDS = {
-    'node_name': 'name', 'node_executable': 'executable', 'node_namespace': 'namespace', 'pkg': 'package', 'exec': 'executable',
-    'args': 'arguments', 'params': 'parameters', 'remap': 'remappings', 'ns': 'namespace', 'default': 'default_value',
-    'message': 'msg', 'text': 'msg', 'delay': 'period', 'launch_args': 'launch_arguments', 'command': 'cmd', 'func': 'function'}
+    'node_name': 'name',
+    'node_executable': 'executable',
+    'node_namespace': 'namespace',
+    'pkg': 'package',
+    'exec': 'executable',
+    'args': 'arguments',
+    'params': 'parameters',
+    'remap': 'remappings',
+    'ns': 'namespace',
+    'default': 'default_value',
+    'message': 'msg',
+    'text': 'msg',
+    'delay': 'period',
+    'launch_args': 'launch_arguments',
+    'command': 'cmd',
+    'func': 'function',
+}
 
 
 class Rule(NamedTuple):
@@ -75,13 +89,18 @@ def _unknown_name(error: BaseException, text: str) -> str | None:
 
 def _raised_in_expression(error: BaseException) -> bool:
     frames = [frame for frame, _ in frames_of(error)]
-    return len(frames) > 1 and frames[-1].f_code.co_filename == '<string>' and 'substitutions' in frames[-2].f_code.co_filename
+    return (
+        len(frames) > 1
+        and frames[-1].f_code.co_filename == '<string>'
+        and 'substitutions' in frames[-2].f_code.co_filename
+    )
 
 
 def _bad_expression(error: BaseException, text: str) -> str | None:
     from .substitutions.python_expression import PythonExpression
     if isinstance(local_of(error, 'self'), PythonExpression):
-        return f"the expression is {local_of(error, 'self').describe()}: check quotes and spaces where its parts meet"
+        expression = local_of(error, 'self').describe()
+        return f'the expression is {expression}: check quotes and spaces where its parts meet'
     return None
 
 
@@ -89,7 +108,10 @@ def _unexpected_keyword(error: BaseException, text: str) -> str | None:
     found = _match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", text)
     if found is None:
         return None
-    made = next((frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'), None)
+    made = next(
+        (frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'),
+        None,
+    )
     cls = type(made) if made is not None else class_named(found[1])
     if cls is None:
         return None
@@ -170,9 +192,10 @@ def _missing_comma(error: BaseException, text: str) -> str | None:
     if found is None:
         return None
     cls = class_named(found[1])
-    if cls is not None or found[1] in ('dict', 'tuple', 'list', 'str'):
-        return f'perhaps a comma is missing after {cls.__name__ + "(...)" if cls is not None else "an item of a list"}'
-    return None
+    if cls is None and found[1] not in ('dict', 'tuple', 'list', 'str'):
+        return None
+    item = 'an item of a list' if cls is None else f'{cls.__name__}(...)'
+    return f'perhaps a comma is missing after {item}'
 
 
 def _not_an_entity(error: BaseException, text: str) -> str | None:

@@ -8,11 +8,26 @@ from edulaunch.packages.nearest import nearest
 from ._help import loaded
 
 MODULES = (
-    'launch', 'launch.actions', 'launch.conditions', 'launch.substitutions', 'launch.event_handlers', 'launch.events',
-    'launch.events.process', 'launch.launch_description_sources', 'launch.descriptions', 'launch_ros.actions',
-    'launch_ros.substitutions', 'launch_ros.descriptions', 'launch_ros.parameter_descriptions',
-    'launch_ros.event_handlers', 'launch_ros.events.lifecycle', 'ament_index_python.packages')
-STANDARD = {name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')}
+    'launch',
+    'launch.actions',
+    'launch.conditions',
+    'launch.substitutions',
+    'launch.event_handlers',
+    'launch.events',
+    'launch.events.process',
+    'launch.launch_description_sources',
+    'launch.descriptions',
+    'launch_ros.actions',
+    'launch_ros.substitutions',
+    'launch_ros.descriptions',
+    'launch_ros.parameter_descriptions',
+    'launch_ros.event_handlers',
+    'launch_ros.events.lifecycle',
+    'ament_index_python.packages',
+)
+STANDARD = {
+    name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')
+}
 
 
 def names_in(module: str) -> list[str]:
@@ -49,7 +64,9 @@ def nearest_anywhere(name: str) -> str | None:
 
 
 def keywords_of(cls: type) -> list[str]:
-    """The keyword arguments that the constructor takes, inherited ones included while it passes `**kwargs` on."""
+    """The keyword arguments that the constructor takes, inherited ones included while it passes `**kwargs`
+    on.
+    """
     found: list[str] = []
     for base in cls.__mro__:
         init = base.__dict__.get('__init__')

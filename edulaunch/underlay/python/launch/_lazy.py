@@ -1,6 +1,7 @@
 """Packages whose names are imported when they are first used.
 
-`import launch` must be quick, and a launch file uses a handful of launch's ninety classes. Upstream imports them all.
+`import launch` must be quick, and a launch file uses a handful of launch's ninety classes. Upstream imports
+them all.
 """
 from __future__ import annotations
 
@@ -10,14 +11,17 @@ from importlib import import_module
 from typing import Any
 
 Exports = dict[str, str]
-"""Exported name -> the sub-module (relative to the package) that defines it; '' for a name that is a sub-module."""
+"""Exported name -> the sub-module (relative to the package) that defines it; '' for a name that is a
+sub-module.
+"""
 
 
 def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Make the `__getattr__` and `__dir__` of a package that loads its `exports` late.
 
-    The sub-modules themselves are attributes too, as they are upstream (`launch.actions.timer_action.TimerAction`).
-    A name that is not there gives Python's own AttributeError (which `from package import name` turns into ImportError).
+    The sub-modules themselves are attributes too, as they are upstream
+    (`launch.actions.timer_action.TimerAction`). A name that is not there gives Python's own AttributeError
+    (which `from package import name` turns into ImportError).
     """
     modules = {*exports.values(), *(name for name, module in exports.items() if not module)}
 

@@ -7,7 +7,8 @@ from typing import Any, NoReturn
 class LocalsView:
     """Reads a dictionary through attributes.
 
-    :raises AttributeError: for a name that is not in it, listing those that are; and on every attempt to set one.
+    :raises AttributeError: for a name that is not in it, listing those that are; and on every attempt to set
+        one.
     """
 
     def __init__(self, values: dict[str, Any]) -> None:

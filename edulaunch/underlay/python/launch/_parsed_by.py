@@ -1,6 +1,7 @@
 """The class method `parse` of actions and substitutions that XML and YAML files know.
 
-Upstream each class defines its own; here all of them are in `launch.frontend`, which Python launch files never load.
+Upstream each class defines its own; here all of them are in `launch.frontend`, which Python launch files
+never load.
 """
 from __future__ import annotations
 
@@ -11,7 +12,8 @@ Parse = Callable[..., tuple[type, dict[str, Any]]]
 
 
 class _ParsedBy:
-    """Descriptor for `parse`: calls the frontend's function for that element and answers with the class it was asked of.
+    """Descriptor for `parse`: calls the frontend's function for that element and answers with the class it
+    was asked of.
 
     So `super().parse(entity, parser)` in a student's sub-class gives the keyword arguments of the base class.
     """

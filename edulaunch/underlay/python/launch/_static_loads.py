@@ -1,8 +1,9 @@
 """Launch files loaded only to look inside.
 
-Before a file is included, launch searches it and all files below it for launch arguments, and so again for each of those.
-Upstream loads all of them each time, which is quadratic in the depth. Here a file that was loaded for such a search is kept
-until the file, the environment or the working directory change. A file that is really launched is always loaded anew.
+Before a file is included, launch searches it and all files below it for launch arguments, and so again for
+each of those. Upstream loads all of them each time, which is quadratic in the depth. Here a file that was
+loaded for such a search is kept until the file, the environment or the working directory change. A file that
+is really launched is always loaded anew.
 """
 from __future__ import annotations
 
@@ -18,9 +19,14 @@ if TYPE_CHECKING:
 Seen = tuple[object, ...]
 
 
-def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> LaunchDescription | None:
-    """What `load()` returns, None when it raises an exception; remembered by the kind of source and location."""
-    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process_state('launch.static_loads', dict)
+def load_once(
+    source: object, location: str, load: Callable[[], LaunchDescription]
+) -> LaunchDescription | None:
+    """What `load()` returns, None when it raises an exception; remembered by the kind of source and location.
+    """
+    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process_state(
+        'launch.static_loads', dict
+    )
     seen = _state_of(location)
     known = cache.get((type(source), location))
     if known is not None and known[0] == seen:

@@ -35,7 +35,8 @@ class Action(LaunchDescriptionEntity):
         return origin_of(self.__dict__.get('_Action__origin'))
 
     def _set_origin(self, file: str, line: int) -> None:
-        """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
+        """For frontends, whose actions are made by a parser: say which line of which file asked for this one.
+        """
         self.__origin = (file, line)
 
     @staticmethod
@@ -71,7 +72,8 @@ class Action(LaunchDescriptionEntity):
         return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would handle it.
+        """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would
+        handle it.
 
         An exception on its way out is told where this action was made, for the message that people see.
         """

@@ -22,7 +22,8 @@ class BaseEventHandler(StableRepr):
     """
 
     _event_keys: Sequence[tuple[type, Any]] | None = None
-    """All that the matcher can accept: types of events, each with the only action that it can come from (or None).
+    """All that the matcher can accept: types of events, each with the only action that it can come from (or
+    None).
 
     None when that is unknown. It lets launch skip this handler quickly; see `_handler_table.py`.
     """
@@ -52,8 +53,10 @@ class BaseEventHandler(StableRepr):
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
         """The handler in words, and the entities it is known to lead to."""
-        text = (f"{type(self).__name__}(matcher='{self.matcher_description}', handler='{self.handler_description}', "
-                f'handle_once={self.__handle_once})')
+        text = (
+            f"{type(self).__name__}(matcher='{self.matcher_description}', "
+            f"handler='{self.handler_description}', handle_once={self.__handle_once})"
+        )
         return text, []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:

@@ -68,7 +68,8 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
-        """The launch arguments declared here and in included files, as far as they can be found without launching.
+        """The launch arguments declared here and in included files, as far as they can be found without
+        launching.
 
         :param conditional_inclusion: whether this description itself is included only under a condition.
         """
@@ -79,8 +80,9 @@ class LaunchDescription(LaunchDescriptionEntity):
             self, conditional_inclusion: bool = False) -> FoundArguments:
         """As :meth:`get_launch_arguments`, each with the include actions that lead to it (None for none).
 
-        The first declaration of a name counts. Files whose path is not known before launching, or which cannot be loaded,
-        are passed over. Nothing is seen after a `ResetLaunchConfigurations`, nor inside an `OpaqueFunction`.
+        The first declaration of a name counts. Files whose path is not known before launching, or which
+        cannot be loaded, are passed over. Nothing is seen after a `ResetLaunchConfigurations`, nor inside an
+        `OpaqueFunction`.
         """
         search = _ArgumentSearch()
         search.look_through(self.__entities, conditional_inclusion, None)
@@ -105,12 +107,16 @@ class _ArgumentSearch:
             inside: Any = [*(includes or ()), entity] if role == 'include' else includes
             self._look_below(entity, conditional, inside)
 
-    def _look_below(self, entity: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None) -> None:
+    def _look_below(
+        self, entity: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None
+    ) -> None:
         self.look_through(entity.describe_sub_entities(), conditional, includes)
         for _, entities in entity.describe_conditional_sub_entities():
             self.look_through(entities, True, includes)
 
-    def _note(self, argument: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None) -> None:
+    def _note(
+        self, argument: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None
+    ) -> None:
         if argument.name not in self._names:
             self._names.add(argument.name)
             argument._conditionally_included = conditional or argument.condition is not None

@@ -18,7 +18,9 @@ class LaunchDescriptionEntity(StableRepr):
     """An action, a launch description, or anything else with a `visit`."""
 
     _search_role: ClassVar[str] = ''
-    """What the static search for launch arguments does with it: '' look inside, 'argument', 'include' or 'reset'."""
+    """What the static search for launch arguments does with it: '' look inside, 'argument', 'include' or
+    'reset'.
+    """
 
     def describe(self) -> str:
         """What people read. To be given by subclasses."""

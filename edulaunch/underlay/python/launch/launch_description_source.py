@@ -55,7 +55,8 @@ class LaunchDescriptionSource:
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """The description if its path is known without a running launch and it can be loaded; else None.
 
-        As upstream the file is executed for this, but only once as long as nothing changes that it could depend on.
+        As upstream the file is executed for this, but only once as long as nothing changes that it could
+        depend on.
         """
         if self.__launch_description is not None:
             return self.__launch_description

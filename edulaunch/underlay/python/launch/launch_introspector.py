@@ -58,7 +58,11 @@ def _describe_process(action: ExecuteProcess) -> str:
     words = ', '.join(_describe(word) for word in action.cmd)
     cwd = 'None' if action.cwd is None else f"'{_describe(action.cwd)}'"
     variables: Any = action.env
-    env = None if variables is None else '{' + ', '.join(f'{_describe(name)}: {_describe(value)}' for name, value in variables) + '}'
+    env = (
+        None
+        if variables is None
+        else '{' + ', '.join(f'{_describe(name)}: {_describe(value)}' for name, value in variables) + '}'
+    )
     return f'ExecuteProcess(cmd=[{words}], cwd={cwd}, env={env}, shell={action.shell})'
 
 

@@ -34,15 +34,17 @@ DEBUG = 10
 class LaunchService:
     """Visits launch descriptions, and handles events until nothing is left to do.
 
-    Time is that of the running simulation: in a simulated process :meth:`run` blocks only that process; in a plain script it runs
-    a simulation of its own. In a notebook both `run()` and `await run_async()` work.
+    Time is that of the running simulation: in a simulated process :meth:`run` blocks only that process; in a
+    plain script it runs a simulation of its own. In a notebook both `run()` and `await run_async()` work.
 
     :param argv: for `context.argv`.
     :param noninteractive: no terminal is attached, so ctrl-c must be passed on to the processes.
     :param debug: log at level DEBUG.
     """
 
-    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False) -> None:
+    def __init__(
+        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
+    ) -> None:
         if debug:
             launch_config.level = DEBUG
         self.__logger = get_logger('launch')
@@ -76,7 +78,8 @@ class LaunchService:
     # -- from outside
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Execute a description: now if the service runs, else when it does. May be called from any thread."""
+        """Execute a description: now if the service runs, else when it does. May be called from any thread.
+        """
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def emit_event(self, event: Event) -> None:
@@ -105,7 +108,8 @@ class LaunchService:
         return done
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run until the launch has ended; returns 0, or 1 when an exception was caught or the run was cancelled.
+        """Run until the launch has ended; returns 0, or 1 when an exception was caught or the run was
+        cancelled.
 
         :param shutdown_when_idle: end when no process, timer or event is left.
         :raises RuntimeError: when it runs already, or not in the main thread.
@@ -118,13 +122,16 @@ class LaunchService:
                 try:
                     return loop.run_until_complete(task)
                 except KeyboardInterrupt:
+                    if task.done():
+                        raise
                     self.__on_sigint(signal.SIGINT)
         finally:
             _cancel_all_tasks(loop)
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """As :meth:`run`. On a loop that knows no simulated time (a notebook's) the simulation runs in place."""
+        """As :meth:`run`. On a loop that knows no simulated time (a notebook's) the simulation runs in place.
+        """
         import asyncio
 
         from edulaunch.sim.aio import SimulatedEventLoop
@@ -230,7 +237,9 @@ class LaunchService:
                 if entity is None:
                     continue
                 if not isinstance(entity, LaunchDescriptionEntity):
-                    raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
+                    raise RuntimeError(
+                        f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'"
+                    )
                 self.__visit(entity)
         finally:
             context._pop_locals()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from launch.substitutions.launch_configuration import LaunchConfiguration
@@ -15,6 +14,8 @@ from .parameters_type import Parameters
 from .utilities import evaluate_parameters
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from launch.launch_context import LaunchContext
 
     from edulaunch.processes import Origin

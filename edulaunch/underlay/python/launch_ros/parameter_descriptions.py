@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
@@ -16,6 +15,8 @@ from launch.utilities.type_utils import normalize_typed_substitution, perform_ty
 from ._temporary_files import TemporaryFiles
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from launch.launch_context import LaunchContext
 
 
@@ -131,6 +132,8 @@ class ParameterFile:
 
         :raises SubstitutionFailure: when the substituted text is not YAML any more.
         """
+        from pathlib import Path
+
         path = Path(perform_substitutions(context, self.__param_file))
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:

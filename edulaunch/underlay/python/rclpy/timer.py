@@ -102,6 +102,7 @@ class Timer(Entity):
         self._next_ns = next_ns
         self._due_ns = next_ns if clock._override_ns is None or next_ns <= now else NEVER_NS
         self._ready_list.plan()
+        self._ready_list.notify()
         return self.callback() if self.callback is not None else None
 
     def cancel(self) -> None:

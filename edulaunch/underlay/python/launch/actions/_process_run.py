@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 class ProcessRun:
     """A program that was started through the simulation's host.
 
-    :param on_output: called on the loop as on_output('stdout' | 'stderr', text). Pieces that were written without a pause
-        arrive as one, as they would from a pipe.
+    :param on_output: called on the loop as on_output('stdout' | 'stderr', text). Pieces that were written
+        without a pause arrive as one, as they would from a pipe.
     :raises OSError: when the program cannot be started.
     """
 

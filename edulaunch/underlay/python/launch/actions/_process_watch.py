@@ -18,6 +18,7 @@ from ..events.process.signal_process import SignalProcess
 from ..events.shutdown import Shutdown
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..logging import get_logger, get_output_loggers
+from ..logging._output import normalize_output_configuration
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ._output_lines import OutputLines
 
@@ -70,13 +71,22 @@ class ProcessWatch(BaseEventHandler):
         self._logger = get_logger(details['name'])
         self.completed: asyncio.Future[None] = loop.create_future()
         self.return_code: int | None = None
-        loggers = get_output_loggers(details['name'], options.output)
-        self._lines = {stream: OutputLines(self._line_printer(logger), options.cached_output)
-                       for stream, logger in zip(('stdout', 'stderr'), loggers)}
+        normalize_output_configuration(options.output)
+        self._lines: dict[str, OutputLines] = {}
 
     def text_of(self, stream: str) -> str:
         """What was written to 'stdout' or 'stderr' so far."""
-        return self._lines[stream].text
+        lines = self._lines.get(stream)
+        return '' if lines is None else lines.text
+
+    def _lines_of(self, stream: str) -> OutputLines:
+        """Made when the first text comes: many programs never print."""
+        lines = self._lines.get(stream)
+        if lines is None:
+            stdout, stderr = get_output_loggers(self._details['name'], self._options.output)
+            printer = self._line_printer(stdout if stream == 'stdout' else stderr)
+            lines = self._lines[stream] = OutputLines(printer, self._options.cached_output)
+        return lines
 
     def _line_printer(self, logger: Any) -> Callable[[str], object]:
         info, template, action = logger.info, self._options.output_format, self._action
@@ -170,8 +180,8 @@ class ProcessWatch(BaseEventHandler):
         if isinstance(event, ProcessIO):
             self._on_io(event)
         elif isinstance(event, ProcessExited):
-            for lines in self._lines.values():
-                lines.flush()
+            for stream in sorted(self._lines, reverse=True):
+                self._lines[stream].flush()
         elif isinstance(event, SignalProcess):
             self._on_signal(event)
         elif isinstance(event, ShutdownProcess):
@@ -187,14 +197,16 @@ class ProcessWatch(BaseEventHandler):
         if event.from_stdin:
             self._logger.warning(f"in ExecuteProcess('{self._details['name']}').__on_process_stdin_event()")
         else:
-            self._lines['stdout' if event.from_stdout else 'stderr'].write(event.text)
+            self._lines_of('stdout' if event.from_stdout else 'stderr').write(event.text)
 
     def _on_signal(self, event: SignalProcess) -> None:
         if self._run is None:
             raise RuntimeError('Signal event received before subprocess transport available.')
         name = self._details['name']
         if self._run.complete.done():
-            self._logger.debug(f"signal '{event.signal_name}' not sent to '{name}' because it is already closing")
+            self._logger.debug(
+                f"signal '{event.signal_name}' not sent to '{name}' because it is already closing"
+            )
             return
         self._logger.info(f"sending signal '{event.signal_name}' to process[{name}]")
         self._run.send_signal(event.signal)
@@ -214,7 +226,9 @@ class ProcessWatch(BaseEventHandler):
 
 
 def _check_emulate_tty(context: LaunchContext) -> None:
-    """The launch configuration `emulate_tty` must be a condition; programs here run as if in a terminal anyway."""
+    """The launch configuration `emulate_tty` must be a condition; programs here run as if in a terminal
+    anyway.
+    """
     wanted = context.launch_configurations.get('emulate_tty')
     if wanted is not None:
         evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))

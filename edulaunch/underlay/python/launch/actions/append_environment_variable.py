@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 class AppendEnvironmentVariable(Action):
-    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is not there.
+    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is
+    not there.
 
     :param prepend: add at the beginning; a boolean, or substitutions that give one.
     :param separator: between the values, by default that of search paths.
@@ -64,6 +65,8 @@ class AppendEnvironmentVariable(Action):
         value = perform_substitutions(context, self.__value)
         if name in context.environment:
             old = context.environment[name]
-            parts = [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
+            parts = (
+                [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
+            )
             value = perform_substitutions(context, self.__separator).join(parts)
         context.environment[name] = value

@@ -17,9 +17,11 @@ if TYPE_CHECKING:
 
 
 class DeclareLaunchArgument(Action):
-    """Say that the launch file has an argument: `ros2 launch ... name:=value`, or `launch_arguments` of an include.
+    """Say that the launch file has an argument: `ros2 launch ... name:=value`, or `launch_arguments` of an
+    include.
 
-    Its value is the launch configuration of that name. One that is set already stays; else it gets the default.
+    Its value is the launch configuration of that name. One that is set already stays; else it gets the
+    default.
 
     :param name: a plain text.
     :param default_value: a text or substitutions (so '3', not 3); without one the argument must be given.
@@ -38,7 +40,9 @@ class DeclareLaunchArgument(Action):
         self.__choices = None if choices is None else list(choices)
         if self.__choices is not None:
             _check_choices(self.__choices, default_value)
-        self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
+        self.__default_value = (
+            None if default_value is None else normalize_to_list_of_substitutions(default_value)
+        )
         self.__description = _describe(description, self.__choices)
         self._conditionally_included = False
 
@@ -71,8 +75,10 @@ class DeclareLaunchArgument(Action):
         values = context.launch_configurations
         if self.__name not in values:
             if self.__default_value is None:
-                self.__log_error(f'Required launch argument "{self.__name}" (description: "{self.__description}") '
-                                 'was not provided')
+                self.__log_error(
+                    f'Required launch argument "{self.__name}" (description: "{self.__description}") '
+                    'was not provided'
+                )
                 raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
             values[self.__name] = perform_substitutions(context, self.__default_value)
         if self.__choices is not None and values[self.__name] not in self.__choices:
@@ -91,7 +97,9 @@ def _check_choices(choices: list[str], default_value: object) -> None:
     if not choices:
         raise RuntimeError('Provided choices arg is empty. Use None to ignore the choice list.')
     if isinstance(default_value, str) and default_value not in choices:
-        raise RuntimeError(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
+        raise RuntimeError(
+            f'Provided default_value "{default_value}" is not in provided choices "{choices}".'
+        )
 
 
 def _describe(description: str | None, choices: list[str] | None) -> str:

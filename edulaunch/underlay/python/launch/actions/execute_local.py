@@ -32,7 +32,8 @@ class ExecuteLocal(Action):
 
     :param process_description: the command line and what belongs to it.
     :param shell: let a shell run the joined command line.
-    :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at shutdown.
+    :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at
+        shutdown.
     :param emulate_tty: run in a terminal; programs here print as if in one anyway.
     :param output: 'log', 'screen', 'both', 'own_log', 'full', or a dictionary; see
         `launch.logging.get_output_loggers`. OVERRIDE_LAUNCH_PROCESS_OUTPUT in the environment comes first.
@@ -40,8 +41,8 @@ class ExecuteLocal(Action):
     :param cached_output: keep what is printed, for :meth:`get_stdout` and :meth:`get_stderr`.
     :param log_cmd: log the command line.
     :param on_exit: an entity, several, or a callable (event, context), for when the process has ended.
-    :param respawn: start it again whenever it ends, `respawn_delay` seconds later, at most `respawn_max_retries`
-        times (negative: without limit), until the launch is shut down.
+    :param respawn: start it again whenever it ends, `respawn_delay` seconds later, at most
+        `respawn_max_retries` times (negative: without limit), until the launch is shut down.
     """
 
     def __init__(self, *, process_description: Executable, shell: bool = False,
@@ -149,7 +150,9 @@ class ExecuteLocal(Action):
         self.__emulate_tty = _performed(context, self.__emulate_tty, bool)
 
     def _process_spec_details(self) -> dict[str, Any]:
-        """Further fields of the `ProcessSpec`; a node says which package and executable it is. For subclasses."""
+        """Further fields of the `ProcessSpec`; a node says which package and executable it is. For
+        subclasses.
+        """
         return {}
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -173,10 +176,20 @@ class ExecuteLocal(Action):
         template = None if self.__output_format == DEFAULT_OUTPUT_FORMAT else self.__output_format
         assert self.__process_details is not None
         watch = ProcessWatch(
-            self, self.__process_details,
-            WatchOptions(self.__shell, self.__output, template, self.__cached_output, self.__log_cmd, self.__respawn,
-                         self.__respawn_delay, self.__respawn_max_retries),
-            context.asyncio_loop)
+            self,
+            self.__process_details,
+            WatchOptions(
+                self.__shell,
+                self.__output,
+                template,
+                self.__cached_output,
+                self.__log_cmd,
+                self.__respawn,
+                self.__respawn_delay,
+                self.__respawn_max_retries,
+            ),
+            context.asyncio_loop,
+        )
         handlers: list[BaseEventHandler] = []
         if self.__on_exit is not None:
             handlers.append(OnProcessExit(target_action=self, on_exit=self.__on_exit))

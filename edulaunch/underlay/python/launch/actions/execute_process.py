@@ -15,8 +15,10 @@ Pairs = list[tuple[Substitutions, Substitutions]]
 class ExecuteProcess(ExecuteLocal):
     """Run a command: `ros2 ...` and programs of known packages in the simulation, any other for real.
 
-    :param cmd: the words, each a text or substitutions. A plain text instead of a list would be one word for each letter.
-    :param prefix: put in front of the command, such as 'xterm -e'; default: the launch configuration `launch-prefix`.
+    :param cmd: the words, each a text or substitutions. A plain text instead of a list would be one word for
+        each letter.
+    :param prefix: put in front of the command, such as 'xterm -e'; default: the launch configuration
+        `launch-prefix`.
     :param name: of the process in the log, without its number; default: the program's file name.
     :param cwd: working directory.
     :param env: the whole environment.
@@ -26,10 +28,20 @@ class ExecuteProcess(ExecuteLocal):
 
     parse = parsed_as_action('executable')
 
-    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: SomeSubstitutionsType | None = None,
-                 name: SomeSubstitutionsType | None = None, cwd: SomeSubstitutionsType | None = None,
-                 env: Variables | None = None, additional_env: Variables | None = None, **kwargs: Any) -> None:
-        executable = Executable(cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
+    def __init__(
+        self,
+        *,
+        cmd: Iterable[SomeSubstitutionsType],
+        prefix: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        cwd: SomeSubstitutionsType | None = None,
+        env: Variables | None = None,
+        additional_env: Variables | None = None,
+        **kwargs: Any,
+    ) -> None:
+        executable = Executable(
+            cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env
+        )
         super().__init__(process_description=executable, **kwargs)
 
     @property

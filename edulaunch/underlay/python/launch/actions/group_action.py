@@ -23,22 +23,30 @@ if TYPE_CHECKING:
 class GroupAction(Action):
     """Visit several actions together; one condition holds for all.
 
-    :param scoped: launch configurations (so also the pushed namespace) and environment variables changed inside are as before
-        afterwards.
+    :param scoped: launch configurations (so also the pushed namespace) and environment variables changed
+        inside are as before afterwards.
     :param forwarding: the actions see what was set outside; without it only `launch_configurations`.
     :param launch_configurations: set at the beginning.
     """
 
     parse = parsed_as_action('group')
 
-    def __init__(self, actions: Iterable[LaunchDescriptionEntity], *, scoped: bool = True, forwarding: bool = True,
-                 launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
-                 **left_over_kwargs: Any) -> None:
+    def __init__(
+        self,
+        actions: Iterable[LaunchDescriptionEntity],
+        *,
+        scoped: bool = True,
+        forwarding: bool = True,
+        launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
+        **left_over_kwargs: Any,
+    ) -> None:
         super().__init__(**left_over_kwargs)
         self.__actions = actions
         self.__scoped = scoped
         self.__forwarding = forwarding
-        self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
+        self.__launch_configurations = (
+            dict(launch_configurations) if launch_configurations is not None else {}
+        )
         self.__actions_to_return: list[LaunchDescriptionEntity] | None = None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 
 class OpaqueCoroutine(Action):
-    """Run `coroutine(context, *args, **kwargs)` as a task of launch's loop; launch is not idle before it ends.
+    """Run `coroutine(context, *args, **kwargs)` as a task of launch's loop; launch is not idle before it
+    ends.
 
     It is cancelled when the launch is shut down. `asyncio.sleep` in it takes simulated time.
 
@@ -26,13 +27,21 @@ class OpaqueCoroutine(Action):
     :raises TypeError: when `coroutine` is something else, or another argument has the wrong type.
     """
 
-    def __init__(self, *, coroutine: Callable[..., Coroutine[Any, Any, Any]], args: Iterable[Any] | None = None,
-                 kwargs: dict[str, Any] | None = None, ignore_context: bool = False,
-                 **left_over_kwargs: Any) -> None:
+    def __init__(
+        self,
+        *,
+        coroutine: Callable[..., Coroutine[Any, Any, Any]],
+        args: Iterable[Any] | None = None,
+        kwargs: dict[str, Any] | None = None,
+        ignore_context: bool = False,
+        **left_over_kwargs: Any,
+    ) -> None:
         import inspect
         super().__init__(**left_over_kwargs)
         if not inspect.iscoroutinefunction(coroutine):
-            raise TypeError(f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'")
+            raise TypeError(
+                f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'"
+            )
         ensure_argument_type(args, (collections.abc.Iterable, type(None)), 'args', 'OpaqueCoroutine')
         ensure_argument_type(kwargs, (dict, type(None)), 'kwargs', 'OpaqueCoroutine')
         ensure_argument_type(ignore_context, bool, 'ignore_context', 'OpaqueCoroutine')
@@ -49,7 +58,9 @@ class OpaqueCoroutine(Action):
     def execute(self, context: LaunchContext) -> None:
         """Start the task."""
         first = [] if self.__ignore_context else [context]
-        self.__future = context.asyncio_loop.create_task(self.__coroutine(*first, *self.__args, **self.__kwargs))
+        self.__future = context.asyncio_loop.create_task(
+            self.__coroutine(*first, *self.__args, **self.__kwargs)
+        )
         context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:

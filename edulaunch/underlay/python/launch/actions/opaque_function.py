@@ -14,10 +14,12 @@ if TYPE_CHECKING:
 
 
 class OpaqueFunction(Action):
-    """Call `function(context, *args, **kwargs)` when visited; the list of entities it returns is visited next.
+    """Call `function(context, *args, **kwargs)` when visited; the list of entities it returns is visited
+    next.
 
-    The function may look at launch configurations, so it can build actions from plain Python values. What it returns cannot be
-    known before (hence the name), so launch arguments declared inside are not listed by `ros2 launch -s`.
+    The function may look at launch configurations, so it can build actions from plain Python values. What it
+    returns cannot be known before (hence the name), so launch arguments declared inside are not listed by
+    `ros2 launch -s`.
 
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """
@@ -38,5 +40,7 @@ class OpaqueFunction(Action):
         """Call it."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
-            iter(entities)  # A single entity is the usual mistake; found here, the error knows this action's line.
+            iter(
+                entities
+            )  # A single entity is the usual mistake; found here, the error knows this action's line.
         return entities

@@ -17,16 +17,22 @@ if TYPE_CHECKING:
 class ResetLaunchConfigurations(Action):
     """Forget all launch configurations, then set the given ones.
 
-    :param launch_configurations: name -> value, both texts or substitutions; evaluated before anything is forgotten.
+    :param launch_configurations: name -> value, both texts or substitutions; evaluated before anything is
+        forgotten.
     """
 
     _search_role: ClassVar[str] = 'reset'
     parse = parsed_as_action('reset')
 
-    def __init__(self, launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
-                 **kwargs: Any) -> None:
+    def __init__(
+        self,
+        launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
-        self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
+        self.__launch_configurations = (
+            dict(launch_configurations) if launch_configurations is not None else {}
+        )
 
     @property
     def launch_configurations(self) -> dict[SomeSubstitutionsType, SomeSubstitutionsType]:

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 
 class SetLaunchConfiguration(Action):
-    """Set a launch configuration, whether it is set already or not (so it also overrides `name:=value` of a user).
+    """Set a launch configuration, whether it is set already or not (so it also overrides `name:=value` of a
+    user).
 
     :param name, value: texts or substitutions.
     """

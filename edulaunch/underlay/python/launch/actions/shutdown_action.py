@@ -32,5 +32,8 @@ class Shutdown(EmitEvent):
         event = context.get_locals_as_dict().get('event')
         if isinstance(event, ProcessExited):
             from ..logging import get_logger
-            get_logger('launch').info(f'process[{event.process_name}] was required: shutting down launched system')
+
+            get_logger('launch').info(
+                f'process[{event.process_name}] was required: shutting down launched system'
+            )
         context.emit_event_sync(ShutdownEvent(reason=perform_substitutions(context, self.__reason)))

@@ -16,7 +16,8 @@ VALID_FALSE_EXPRESSIONS = ['false', '0']
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Iterable[Substitution]) -> bool:
-    """Join the substitutions; `true` and `1` are true, `false` and `0` are false, in any case, with spaces around.
+    """Join the substitutions; `true` and `1` are true, `false` and `0` are false, in any case, with spaces
+    around.
 
     :raises InvalidConditionExpressionError: for any other text, 'yes' and 'on' included.
     """
@@ -29,4 +30,6 @@ def evaluate_condition_expression(context: LaunchContext, expression: Iterable[S
     valid = ', '.join(VALID_TRUE_EXPRESSIONS + VALID_FALSE_EXPRESSIONS)
     expanded_from = ' + '.join(repr(substitution) for substitution in expression)
     raise InvalidConditionExpressionError(
-        f"invalid condition expression, expected one of [{valid}] but got '{text}', expanded from '{expanded_from}'")
+        f"invalid condition expression, expected one of [{valid}] but got '{text}', "
+        f"expanded from '{expanded_from}'"
+    )

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 class IfCondition(Condition):
-    """Execute the action only if the expression is `true` or `1` (any case); `false` and `0` are the only other texts.
+    """Execute the action only if the expression is `true` or `1` (any case); `false` and `0` are the only
+    other texts.
 
     :raises InvalidConditionExpressionError: on evaluation, for any other text.
     """

@@ -29,8 +29,8 @@ class Executable:
     """A program to run. :meth:`prepare` makes the `final_...` values from the substitutions.
 
     :param cmd: the words of the command line, each a text or substitutions.
-    :param prefix: put in front of the command, split as a shell would; without one, the launch configuration `launch-prefix`
-        for programs whose name matches the regular expression in `launch-prefix-filter`.
+    :param prefix: put in front of the command, split as a shell would; without one, the launch configuration
+        `launch-prefix` for programs whose name matches the regular expression in `launch-prefix-filter`.
     :param name: of the process, without its number; without one, the program's file name.
     :param cwd: working directory, without one that of launch.
     :param env: the whole environment, without one that of launch.
@@ -46,7 +46,9 @@ class Executable:
         self.__arguments = None if arguments is None else list(arguments)
         if arguments is not None:
             self.__cmd += [normalize_to_list_of_substitutions(word) for word in self.__arguments or ()]
-        self.__prefix: Substitutions = [PREFIX] if prefix is None else normalize_to_list_of_substitutions(prefix)
+        self.__prefix: Substitutions = (
+            [PREFIX] if prefix is None else normalize_to_list_of_substitutions(prefix)
+        )
         self.__prefix_filter: Substitutions = [PREFIX_FILTER] if prefix is None else []
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
@@ -149,4 +151,6 @@ def _normalize_variables(variables: Variables | None) -> list[tuple[Substitution
 
 def _perform_variables(context: LaunchContext,
                        variables: Iterable[tuple[Substitutions, Substitutions]]) -> dict[str, str]:
-    return {perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables}
+    return {
+        perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables
+    }

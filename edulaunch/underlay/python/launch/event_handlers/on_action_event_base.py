@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import collections.abc
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -14,15 +14,17 @@ if TYPE_CHECKING:
     from ..action import Action
     from ..launch_context import LaunchContext
 
-Reaction = Union[SomeEntitiesType, Callable[..., SomeEntitiesType | None]]
-ActionMatcher = Union[Callable[[Any], bool], 'Action', None]
+    Reaction = SomeEntitiesType | Callable[..., SomeEntitiesType | None]
+    ActionMatcher = Callable[[Any], bool] | Action | None
 
 
 class OnActionEventBase(BaseEventHandler):
     """Base of the handlers for events that have an `action`.
 
-    :param action_matcher: an action (that very object), a callable that gets the action, or None for every action.
-    :param on_event: an entity, several, or a callable that gets the event and the context and may return entities.
+    :param action_matcher: an action (that very object), a callable that gets the action, or None for every
+        action.
+    :param on_event: an entity, several, or a callable that gets the event and the context and may return
+        entities.
     :param target_event_cls: the type of events.
     :param target_action_cls: the type that the action must have.
     :raises TypeError: for an `action_matcher` or an item of `on_event` of another type.
@@ -30,8 +32,14 @@ class OnActionEventBase(BaseEventHandler):
 
     def __init__(self, *, action_matcher: ActionMatcher, on_event: Reaction, target_event_cls: type,
                  target_action_cls: type, **kwargs: Any) -> None:
-        if not (action_matcher is None or callable(action_matcher) or isinstance(action_matcher, target_action_cls)):
-            raise TypeError(f"action_matcher must be an '{target_action_cls.__name__}' instance or a callable")
+        if not (
+            action_matcher is None
+            or callable(action_matcher)
+            or isinstance(action_matcher, target_action_cls)
+        ):
+            raise TypeError(
+                f"action_matcher must be an '{target_action_cls.__name__}' instance or a callable"
+            )
         self.__target_action_cls = target_action_cls
         self.__target_event_cls = target_event_cls
         self.__action_matcher = action_matcher

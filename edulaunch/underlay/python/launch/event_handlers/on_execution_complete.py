@@ -1,10 +1,13 @@
 """Reacting to the end of an action."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..events.execution_complete import ExecutionComplete
-from .on_action_event_base import ActionMatcher, OnActionEventBase, Reaction
+from .on_action_event_base import OnActionEventBase
+
+if TYPE_CHECKING:
+    from .on_action_event_base import ActionMatcher, Reaction
 
 
 class OnExecutionComplete(OnActionEventBase):
@@ -14,7 +17,15 @@ class OnExecutionComplete(OnActionEventBase):
     :param on_completion: an entity, several, or a callable (event, context) that may return entities.
     """
 
-    def __init__(self, *, target_action: ActionMatcher = None, on_completion: Reaction, **kwargs: Any) -> None:
+    def __init__(
+        self, *, target_action: ActionMatcher = None, on_completion: Reaction, **kwargs: Any
+    ) -> None:
         from ..action import Action
-        super().__init__(action_matcher=target_action, on_event=on_completion, target_event_cls=ExecutionComplete,
-                         target_action_cls=Action, **kwargs)
+
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_completion,
+            target_event_cls=ExecutionComplete,
+            target_action_cls=Action,
+            **kwargs,
+        )

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 class OnIncludeLaunchDescription(BaseEventHandler):
-    """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these."""
+    """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these.
+    """
 
     _event_keys = ((IncludeLaunchDescription, None),)
 

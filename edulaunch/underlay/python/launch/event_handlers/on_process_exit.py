@@ -1,10 +1,13 @@
 """Reacting to the end of a process."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..events.process.process_exited import ProcessExited
-from .on_action_event_base import ActionMatcher, OnActionEventBase, Reaction
+from .on_action_event_base import OnActionEventBase
+
+if TYPE_CHECKING:
+    from .on_action_event_base import ActionMatcher, Reaction
 
 
 class OnProcessExit(OnActionEventBase):

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 from ..event import Event
 from ..events.process.process_io import ProcessIO
 from ..some_entities_type import SomeEntitiesType
-from .on_action_event_base import ActionMatcher, OnActionEventBase
+from .on_action_event_base import OnActionEventBase
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
+    from .on_action_event_base import ActionMatcher
 
 OnText = Callable[[ProcessIO], SomeEntitiesType | None]
 

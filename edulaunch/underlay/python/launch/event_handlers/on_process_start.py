@@ -1,10 +1,13 @@
 """Reacting to the start of a process."""
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..events.process.process_started import ProcessStarted
-from .on_action_event_base import ActionMatcher, OnActionEventBase, Reaction
+from .on_action_event_base import OnActionEventBase
+
+if TYPE_CHECKING:
+    from .on_action_event_base import ActionMatcher, Reaction
 
 
 class OnProcessStart(OnActionEventBase):

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -12,7 +12,7 @@ from ..some_entities_type import SomeEntitiesType
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
-Reaction = Union[SomeEntitiesType, Callable[[Shutdown, 'LaunchContext'], SomeEntitiesType | None]]
+    Reaction = SomeEntitiesType | Callable[[Shutdown, LaunchContext], SomeEntitiesType | None]
 
 
 class OnShutdown(BaseEventHandler):

@@ -18,8 +18,13 @@ class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
     :param parser: of the format; without one all are tried.
     """
 
-    def __init__(self, launch_file_path: SomeSubstitutionsType, *, method: str = 'interpreted frontend launch file',
-                 parser: type[Parser] | None = None) -> None:
+    def __init__(
+        self,
+        launch_file_path: SomeSubstitutionsType,
+        *,
+        method: str = 'interpreted frontend launch file',
+        parser: type[Parser] | None = None,
+    ) -> None:
         super().__init__(None, launch_file_path, method)
         self.__parser = parser
 

@@ -17,7 +17,8 @@ class InvalidPythonLaunchFileError(Exception):
 def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
     """Execute the file as the module `python_launch_file`.
 
-    The file's folder is not put on `sys.path`. `print`, `time`, `random` and the like are those of the running simulation.
+    The file's folder is not put on `sys.path`. `print`, `time`, `random` and the like are those of the
+    running simulation.
     """
     return load_module(python_launch_file_path, 'python_launch_file')
 

@@ -1,20 +1,22 @@
 """launch's log lines: on the screen, and in files when somebody wants files.
 
-As upstream: `launch_config` decides formats, level and places; `get_logger(name)` and `get_output_loggers(process, output)`
-give loggers that are set up accordingly. Different from upstream:
+As upstream: `launch_config` decides formats, level and places; `get_logger(name)` and
+`get_output_loggers(process, output)` give loggers that are set up accordingly. Different from upstream:
 
-* Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the interpreter, so two simulations
-  do not share them. `launch_config` stands for that of the process that is running.
+* Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the
+  interpreter, so two simulations do not share them. `launch_config` stands for that of the process that is
+  running.
 * The screen is the process's own standard output.
-* **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's environment, or
-  `launch_config.log_dir` or `launch_config.log_handler_factory` was set. Else nothing appears below `~/.ros`, and the line
-  "All log files can be found below ..." is not printed. Reading `launch_config.log_dir` makes the folder.
+* **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's
+  environment, or `launch_config.log_dir` or `launch_config.log_handler_factory` was set. Else nothing appears
+  below `~/.ros`, and the line "All log files can be found below ..." is not printed. Reading
+  `launch_config.log_dir` makes the folder.
 * Times in log lines are simulated.
 """
 from __future__ import annotations
 
 import logging
-from typing import Any, Optional
+from typing import Any
 
 from . import handlers
 from ._config import LaunchConfig
@@ -23,8 +25,18 @@ from ._output import OutputConfig, normalize_output_configuration
 from ._state import LaunchLogger, logging_state
 
 __all__ = [
-    'LaunchConfig', 'LaunchLogger', 'get_logger', 'get_output_loggers', 'handlers', 'launch_config', 'log_launch_config',
-    'reset', '_get_logging_directory', '_make_unique_log_dir', '_renew_latest_log_dir']
+    'LaunchConfig',
+    'LaunchLogger',
+    'get_logger',
+    'get_output_loggers',
+    'handlers',
+    'launch_config',
+    'log_launch_config',
+    'reset',
+    '_get_logging_directory',
+    '_make_unique_log_dir',
+    '_renew_latest_log_dir',
+]
 
 _LINE = logging.Formatter('{msg}', style='{')
 _TIME_AND_LINE = logging.Formatter('{created:.7f} {msg}', style='{')
@@ -67,8 +79,8 @@ def get_output_loggers(process_name: str, output_config: OutputConfig, main_log_
                        ) -> tuple[logging.Logger, logging.Logger]:
     """The loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
 
-    :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr' and 'both' to one
-        or more of 'screen', 'log' and 'own_log'.
+    :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr'
+        and 'both' to one or more of 'screen', 'log' and 'own_log'.
     :raises ValueError: for any other configuration.
     """
     places = normalize_output_configuration(output_config)

@@ -20,7 +20,8 @@ ALIASES = {
 class LaunchConfig:
     """The logging configuration of one process.
 
-    :ivar log_handler_factory: called with the path of a log file to make its handler; None for the usual file handler.
+    :ivar log_handler_factory: called with the path of a log file to make its handler; None for the usual file
+        handler.
     """
 
     def __init__(self, root: logging.Logger) -> None:
@@ -46,7 +47,8 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it."""
+        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it.
+        """
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
             _renew_latest_log_dir(log_dir=self._log_dir)
@@ -73,7 +75,9 @@ class LaunchConfig:
         :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
         :raises ValueError: when a style is given for one of the two names.
         """
-        formatter = _formatter('screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES)
+        formatter = _formatter(
+            'screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES
+        )
         if formatter is not None:
             self._screen_formatter = formatter
             if self.screen_handler is not None:

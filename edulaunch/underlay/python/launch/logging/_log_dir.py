@@ -18,7 +18,9 @@ def _get_logging_directory() -> str:
 
 
 def _make_unique_log_dir(*, base_path: str) -> str:
-    """Make `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID`, of the simulated time; `-2`, `-3` ... when that exists."""
+    """Make `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID`, of the simulated time; `-2`, `-3` ... when
+    that exists.
+    """
     process = running_process()
     seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)
     date = datetime.fromtimestamp(seconds, timezone.utc).strftime('%Y-%m-%d-%H-%M-%S')
@@ -34,7 +36,9 @@ def _make_unique_log_dir(*, base_path: str) -> str:
 
 
 def _renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Let the link `latest` beside `log_dir` point to it. False when something else of that name is in the way."""
+    """Let the link `latest` beside `log_dir` point to it. False when something else of that name is in the
+    way.
+    """
     link = os.path.join(os.path.dirname(log_dir), 'latest')
     if os.path.lexists(link):
         if not os.path.islink(link):

@@ -2,9 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Union
 
-OutputConfig = Union[str, dict[str, str | Iterable[str]]]
+OutputConfig = str | dict[str, str | Iterable[str]]
 
 SOURCES = ('stdout', 'stderr', 'both')
 DESTINATIONS = ('screen', 'log', 'own_log')
@@ -34,5 +33,7 @@ def normalize_output_configuration(config: OutputConfig) -> dict[str, set[str]]:
         places[source] = {destinations} if isinstance(destinations, str) else set(destinations)
         for destination in sorted(places[source]):
             if destination not in DESTINATIONS:
-                raise ValueError(f'{destination} is not a valid output destination i.e. "screen", "log" or "own_log"')
+                raise ValueError(
+                    f'{destination} is not a valid output destination i.e. "screen", "log" or "own_log"'
+                )
     return places

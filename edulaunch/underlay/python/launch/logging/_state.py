@@ -29,7 +29,9 @@ class LaunchLogger(logging.Logger):
         return record
 
     def handle(self, record: logging.LogRecord) -> None:
-        """Write the record, and (unless it is a line that a program printed) let the simulation record it too."""
+        """Write the record, and (unless it is a line that a program printed) let the simulation record it
+        too.
+        """
         if not self._is_output:
             running_process().log(record.levelno, record.name, record.getMessage())
         super().handle(record)
@@ -59,7 +61,9 @@ class LoggingState:
             return known
         if '.' in name:
             return self._manager.getLogger(name)
-        logger = self._manager.loggerDict[name] = LaunchLogger(name)  # without the locks and searches of the manager
+        logger = self._manager.loggerDict[name] = LaunchLogger(
+            name
+        )  # without the locks and searches of the manager
         logger.parent = self.root
         logger.manager = self._manager
         return logger

@@ -10,7 +10,9 @@ from typing import Any
 
 
 def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
-    """A sub-class of a handler class that has `setFormatterFor(logger, formatter)` and `unsetFormatterFor(logger)`."""
+    """A sub-class of a handler class that has `setFormatterFor(logger, formatter)` and
+    `unsetFormatterFor(logger)`.
+    """
 
     class Trait(cls):  # type: ignore[misc,valid-type]
         """A handler that can have another format for some loggers."""

@@ -1,8 +1,8 @@
 """Texts combined as booleans. All operands are always evaluated; the results are 'true' and 'false'."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -13,8 +13,6 @@ from ._truth import truth
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
-
-Parsed = tuple[type, dict[str, Any]]
 
 
 class NotSubstitution(Substitution):
@@ -64,7 +62,7 @@ class AndSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
-        return _text(all([truth(context, self.__left), truth(context, self.__right)]))
+        return _text(all(_truths(context, (self.__left, self.__right))))
 
 
 class OrSubstitution(Substitution):
@@ -92,7 +90,7 @@ class OrSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
-        return _text(any([truth(context, self.__left), truth(context, self.__right)]))
+        return _text(any(_truths(context, (self.__left, self.__right))))
 
 
 class AnySubstitution(Substitution):
@@ -114,7 +112,7 @@ class AnySubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
-        return _text(any([truth(context, arg) for arg in self.__args]))
+        return _text(any(_truths(context, self.__args)))
 
 
 class AllSubstitution(Substitution):
@@ -136,13 +134,12 @@ class AllSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
-        return _text(all([truth(context, arg) for arg in self.__args]))
+        return _text(all(_truths(context, self.__args)))
 
 
-def _operands(name: str, data: Sequence[SomeSubstitutionsType]) -> dict[str, Any]:
-    if len(data) != 2:
-        raise TypeError(f'{name} substitution expects 2 arguments')
-    return {'left': data[0], 'right': data[1]}
+def _truths(context: LaunchContext, operands: Iterable[list[Substitution]]) -> list[bool]:
+    """A list, so that every operand is evaluated and checked."""
+    return [truth(context, operand) for operand in operands]
 
 
 def _text(value: bool) -> str:

@@ -18,10 +18,13 @@ if TYPE_CHECKING:
 
 
 class Command(Substitution):
-    """What a command prints, its last newline included. The text is split as a shell would, but no shell runs.
+    """What a command prints, its last newline included. The text is split as a shell would, but no shell
+    runs.
 
-    :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the text).
-    :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints errors and may not.
+    :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the
+        text).
+    :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints errors and may
+        not.
     """
 
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail') -> None:
@@ -49,7 +52,9 @@ class Command(Substitution):
         command = perform_substitutions(context, self.__command)
         on_stderr = perform_substitutions(context, self.__on_stderr)
         if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):
-            raise SubstitutionFailure("expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'")
+            raise SubstitutionFailure(
+                "expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'"
+            )
         try:
             code, output, errors = run_command(shlex.split(command), stderr_to_stdout=on_stderr == 'capture')
         except FileNotFoundError as error:
@@ -58,7 +63,8 @@ class Command(Substitution):
             captured = f'\nCaptured stderr output: {errors}' if errors else ''
             raise SubstitutionFailure(f'executed command failed. Command: {command}{captured}')
         if errors:
-            _report(f'executed command showed stderr output. Command: {command}\nCaptured stderr output:\n{errors}', on_stderr)
+            message = f'executed command showed stderr output. Command: {command}'
+            _report(f'{message}\nCaptured stderr output:\n{errors}', on_stderr)
         return output
 
 

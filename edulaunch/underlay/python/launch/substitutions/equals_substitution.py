@@ -18,9 +18,11 @@ _BOOLEANS = {'true': True, '1': True, 'false': False, '0': False}
 
 
 class EqualsSubstitution(Substitution):
-    """'true' or 'false'. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal is equal), else texts.
+    """'true' or 'false'. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal is
+    equal), else texts.
 
-    :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and 'false'.
+    :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and
+        'false'.
     """
 
     def __init__(self, left: Any | None, right: Any | None) -> None:
@@ -63,4 +65,6 @@ def _normalize_operand(operand: Any) -> list[Substitution]:
         return normalize_to_list_of_substitutions(operand)
     if operand is None:
         return normalize_to_list_of_substitutions('')
-    return normalize_to_list_of_substitutions(str(operand).lower() if isinstance(operand, bool) else str(operand))
+    return normalize_to_list_of_substitutions(
+        str(operand).lower() if isinstance(operand, bool) else str(operand)
+    )

@@ -53,4 +53,6 @@ class IfElseSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """The chosen text."""
-        return perform_substitutions(context, self.__if_value if truth(context, self.__condition) else self.__else_value)
+        return perform_substitutions(
+            context, self.__if_value if truth(context, self.__condition) else self.__else_value
+        )

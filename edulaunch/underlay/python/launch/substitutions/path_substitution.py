@@ -8,7 +8,8 @@ from .string_join_substitution import StringJoinSubstitution
 
 
 class PathSubstitution(PathJoinSubstitution):
-    """As pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name, '.launch.py']`.
+    """As pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
+    '.launch.py']`.
 
     Newer than Jazzy's first release; here so that files written for it run.
     """

@@ -18,14 +18,16 @@ if TYPE_CHECKING:
 class PythonExpression(Substitution):
     """`str(eval(text))` of the joined text.
 
-    Names of the `math` module may be used bare; other modules by their names. Texts that come from launch configurations
-    must be put in quotes inside the expression, or they are taken for Python names.
+    Names of the `math` module may be used bare; other modules by their names. Texts that come from launch
+    configurations must be put in quotes inside the expression, or they are taken for Python names.
 
     :param python_modules: the modules that the expression may use.
     :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.
     """
 
-    def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
+    def __init__(
+        self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)
+    ) -> None:
         self.__expression = normalize_to_list_of_substitutions(expression)
         self.__python_modules = normalize_to_list_of_substitutions(python_modules)
 

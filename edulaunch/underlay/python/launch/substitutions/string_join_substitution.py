@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 class StringJoinSubstitution(Substitution):
     """The parts joined with `delimiter` between them. Newer than Jazzy's first release."""
 
-    def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = '') -> None:
+    def __init__(
+        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ''
+    ) -> None:
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 

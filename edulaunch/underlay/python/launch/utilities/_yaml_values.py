@@ -6,8 +6,16 @@ from typing import Any
 
 YAML_BOOLEANS = {
     spelling: value
-    for word, value in (('true', True), ('yes', True), ('on', True), ('false', False), ('no', False), ('off', False))
-    for spelling in (word, word.capitalize(), word.upper())}
+    for word, value in (
+        ('true', True),
+        ('yes', True),
+        ('on', True),
+        ('false', False),
+        ('no', False),
+        ('off', False),
+    )
+    for spelling in (word, word.capitalize(), word.upper())
+}
 
 _WORD = re.compile(r'[A-Za-z_/][A-Za-z0-9_/.]*\Z')
 _INTEGER = re.compile(r'-?(?:0|[1-9][0-9]*)\Z')
@@ -16,7 +24,8 @@ _NULLS = ('null', 'Null', 'NULL')
 
 
 def load_yaml_value(text: str) -> Any:
-    """As `yaml.safe_load`; words and plain numbers, which are nearly all, are told apart without the parser (50 us each).
+    """As `yaml.safe_load`; words and plain numbers, which are nearly all, are told apart without the parser
+    (50 us each).
 
     :raises yaml.YAMLError: when the text is not YAML.
     """

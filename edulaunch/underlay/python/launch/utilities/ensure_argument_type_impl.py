@@ -17,4 +17,6 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
         return
     start = 'Expected' if caller is None else f"'{caller}' expected"
     shown = ', '.join(str(one) for one in expected)
-    raise TypeError(f"{start} '{argument_name}' to be one of [{shown}], but got '{argument}' of type '{type(argument)}'")
+    raise TypeError(
+        f"{start} '{argument_name}' to be one of [{shown}], but got '{argument}' of type '{type(argument)}'"
+    )

@@ -24,4 +24,6 @@ def _normalize(item: object) -> Substitution:
     if isinstance(item, str):
         return TextSubstitution(text=item)
     raise TypeError(
-        f"Failed to normalize given item of type '{type(item)}', when only 'str' or 'launch.Substitution' were expected.")
+        f"Failed to normalize given item of type '{type(item)}', "
+        "when only 'str' or 'launch.Substitution' were expected."
+    )

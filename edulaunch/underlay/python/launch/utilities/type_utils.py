@@ -5,7 +5,7 @@ Used by parameter values, by typed arguments of actions and by the XML and YAML 
 from __future__ import annotations
 
 import collections.abc
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, List  # noqa: UP035
 
 from ..substitution import Substitution
 from ._yaml_values import YAML_BOOLEANS, load_yaml_value
@@ -16,12 +16,13 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 ScalarTypesTuple = (int, float, bool, str)
-ListTypesTuple = (list[int], list[float], list[bool], list[str])
+# typing.List, as upstream: error texts show it.
+ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
 AllowedTypesTuple = ScalarTypesTuple + ListTypesTuple
 
 AllowedTypesType = Any
 """One of :data:`AllowedTypesTuple`."""
-AllowedValueType = Union[int, float, bool, str, list[int], list[float], list[bool], list[str]]
+AllowedValueType = int | float | bool | str | list[int] | list[float] | list[bool] | list[str]
 SomeValueType = Any
 """An allowed value, something that contains substitutions, or a list of such."""
 NormalizedValueType = Any
@@ -31,7 +32,7 @@ StrSomeValueType = Any
 
 def is_typing_list(data_type: AllowedTypesType) -> bool:
     """Whether it is `List[...]`, `List` or `list[...]`."""
-    return getattr(data_type, '__origin__', None) in (list, list) or data_type is list
+    return getattr(data_type, '__origin__', None) is list or data_type is List  # noqa: UP006
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
@@ -47,7 +48,8 @@ def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
 
 
 def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
-    """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same allowed type.
+    """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same
+    allowed type.
 
     :param can_be_str: items of a list may also be texts.
     """
@@ -60,7 +62,8 @@ def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool = False) -> bool:
-    """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in Python.
+    """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in
+    Python.
 
     :param can_be_str: a text (or, in a list, texts) will do as well.
     :raises ValueError: for a type that is not allowed.
@@ -74,7 +77,9 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool 
     return isinstance(value, list) and all(isinstance(item, accepted) for item in value)
 
 
-def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> AllowedValueType:
+def coerce_to_type(
+    value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False
+) -> AllowedValueType:
     """Convert a text.
 
     :param data_type: None means: by YAML's rules, whatever comes out.
@@ -115,7 +120,9 @@ def _convert_by_yaml(value: str) -> Any:
         return ''
     output = _load(value, f"Failed to convert '{value}' using yaml rules")
     if not is_instance_of_valid_type(output):
-        raise ValueError(f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}")
+        raise ValueError(
+            f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}"
+        )
     return output
 
 
@@ -135,7 +142,9 @@ def _load(value: str, message: str) -> Any:
         raise ValueError(f'{message}: {error}') from None
 
 
-def coerce_list(value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> list[Any]:
+def coerce_list(
+    value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False
+) -> list[Any]:
     """Convert each text of a list to the (item) type.
 
     :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
@@ -155,7 +164,8 @@ def get_typed_value(value: str | list[str], data_type: AllowedTypesType, *, can_
 
 
 def is_substitution(x: Any) -> bool:
-    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution."""
+    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution.
+    """
     if isinstance(x, Substitution):
         return True
     if isinstance(x, str) or not isinstance(x, collections.abc.Iterable):
@@ -173,8 +183,8 @@ def is_normalized_substitution(x: Any) -> bool:
 def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType) -> NormalizedValueType:
     """Check what can be checked before launch time, and bring the rest into one form.
 
-    A scalar stays as it is. A substitution, or a list of texts and substitutions, is one value: a list of substitutions.
-    Any other list is a list value, whose items are treated one by one.
+    A scalar stays as it is. A substitution, or a list of texts and substitutions, is one value: a list of
+    substitutions. Any other list is a list value, whose items are treated one by one.
 
     :raises TypeError: when a literal has not the type.
     """
@@ -214,8 +224,11 @@ def perform_typed_substitution(context: LaunchContext, value: NormalizedValueTyp
 def _perform_list(context: LaunchContext, value: list[Any], data_type: AllowedTypesType) -> AllowedValueType:
     item_type = extract_type(data_type)[0] if data_type is not None else None
     output: Any = [
-        coerce_to_type(perform_substitutions(context, item), item_type) if is_normalized_substitution(item) else item
-        for item in value]
+        coerce_to_type(perform_substitutions(context, item), item_type)
+        if is_normalized_substitution(item)
+        else item
+        for item in value
+    ]
     return _checked(output, data_type, ValueError)  # type: ignore[no-any-return]
 
 

@@ -8,7 +8,8 @@ if TYPE_CHECKING:
 
 
 def get_loop() -> AbstractEventLoop:
-    """The asyncio loop of the running task; made, on simulated time, when there is none yet or it is closed."""
+    """The asyncio loop of the running task; made, on simulated time, when there is none yet or it is closed.
+    """
     from edulaunch.processes import current_process
     from edulaunch.sim.aio import new_event_loop
     state = current_process().state

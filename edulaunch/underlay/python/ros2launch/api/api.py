@@ -39,10 +39,15 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
              for name in sorted(names) if name == file_name]
     if not found:
         raise FileNotFoundError(
-            f"file '{file_name}' was not found in the share directory of package '{package_name}' which is at '{share}'")
+            f"file '{file_name}' was not found in the share directory of package '{package_name}' "
+            f"which is at '{share}'"
+        )
     if len(found) > 1:
         raise MultipleLaunchFilesError(
-            f"file '{file_name}' was found more than once in the share directory of package '{package_name}': {found}", found)
+            f"file '{file_name}' was found more than once in the share directory of package "
+            f"'{package_name}': {found}",
+            found,
+        )
     return found[0]
 
 
@@ -72,7 +77,9 @@ def load_launch_file(path: str) -> LaunchDescription:
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
-    from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
+    from launch.launch_description_sources.any_launch_file_utilities import (
+        get_launch_description_from_any_launch_file,
+    )
     return get_launch_description_from_any_launch_file(path)
 
 
@@ -93,9 +100,15 @@ def arguments_text(launch_description: LaunchDescription) -> str:
     arguments = launch_description.get_launch_arguments()
     for argument in arguments:
         star = '*' if argument._conditionally_included else ''
-        lines += ['', f"    '{argument.name}':{star}", *(f'        {line}' for line in argument.description.splitlines())]
+        lines += [
+            '',
+            f"    '{argument.name}':{star}",
+            *(f'        {line}' for line in argument.description.splitlines()),
+        ]
         if argument.default_value is not None:
-            lines.append(f"        (default: {' + '.join(part.describe() for part in argument.default_value)})")
+            lines.append(
+                f'        (default: {" + ".join(part.describe() for part in argument.default_value)})'
+            )
     if any(argument._conditionally_included for argument in arguments):
         lines += ['', '* argument(s) which are only used if specific conditions occur']
     if not arguments:
@@ -103,8 +116,15 @@ def arguments_text(launch_description: LaunchDescription) -> str:
     return '\n'.join(lines)
 
 
-def launch_a_launch_file(*, launch_file_path: str, launch_file_arguments: Arguments, noninteractive: bool = False,
-                         args: object = None, option_extensions: object = None, debug: bool = False) -> int:
+def launch_a_launch_file(
+    *,
+    launch_file_path: str,
+    launch_file_arguments: Arguments,
+    noninteractive: bool = False,
+    args: object = None,
+    option_extensions: object = None,
+    debug: bool = False,
+) -> int:
     """Launch the file and wait for its end; returns the exit code.
 
     :param launch_file_arguments: texts `name:=value`.

@@ -1,0 +1,23 @@
+"""`ros2 interface package`: the interfaces of one package."""
+from __future__ import annotations
+
+import argparse
+
+from edulaunch.cli.ros2.names import say_lines
+from edulaunch.cli.ros2.output import with_help
+from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.interfaces import current_registry
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """As in ROS 2."""
+    parser.add_argument('package_name', help="Name of the ROS package (e.g. 'example_interfaces')")
+
+
+def main(arguments: argparse.Namespace) -> str | None:
+    """Print their types, sorted."""
+    registry, package = current_registry(), arguments.package_name
+    if not registry.has(package):
+        return with_help(f"Unknown package '{package}'", nearest_help(package, registry.packages()))
+    say_lines([f'{package}/{kind}/{name}' for kind in ('action', 'msg', 'srv') for name in registry.names(package, kind)])
+    return None

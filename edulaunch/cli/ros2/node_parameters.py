@@ -1,0 +1,111 @@
+"""Reading and changing the parameters of another node through its services."""
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.cli.ros2 import cli_node, names
+from edulaunch.cli.ros2.output import say, with_help
+from edulaunch.cli.ros2.parser import nearest_help
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+TYPE_WORDS = ('not set', 'boolean', 'integer', 'double', 'string', 'byte array', 'boolean array', 'integer array', 'double array',
+              'string array')
+LOOK_EVERY_S = 0.1
+
+
+class NodeNotFound(RuntimeError):
+    """The node did not appear in time."""
+
+
+def add_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
+    """The node, and how long to wait for it."""
+    cli_node.add_arguments(parser)
+    parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
+    parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
+    parser.add_argument('--timeout', metavar='N', type=float, default=1.0, help='Wait for N seconds until node becomes available (default: 1)')
+
+
+class ParametersOf:
+    """The parameters of the node `name`."""
+
+    def __init__(self, node: Node, name: str) -> None:
+        self._node = node
+        self.name = name
+
+    def _call(self, service: str, cls: str, **fields: Any) -> Any:
+        from rcl_interfaces import srv
+        return cli_node.call(self._node, f'{self.name}/{service}', getattr(srv, cls), **fields)
+
+    def names(self, prefixes: list[str] | None = None) -> list[str]:
+        """Sorted names of all, or of those under some prefixes."""
+        response = self._call('list_parameters', 'ListParameters', prefixes=prefixes or [])
+        return sorted(response.result.names)
+
+    def values(self, parameters: list[str]) -> list[Any]:
+        """Their ParameterValues; none at all when one is not declared."""
+        return list(self._call('get_parameters', 'GetParameters', names=parameters).values)
+
+    def descriptors(self, parameters: list[str]) -> list[Any]:
+        """Their descriptors; none at all when one is not declared."""
+        return list(self._call('describe_parameters', 'DescribeParameters', names=parameters).descriptors)
+
+    def set(self, messages: list[Any]) -> list[Any]:
+        """Set each for itself; the results."""
+        return list(self._call('set_parameters', 'SetParameters', parameters=messages).results)
+
+    def help_for(self, parameter: str) -> str | None:
+        """One line of help for a name that the node does not have."""
+        return nearest_help(parameter, self.names())
+
+
+@contextmanager
+def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
+    """The parameters of the node that the command line names, when it is there in time.
+
+    :raises NodeNotFound: when it is not; in the words of ROS 2.
+    """
+    name = names.absolute(arguments.node_name)
+    with cli_node.cli_node(arguments) as node:
+        for _ in range(max(1, round(arguments.timeout / LOOK_EVERY_S))):
+            if name in names.node_names(node, arguments.include_hidden_nodes):
+                yield ParametersOf(node, name)
+                return
+            cli_node.pause(node, LOOK_EVERY_S)
+        known = names.node_names(node, arguments.include_hidden_nodes)
+        raise NodeNotFound(with_help('Node not found', nearest_help(name, known) or 'see `ros2 node list`'))
+
+
+def python_value(value: Any) -> Any:
+    """A ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
+    from rclpy.parameter import parameter_value_to_python
+    found = parameter_value_to_python(value)
+    if hasattr(found, 'tolist'):
+        return found.tolist()
+    return [item[0] if isinstance(item, bytes) else item for item in found] if isinstance(found, (list, tuple)) else found
+
+
+def type_help(reason: str) -> str | None:
+    """What to try when a value of the wrong type was refused; the value is read as YAML, so its spelling is its type."""
+    for word, text in (('DOUBLE', 'write the number with a point, as in 5.0'), ('STRING', "write '!!str VALUE', in quotation marks"),
+                       ('INTEGER', 'write the number without a point'), ('BOOL', 'write true or false')):
+        if f"expected 'Type.{word}'" in reason or f'expected [{word.lower()}' in reason or f'expecting type {word.lower()}' in reason.lower():
+            return text
+    return None
+
+
+def say_nested(values: dict[str, Any], node_name: str) -> None:
+    """Print parameters as a parameter file; dots in names nest."""
+    import yaml
+    tree: dict[str, Any] = {}
+    for name, value in values.items():
+        *path, last = name.split('.')
+        place = tree
+        for part in path:
+            place = place.setdefault(part, {})
+        place[last] = value
+    say(yaml.safe_dump({node_name: {'ros__parameters': tree}}, default_flow_style=False, width=float('inf'), allow_unicode=True))

@@ -1,0 +1,19 @@
+"""`ros2 param dump`: all parameters of a node as a parameter file."""
+from __future__ import annotations
+
+import argparse
+
+from edulaunch.cli.ros2 import node_parameters
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """As in ROS 2."""
+    node_parameters.add_arguments(parser)
+
+
+def main(arguments: argparse.Namespace) -> None:
+    """Print them; `ros2 param dump /node > node.yaml` makes a file that `--params-file` and `ros2 param load` read."""
+    with node_parameters.parameters_of(arguments) as parameters:
+        names = parameters.names()
+        values = [node_parameters.python_value(value) for value in parameters.values(names)]
+    node_parameters.say_nested(dict(zip(names, values)), parameters.name)

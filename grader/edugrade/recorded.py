@@ -1,0 +1,52 @@
+"""Takes a recording from the bytes that a child sent, and looks whether launch came to its end."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from .outcome import Outcome
+from .place import Place
+from .scenario import Scenario
+
+if TYPE_CHECKING:
+    from edulaunch.recording.records import LaunchRecord
+
+_LOOK = 'look at this line, and at the one before it'
+_STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls of os._exit() and sys.exit()'
+
+
+def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
+    """The outcome that these bytes stand for; None when they are no recording of this scenario."""
+    from edulaunch.recording import Recording
+
+    try:
+        recording = Recording.from_bytes(content)
+        launch, programs = recording.launch, recording.processes
+        if recording.seed != scenario.seed or launch.arguments != dict(scenario.arguments):
+            return None
+    except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
+        return None
+    if launch.error is not None:
+        return _launch_error(scenario, launch)
+    if launch.returncode is not None and len(programs) <= 1:
+        text = f'launch ended with exit code {launch.returncode} and had started nothing'
+        return Outcome(scenario, 'stopped', text=text, try_=_STARTS_NOTHING)
+    return Outcome(scenario, 'recorded', recording=recording)
+
+
+def _launch_error(scenario: Scenario, launch: LaunchRecord) -> Outcome:
+    """Launch's own text, without its last line, which is the place again."""
+    text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
+    where = None
+    if launch.error_file is not None and not _is_engine(launch.error_file):
+        where = Place(launch.error_file, launch.error_line)
+    return Outcome(scenario, 'unusable', text=text, try_=launch.help or _LOOK, where=where)
+
+
+def _is_engine(file: str) -> bool:
+    """Whether a file is code of edulaunch; its shared launch files are not."""
+    import edulaunch
+
+    engine = os.path.dirname(os.path.abspath(edulaunch.__file__))
+    return file.startswith(engine + os.sep) and not file.startswith(os.path.join(engine, 'underlay', 'share'))

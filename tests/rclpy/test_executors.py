@@ -1,0 +1,408 @@
+"""rclpy.executors: order, spinning, groups, threads."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import rclpy
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.task import Future
+from std_msgs.msg import String
+from std_srvs.srv import Empty
+
+from edulaunch.processes.current import current_process
+from edulaunch.sim.sync import sleep
+
+from .conftest import World
+
+Ros = Callable[..., list[Any]]
+
+
+def everything_ready(world: World, name: str, topic: str) -> Node:
+    """A node of which everything is ready after 0.1 s: service, client, guard condition, subscription, timer."""
+    node = Node(name)
+
+    def serve(request: Any, response: Any) -> Any:
+        world.say((name, 'service'))
+        return response
+
+    node.create_service(Empty, f'{topic}/service', serve)
+    node.create_client(Empty, f'{topic}/service').call_async(Empty.Request())
+    node.create_guard_condition(lambda: world.say((name, 'guard'))).trigger()
+    node.create_subscription(String, topic, lambda _: world.say((name, 'subscription')), 10)
+    node.create_publisher(String, topic, 10).publish(String())
+    timer = node.create_timer(0.1, lambda: world.say((name, 'timer')))
+    node.create_guard_condition(timer.cancel)
+    sleep(0.1)
+    return node
+
+
+ORDER = ['timer', 'subscription', 'guard', 'service']
+
+
+def test_one_wait_executes_by_category(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = everything_ready(world, 'n', 't')
+        for _ in range(4):
+            rclpy.spin_once(node)
+
+    assert ros(body) == [('n', category) for category in ORDER]
+
+
+def test_one_wait_executes_node_by_node(ros: Ros, world: World) -> None:
+    def body() -> None:
+        executor = SingleThreadedExecutor()
+        for name in ('second', 'first'):
+            executor.add_node(everything_ready(world, name, name))
+        for _ in range(8):
+            executor.spin_once()
+
+    assert ros(body) == [(name, category) for name in ('second', 'first') for category in ORDER]
+
+
+def test_tasks_come_first_and_newest_first(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = everything_ready(world, 'n', 't')
+        executor = SingleThreadedExecutor()
+        executor.add_node(node)
+        for number in range(2):
+            executor.create_task(world.say, f'task {number}')
+        for _ in range(3):
+            executor.spin_once()
+
+    assert ros(body) == ['task 1', 'task 0', ('n', 'timer')]
+
+
+def test_a_subscription_gives_one_message_in_a_wait(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        for topic in ('a', 'b'):
+            node.create_subscription(String, topic, lambda message: world.say(message.data), 10)
+            publisher = node.create_publisher(String, topic, 10)
+            for number in range(2):
+                publisher.publish(String(data=f'{topic}{number}'))
+        node.create_timer(0.1, rclpy.shutdown)
+        rclpy.spin(node)
+
+    assert ros(body) == ['a0', 'b0', 'a1', 'b1']
+
+
+def test_spin_once_waits_no_longer_than_its_timeout(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.25, lambda: world.say('tick'))
+        rclpy.spin_once(node, timeout_sec=0.1)
+        world.say('nothing yet')
+        rclpy.spin_once(node)
+
+    world.start(program)
+    assert world.run(1) == [(100.0, 'main', 'nothing yet'), (250.0, 'main', 'tick')]
+
+
+def test_polling_with_spin_once_executes_every_other_time(ros: Ros, world: World) -> None:
+    """After what one poll has collected is given out, the next poll only finds its end, as in rclpy."""
+    def body() -> None:
+        node = Node('n')
+        node.create_subscription(String, 'c', lambda message: world.say(message.data), 10)
+        publisher = node.create_publisher(String, 'c', 10)
+        for number in range(4):
+            publisher.publish(String(data=str(number)))
+            rclpy.spin_once(node, timeout_sec=0)
+
+    assert ros(body) == ['0', '1']
+
+
+def test_spin_once_executes_a_callback_that_polls_until_done(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        done: list[int] = []
+        node.create_timer(0.5, lambda: done.append(1))
+        while not done:
+            rclpy.spin_once(node, timeout_sec=0)
+        world.say('done')
+
+    assert ros(body) == ['done']
+
+
+def test_shutdown_in_a_callback_lets_spin_return(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.1, rclpy.shutdown)
+        node.create_timer(0.1, lambda: world.say('not any more'))
+        rclpy.spin(node)
+        world.say('returned')
+
+    assert world.run_program(program) == ['returned']
+
+
+def test_an_exception_in_a_callback_leaves_spin(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.1, lambda: 1 // 0)
+        with pytest.raises(ZeroDivisionError):
+            rclpy.spin(node)
+        world.say('raised')
+
+    world.start(program)
+    assert world.run(1) == [(100.0, 'main', 'raised')]
+
+
+def test_spin_until_future_complete_ends_with_the_future_or_its_timeout(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        future = Future()
+        node.create_timer(0.3, lambda: future.set_result('done'))
+        rclpy.spin_until_future_complete(node, future, timeout_sec=0.2)
+        world.say(future.done())
+        rclpy.spin_until_future_complete(node, future)
+        world.say(future.result())
+
+    world.start(program)
+    assert world.run(1) == [(200.0, 'main', False), (300.0, 'main', 'done')]
+
+
+def test_spinning_a_node_inside_its_callback_leaves_it_without_executor(world: World) -> None:
+    """rclpy.spin_until_future_complete removes the node at its end, also from the spin around it."""
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        future = Future()
+        other = MutuallyExclusiveCallbackGroup()
+        node.create_timer(0.2, lambda: future.set_result(None), other)
+
+        def nested() -> None:
+            rclpy.spin_until_future_complete(node, future)
+            world.say('nested spin is over')
+
+        node.create_timer(0.1, nested)
+        rclpy.spin(node)
+
+    world.start(program)
+    assert world.run(5) == [(200.0, 'main', 'nested spin is over')]
+
+
+def test_callbacks_of_the_default_group_do_not_run_in_a_nested_spin(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.2, lambda: world.say('same group'))
+        node.create_timer(0.3, lambda: world.say('other group'), ReentrantCallbackGroup())
+
+        def nested() -> None:
+            rclpy.spin_until_future_complete(node, Future(), timeout_sec=0.35)
+
+        node.create_timer(0.1, nested).timer_period_ns = 10**10
+        rclpy.spin(node)
+
+    world.start(program)
+    assert world.run(1) == [(300.0, 'main', 'other group')]
+
+
+def test_async_callbacks_await_futures(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        future = Future()
+
+        async def wait() -> None:
+            world.say('waiting')
+            world.say(await future)
+            rclpy.shutdown()
+
+        node.create_timer(0.1, wait, ReentrantCallbackGroup()).timer_period_ns = 10**10
+        node.create_timer(0.3, lambda: future.set_result('result'))
+        rclpy.spin(node)
+
+    world.start(program)
+    assert world.run(1) == [(100.0, 'main', 'waiting'), (300.0, 'main', 'result')]
+
+
+def test_a_waiting_async_callback_holds_its_group(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        future = Future()
+
+        async def wait() -> None:
+            await future
+            world.say('went on')
+
+        node.create_timer(0.1, wait).timer_period_ns = 10**10
+        node.create_timer(0.2, lambda: world.say('same group'))
+        node.create_timer(0.5, lambda: future.set_result(None), ReentrantCallbackGroup())
+        rclpy.spin(node)
+
+    world.start(program)
+    assert world.run(0.7) == [(500.0, 'main', 'went on'), (500.0, 'main', 'same group'), (600.0, 'main', 'same group')]
+
+
+def test_a_future_set_in_another_thread_wakes_the_coroutine_that_awaits_it(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        future = Future()
+
+        async def wait() -> None:
+            world.say(await future)
+
+        executor.create_task(wait)
+        current_process().start_thread(lambda: (sleep(0.2), future.set_result('woken')), 'other', True)
+        executor.spin()
+
+    world.start(program)
+    assert world.run(1) == [(200.0, 'main', 'woken')]
+
+
+@pytest.mark.parametrize(('group', 'times'), [
+    (ReentrantCallbackGroup, [100.0, 100.0, 200.0, 200.0]), (MutuallyExclusiveCallbackGroup, [100.0, 1100.0, 2100.0, 3100.0])])
+def test_threads_respect_callback_groups(world: World, group: Any, times: list[float]) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        shared = group()
+
+        def work() -> None:
+            world.say('begin')
+            sleep(1.0)
+
+        for _ in range(2):
+            node.create_timer(0.1, work, shared)
+        executor = MultiThreadedExecutor()
+        executor.add_node(node)
+        executor.spin()
+
+    world.start(program)
+    assert [at for at, _, _ in world.run(4)][:4] == times
+
+
+def test_no_more_callbacks_run_than_there_are_threads(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        for number in range(3):
+            node.create_timer(0.1, lambda number=number: (world.say(number), sleep(1.0)), ReentrantCallbackGroup()
+                              ).timer_period_ns = 10**11
+        executor = MultiThreadedExecutor(num_threads=2)
+        executor.add_node(node)
+        executor.spin()
+
+    world.start(program)
+    assert world.run(5) == [(100.0, 'main', 0), (100.0, 'main', 1), (1100.0, 'main', 2)]
+
+
+def test_one_thread_is_warned_of(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.warns(UserWarning, match='MultiThreadedExecutor is used with a single thread'):
+            MultiThreadedExecutor(num_threads=1)
+        world.say('warned')
+
+    assert ros(body) == ['warned']
+
+
+def test_an_exception_in_a_thread_comes_out_at_the_next_callback(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.1, lambda: 1 // 0)
+        executor = MultiThreadedExecutor()
+        executor.add_node(node)
+        with pytest.raises(ZeroDivisionError):
+            executor.spin()
+        world.say('raised')
+
+    world.start(program)
+    assert world.run(1) == [(200.0, 'main', 'raised')]
+
+
+def test_two_threads_cannot_spin_one_executor(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        current_process().start_thread(executor.spin, 'spinner', True)
+        sleep(0.1)
+        with pytest.raises(ValueError, match='generator already executing'):
+            executor.spin()
+        world.say('refused')
+
+    assert world.run_program(program, seconds=1) == ['refused']
+
+
+def test_shutdown_in_another_thread_ends_an_executor_of_ones_own(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        current_process().start_thread(lambda: (sleep(0.2), rclpy.shutdown()), 'other', True)
+        with pytest.raises(ExternalShutdownException):
+            executor.spin()
+        world.say('ended')
+
+    world.start(program)
+    assert world.run(1) == [(200.0, 'main', 'ended')]
+
+
+def test_a_node_moves_to_the_executor_that_it_was_added_to_last(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node, first, second = Node('n'), SingleThreadedExecutor(), SingleThreadedExecutor()
+        world.say((first.add_node(node), first.add_node(node)))
+        second.add_node(node)
+        world.say((first.get_nodes(), second.get_nodes() == [node], node.executor is second))
+
+    assert ros(body) == [(True, False), ([], True, True)]
+
+
+def test_callbacks_that_never_wait_let_time_pass(world: World) -> None:
+    """Two programs that answer each other without end do not stop the clock."""
+    def echo(hears: str, says: str) -> Callable[[], None]:
+        def program() -> None:
+            rclpy.init()
+            node = Node('n')
+            publisher = node.create_publisher(String, says, 10)
+            node.create_subscription(String, hears, publisher.publish, 10)
+            publisher.publish(String())
+            rclpy.spin(node)
+        return program
+
+    world.start(echo('a', 'b'), name='first')
+    world.start(echo('b', 'a'), name='second')
+    world.run(0.005)
+    assert world.sim.elapsed_s == 0.005
+
+
+def test_spin_some_executes_each_ready_entity_once(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.create_subscription(String, 'c', lambda message: world.say(message.data), 10)
+        publisher = node.create_publisher(String, 'c', 10)
+        for number in range(3):
+            publisher.publish(String(data=str(number)))
+        executor = SingleThreadedExecutor()
+        executor.add_node(node)
+        executor._spin_some()
+        world.say('next')
+        executor._spin_some()
+
+    assert ros(body) == ['0', 'next', '1']
+
+
+def test_an_executor_of_ones_own_gets_tasks_to_call(ros: Ros, world: World) -> None:
+    class Own(SingleThreadedExecutor):
+        def spin_once(self, timeout_sec: float | None = None) -> None:
+            task, entity, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+            world.say((type(entity).__name__, node.get_name()))
+            task()
+
+    def body() -> None:
+        node = Node('n')
+        node.create_timer(0.1, rclpy.shutdown)
+        executor = Own()
+        executor.add_node(node)
+        executor.spin()
+
+    assert ros(body) == [('Timer', 'n')]
