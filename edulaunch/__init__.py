@@ -16,6 +16,7 @@ TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
 
+    from edulaunch.check import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
     from edulaunch.plan import make_plan as plan
     from edulaunch.recording import Recording
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from edulaunch.sourcing import source
 
 __version__ = '0.1.0'
-__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'plan', 'run', 'source']
+__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'plan', 'run', 'source']
 
 _PLACES = {
     'EdulaunchError': ('errors', 'EdulaunchError'),
@@ -31,6 +32,7 @@ _PLACES = {
     'Recording': ('recording', 'Recording'),
     'Session': ('session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
+    'check': ('check', 'check'),
     'plan': ('plan', 'make_plan'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),

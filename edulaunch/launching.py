@@ -59,7 +59,8 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     if package not in packages:
         near = nearest(package, packages)
         return f'did you mean the package {near!r}?' if near else 'name the folder of your packages with --workspace DIR'
-    names = [name for _, _, files in os.walk(index.share(package)) for name in sorted(files) if name.endswith(LAUNCH_SUFFIXES)]
+    share = index.share(package)
+    names = [name for _, _, files in os.walk(share or '.') for name in sorted(files) if name.endswith(LAUNCH_SUFFIXES)]
     if file is None:
         return f'name a launch file of {package}: {", ".join(sorted(names))}' if names else f'{package} has no launch files'
     near = nearest(file, names)

@@ -133,6 +133,7 @@ def _environment(env: Mapping[str, str] | None) -> dict[str, str]:
     """The environment of the simulated machine: ROS 2 Jazzy is sourced in it, and there is a user."""
     found = dict(os.environ if env is None else env)
     found.setdefault('USER', 'student')
+    found['PATH'] = os.pathsep.join(filter(None, [os.path.join(underlay_prefix(), 'bin'), found.get('PATH')]))
     found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3', AMENT_PREFIX_PATH=underlay_prefix())
     return found
 

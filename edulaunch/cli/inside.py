@@ -1,4 +1,5 @@
 """`ros2 ...` inside the simulation: reads the command and the verb, and loads that verb's file only."""
+
 from __future__ import annotations
 
 from importlib import import_module
@@ -19,6 +20,7 @@ def main(process: Process) -> int:
     As in ROS 2 a verb's error text goes to standard error with status 1, and wrong usage has status 2.
     """
     from edulaunch.cli.ros2.parser import command_line
+
     try:
         verb, arguments = command_line(process.argv[1:])
         return _exit_code(process, import_module(verb).main(arguments))

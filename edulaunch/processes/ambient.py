@@ -30,5 +30,6 @@ def make_ambient_process(task: AmbientTask) -> Process:
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.task = task
+    process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.signal_handlers.clear()
     return process

@@ -88,6 +88,10 @@ class Host:
         process.task.start()
         return process
 
+    def knows(self, spec: ProcessSpec) -> bool:
+        """Whether the command runs in the simulation."""
+        return self._known_command(spec) is not None
+
     def _known_command(self, spec: ProcessSpec) -> tuple[list[str], Program | None] | None:
         """The words that a simulated program sees, and the program (None for `ros2`); None for any other command."""
         words = list(spec.argv)

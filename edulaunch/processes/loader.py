@@ -77,7 +77,7 @@ class Loader:
     def search_path(self) -> list[str]:
         """Where private modules are looked for now: the roots, and what the program put on its `sys.path`."""
         view = self.modules.get('sys')
-        return [*self.roots, *view.private_path()] if view is not None else self.roots  # type: ignore[attr-defined]
+        return [*self.roots, *view.private_path()] if view is not None else self.roots
 
     def import_(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
                 fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:

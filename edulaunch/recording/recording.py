@@ -150,9 +150,11 @@ class Recording:
         if not fields:
             raise ValueError('series() needs at least one field, such as "linear.x"')
         get = attrgetter(*fields)
-        if len(fields) == 1:
-            return [(time, get(message)) for time, message in self.messages(topic)]
-        return [(time, *get(message)) for time, message in self.messages(topic)]
+        rows: list[tuple[float, ...]] = []
+        for time, message in self.messages(topic):
+            values = get(message)
+            rows.append((time, values) if len(fields) == 1 else (time, *values))
+        return rows
 
     def _columns(self, topic: str) -> list[dict[str, Any]]:
         return [column for column in self._content['topics'] if column['topic'] == topic]

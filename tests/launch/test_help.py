@@ -19,6 +19,7 @@ MISTAKES = {
     'from launch.actions import DeclareLaunchArgumnt': "did you mean 'DeclareLaunchArgument'?",
     'from launch.action_s import LogInfo': "did you mean 'from launch.actions import ...'?",
     'import launch\nx = launch.actions.LogInf': "did you mean 'LogInfo'?",
+    'from .other import x': 'a launch file belongs to no package: put the shared code into your Python package, and write from my_package.module import ... without the leading dot',
     'x = RegisterEventHandlr': "did you mean 'RegisterEventHandler' (from launch.actions import RegisterEventHandler)?",
     'x = PythonLaunchDescriptionSource': 'add the line: from launch.launch_description_sources import '
     'PythonLaunchDescriptionSource',
@@ -50,6 +51,16 @@ def test_a_mistake_in_a_file_is_explained(line: str, tmp_path: Path) -> None:
     if line != 'x = 1':
         lines_before = IMPORTS.count('\n') + line.count('\n')
         assert launch_origin(caught.value) == (str(path), lines_before + 1)
+
+
+def test_a_module_beside_the_launch_file_is_not_found(tmp_path: Path) -> None:
+    (tmp_path / 'shared_nodes.py').touch()
+    path = tmp_path / 'wrong.launch.py'
+    path.write_text('import shared_nodes\n')
+    with pytest.raises(Exception) as caught:
+        get_launch_description_from_any_launch_file(str(path))
+    assert launch_help(caught.value) == (
+        "the launch file's own folder is not searched: move shared_nodes.py into your Python package")
 
 
 def test_syntax_errors_have_their_line(tmp_path: Path) -> None:

@@ -1,11 +1,13 @@
 """Actions as the graph shows them: each is three services and two topics below `<action>/_action/`."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from edulaunch.cli.ros2.names import NamesAndTypes
     from rclpy.node import Node
+
+    from edulaunch.cli.ros2.names import NamesAndTypes
 
 _MARK, _TYPE_END = '/_action/feedback', '_FeedbackMessage'
 
@@ -26,5 +28,8 @@ def action_names_and_types(node: Node) -> NamesAndTypes:
 
 
 def _actions(topics: NamesAndTypes) -> NamesAndTypes:
-    return [(topic.removesuffix(_MARK), [type_name.removesuffix(_TYPE_END) for type_name in types])
-            for topic, types in topics if topic.endswith(_MARK)]
+    return [
+        (topic.removesuffix(_MARK), [type_name.removesuffix(_TYPE_END) for type_name in types])
+        for topic, types in topics
+        if topic.endswith(_MARK)
+    ]

@@ -1,4 +1,5 @@
 """The node that a command uses, and waiting in simulated time."""
+
 from __future__ import annotations
 
 import argparse
@@ -18,26 +19,42 @@ DISCOVERY_S = 0.5
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options about discovery that most verbs have."""
-    parser.add_argument('--spin-time', type=float, default=None, metavar='SPIN_TIME',
-                        help='Spin time in seconds to wait for discovery (default: 0.5 while the simulation is younger than that)')
+    parser.add_argument(
+        '--spin-time',
+        type=float,
+        default=None,
+        metavar='SPIN_TIME',
+        help='Spin time in seconds to wait for discovery (default: until the simulation is 0.5 s old)',
+    )
     parser.add_argument('-s', '--use-sim-time', action='store_true', help='Enable ROS simulation time')
-    parser.add_argument('--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery')
+    parser.add_argument(
+        '--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery'
+    )
 
 
 @contextmanager
-def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, handle_signals: bool = True) -> Iterator[Node]:
+def cli_node(
+    arguments: argparse.Namespace | None = None, name: str | None = None, *, handle_signals: bool = True
+) -> Iterator[Node]:
     """ROS 2 with one node, `_ros2cli_<pid>` if no name is given, for the length of a command.
 
-    :param arguments: with them the command first waits until the graph is known; without them it begins at once.
+    :param arguments: with them the command first waits until the graph is known; without, it begins at once.
     :param handle_signals: whether Ctrl-C shuts ROS 2 down; a command that still has something to do says no.
     """
     import rclpy
     from rclpy.parameter import Parameter
     from rclpy.signals import SignalHandlerOptions
-    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO)
+
+    rclpy.init(
+        args=[],
+        signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO,
+    )
     sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
-    node = rclpy.create_node(name or f'_ros2cli_{current_process().pid}', start_parameter_services=False,
-                             parameter_overrides=sim_time)
+    node = rclpy.create_node(
+        name or f'_ros2cli_{current_process().pid}',
+        start_parameter_services=False,
+        parameter_overrides=sim_time,
+    )
     try:
         if arguments is not None:
             discover(node, arguments)
@@ -50,8 +67,9 @@ def cli_node(arguments: argparse.Namespace | None = None, name: str | None = Non
 def discover(node: Node, arguments: argparse.Namespace) -> None:
     """Wait as long as it takes to know the graph.
 
-    In ROS 2 the first command listens for half a second and starts a daemon, which answers those that come later at once. Here
-    the graph is known once the simulation is half a second old: commands of a launch file see what was started beside them.
+    In ROS 2 the first command listens for half a second and starts a daemon, which answers those that come
+    later at once. Here the graph is known once the simulation is half a second old: commands of a launch file
+    see what was started beside them.
     """
     if arguments.spin_time is not None:
         pause(node, arguments.spin_time)
@@ -63,7 +81,10 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
 
 
 def pause(node: Node, seconds: float) -> bool:
-    """Let simulated time pass; False when ROS 2 was shut down meanwhile. Ctrl-C raises KeyboardInterrupt here."""
+    """Let simulated time pass; False when ROS 2 was shut down meanwhile.
+
+    :raises KeyboardInterrupt: on Ctrl-C.
+    """
     return pause_until(node, current_task().sim.now_ns + round(seconds * 1e9))
 
 
@@ -81,6 +102,7 @@ def call(node: Node, service: str, service_type: Any, **fields: Any) -> Any:
     :raises RuntimeError: when there is none because ROS 2 was shut down.
     """
     import rclpy
+
     client = node.create_client(service_type, service)
     client.wait_for_service()
     future = client.call_async(service_type.Request(**fields))

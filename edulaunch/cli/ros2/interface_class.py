@@ -1,4 +1,5 @@
 """From the name of a type, as a command line gives it, to its class."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -21,4 +22,8 @@ def interface_class(text: str, kind: str) -> Any:
     return current_registry().get(name)
 
 
-EXAMPLES = {'msg': 'geometry_msgs/msg/Twist', 'srv': 'turtlesim/srv/Spawn', 'action': 'turtlesim/action/RotateAbsolute'}
+EXAMPLES = {
+    'msg': 'geometry_msgs/msg/Twist',
+    'srv': 'turtlesim/srv/Spawn',
+    'action': 'turtlesim/action/RotateAbsolute',
+}

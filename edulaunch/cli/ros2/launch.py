@@ -1,4 +1,5 @@
 """`ros2 launch`: a launch file in this process."""
+
 from __future__ import annotations
 
 import argparse
@@ -10,17 +11,51 @@ from edulaunch.processes.current import current_process
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
-    parser.add_argument('-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated')
-    parser.add_argument('-d', '--debug', action='store_true', help='Put the launch system in debug mode, provides more verbose output.')
-    parser.add_argument('-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output")
+    parser.add_argument(
+        '-n',
+        '--noninteractive',
+        action='store_true',
+        help='Run the launch system non-interactively, with no terminal associated',
+    )
+    parser.add_argument(
+        '-d',
+        '--debug',
+        action='store_true',
+        help='Put the launch system in debug mode, provides more verbose output.',
+    )
+    parser.add_argument(
+        '-a',
+        '--show-all-subprocesses-output',
+        action='store_true',
+        help="Show all launched subprocesses' output",
+    )
     shown = parser.add_mutually_exclusive_group()
-    shown.add_argument('-p', '--print', '--print-description', dest='print', action='store_true',
-                       help='Print the launch description to the console without launching it.')
-    shown.add_argument('-s', '--show-args', '--show-arguments', dest='show_args', action='store_true',
-                       help='Show arguments that may be given to the launch file.')
-    parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
+    shown.add_argument(
+        '-p',
+        '--print',
+        '--print-description',
+        dest='print',
+        action='store_true',
+        help='Print the launch description to the console without launching it.',
+    )
+    shown.add_argument(
+        '-s',
+        '--show-args',
+        '--show-arguments',
+        dest='show_args',
+        action='store_true',
+        help='Show arguments that may be given to the launch file.',
+    )
+    parser.add_argument(
+        'package_name',
+        help='Name of the ROS package which contains the launch file, or path of a launch file',
+    )
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
-    parser.add_argument('launch_arguments', nargs='*', help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)")
+    parser.add_argument(
+        'launch_arguments',
+        nargs='*',
+        help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+    )
 
 
 def main(arguments: argparse.Namespace) -> int:
@@ -29,6 +64,7 @@ def main(arguments: argparse.Namespace) -> int:
     :raises UnusableInput: when there is no such package or file; in the words of ROS 2.
     """
     from ros2launch import api
+
     process, given = current_process(), list(arguments.launch_arguments)
     path = os.path.join(process.spec.cwd or '', arguments.package_name)
     if os.path.isfile(path):
@@ -36,8 +72,14 @@ def main(arguments: argparse.Namespace) -> int:
     else:
         path = find_launch_file(process.index, arguments.package_name, arguments.launch_file_name)
     if arguments.show_args or arguments.print:
-        (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
+        (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(
+            launch_file_path=path
+        )
         return 0
     if arguments.show_all_subprocesses_output:
         process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
-    return api.launch_a_launch_file(launch_file_path=path, launch_file_arguments=given, noninteractive=True, debug=arguments.debug)
+    return int(
+        api.launch_a_launch_file(
+            launch_file_path=path, launch_file_arguments=given, noninteractive=True, debug=arguments.debug
+        )
+    )

@@ -1,4 +1,5 @@
 """What `ros2 topic hz`, `bw` and `delay` share: listen to a topic and print a report each second at most."""
+
 from __future__ import annotations
 
 import argparse
@@ -26,8 +27,14 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
     """The topic, and how many messages count."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to tap into (e.g. '/chatter')")
-    parser.add_argument('-w', '--window', metavar='WINDOW', type=_positive, default=window,
-                        help=f'window size, in # of messages, for calculating rate (default: {window})')
+    parser.add_argument(
+        '-w',
+        '--window',
+        metavar='WINDOW',
+        type=_positive,
+        default=window,
+        help=f'window size, in # of messages, for calculating rate (default: {window})',
+    )
 
 
 def _positive(text: str) -> int:
@@ -37,10 +44,18 @@ def _positive(text: str) -> int:
     return value
 
 
-def listen(arguments: argparse.Namespace, measure: Measure, *, verb: str, heading: str | None = None, raw: bool = False) -> str | None:
-    """Feed the measure and print its reports until interrupted; the text of an error when the topic has no one type."""
+def listen(
+    arguments: argparse.Namespace,
+    measure: Measure,
+    *,
+    verb: str,
+    heading: str | None = None,
+    raw: bool = False,
+) -> str | None:
+    """Feed the measure and print its reports until interrupted; returns the text of an error."""
     import rclpy
     from rclpy.qos import qos_profile_sensor_data
+
     with cli_node.cli_node(arguments) as node:
         cls = topic_class(node, arguments.topic_name, None, verb=verb, wait=True)
         if isinstance(cls, str):

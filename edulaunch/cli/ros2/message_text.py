@@ -1,4 +1,5 @@
 """Messages as YAML and CSV, as `ros2 topic echo` prints them."""
+
 from __future__ import annotations
 
 from typing import Any, NamedTuple
@@ -24,8 +25,14 @@ EVERYTHING = Shortening()
 def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
     """The message as YAML text, fields in their order, ending with a line end."""
     import yaml
-    text: str = yaml.safe_dump(message_dict(message, short), sort_keys=False, width=float('inf'), allow_unicode=True,
-                               default_flow_style=flow_style)
+
+    text: str = yaml.safe_dump(
+        message_dict(message, short),
+        sort_keys=False,
+        width=float('inf'),
+        allow_unicode=True,
+        default_flow_style=flow_style,
+    )
     return text
 
 
@@ -51,7 +58,7 @@ def message_dict(message: Message, short: Shortening = EVERYTHING) -> dict[str, 
 def _list(values: Any, short: Shortening) -> list[Any]:
     items = values.tolist() if hasattr(values, 'tolist') else list(values)
     cut = short.length is not None and len(items) > short.length
-    shown = [plain_value(item, short) for item in (items[:short.length] if cut else items)]
+    shown = [plain_value(item, short) for item in (items[: short.length] if cut else items)]
     return [*shown, '...'] if cut else shown
 
 
@@ -64,7 +71,7 @@ def plain_value(value: Any, short: Shortening) -> Any:
     if isinstance(value, str):
         if short.no_str:
             return f'<string, length: <{len(value)}>>'
-        return value if short.length is None or len(value) <= short.length else value[:short.length] + '...'
+        return value if short.length is None or len(value) <= short.length else value[: short.length] + '...'
     return _list(value, short) if hasattr(value, 'tolist') else value
 
 

@@ -1,4 +1,5 @@
 """Names in the graph as commands list them."""
+
 from __future__ import annotations
 
 import argparse
@@ -30,13 +31,21 @@ def absolute(name: str) -> str:
 
 def node_names(node: Node, include_hidden: bool = True) -> list[str]:
     """The full names of all nodes, sorted."""
-    return sorted(name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name))
+    return sorted(
+        name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name)
+    )
 
 
 def add_list_arguments(parser: argparse.ArgumentParser, what: str) -> None:
     """The options that all verbs `list` of names with types share."""
     parser.add_argument('-t', '--show-types', action='store_true', help=f'Additionally show the {what} type')
-    parser.add_argument('-c', f'--count-{what}s', dest='count', action='store_true', help=f'Only display the number of {what}s discovered')
+    parser.add_argument(
+        '-c',
+        f'--count-{what}s',
+        dest='count',
+        action='store_true',
+        help=f'Only display the number of {what}s discovered',
+    )
 
 
 def say_names(names_and_types: NamesAndTypes, arguments: argparse.Namespace) -> None:

@@ -1,4 +1,5 @@
 """Reading and changing the parameters of another node through its services."""
+
 from __future__ import annotations
 
 import argparse
@@ -13,8 +14,18 @@ from edulaunch.cli.ros2.parser import nearest_help
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-TYPE_WORDS = ('not set', 'boolean', 'integer', 'double', 'string', 'byte array', 'boolean array', 'integer array', 'double array',
-              'string array')
+TYPE_WORDS = (
+    'not set',
+    'boolean',
+    'integer',
+    'double',
+    'string',
+    'byte array',
+    'boolean array',
+    'integer array',
+    'double array',
+    'string array',
+)
 LOOK_EVERY_S = 0.1
 
 
@@ -27,7 +38,13 @@ def add_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) ->
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
-    parser.add_argument('--timeout', metavar='N', type=float, default=1.0, help='Wait for N seconds until node becomes available (default: 1)')
+    parser.add_argument(
+        '--timeout',
+        metavar='N',
+        type=float,
+        default=1.0,
+        help='Wait for N seconds until node becomes available (default: 1)',
+    )
 
 
 class ParametersOf:
@@ -39,6 +56,7 @@ class ParametersOf:
 
     def _call(self, service: str, cls: str, **fields: Any) -> Any:
         from rcl_interfaces import srv
+
         return cli_node.call(self._node, f'{self.name}/{service}', getattr(srv, cls), **fields)
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
@@ -83,17 +101,30 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
 def python_value(value: Any) -> Any:
     """A ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
     from rclpy.parameter import parameter_value_to_python
+
     found = parameter_value_to_python(value)
     if hasattr(found, 'tolist'):
         return found.tolist()
-    return [item[0] if isinstance(item, bytes) else item for item in found] if isinstance(found, (list, tuple)) else found
+    return (
+        [item[0] if isinstance(item, bytes) else item for item in found]
+        if isinstance(found, (list, tuple))
+        else found
+    )
 
 
 def type_help(reason: str) -> str | None:
-    """What to try when a value of the wrong type was refused; the value is read as YAML, so its spelling is its type."""
-    for word, text in (('DOUBLE', 'write the number with a point, as in 5.0'), ('STRING', "write '!!str VALUE', in quotation marks"),
-                       ('INTEGER', 'write the number without a point'), ('BOOL', 'write true or false')):
-        if f"expected 'Type.{word}'" in reason or f'expected [{word.lower()}' in reason or f'expecting type {word.lower()}' in reason.lower():
+    """What to try when a value of the wrong type was refused: it is read as YAML, so its spelling is its type."""
+    for word, text in (
+        ('DOUBLE', 'write the number with a point, as in 5.0'),
+        ('STRING', "write '!!str VALUE', in quotation marks"),
+        ('INTEGER', 'write the number without a point'),
+        ('BOOL', 'write true or false'),
+    ):
+        if (
+            f"expected 'Type.{word}'" in reason
+            or f'expected [{word.lower()}' in reason
+            or f'expecting type {word.lower()}' in reason.lower()
+        ):
             return text
     return None
 
@@ -101,6 +132,7 @@ def type_help(reason: str) -> str | None:
 def say_nested(values: dict[str, Any], node_name: str) -> None:
     """Print parameters as a parameter file; dots in names nest."""
     import yaml
+
     tree: dict[str, Any] = {}
     for name, value in values.items():
         *path, last = name.split('.')
@@ -108,4 +140,11 @@ def say_nested(values: dict[str, Any], node_name: str) -> None:
         for part in path:
             place = place.setdefault(part, {})
         place[last] = value
-    say(yaml.safe_dump({node_name: {'ros__parameters': tree}}, default_flow_style=False, width=float('inf'), allow_unicode=True))
+    say(
+        yaml.safe_dump(
+            {node_name: {'ros__parameters': tree}},
+            default_flow_style=False,
+            width=float('inf'),
+            allow_unicode=True,
+        )
+    )

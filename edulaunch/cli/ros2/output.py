@@ -1,4 +1,5 @@
 """What a command writes, one write per text."""
+
 from __future__ import annotations
 
 from edulaunch.processes.current import current_process

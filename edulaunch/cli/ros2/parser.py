@@ -1,4 +1,5 @@
 """Command lines: argparse as ros2cli uses it, written to the streams of the running process."""
+
 from __future__ import annotations
 
 import argparse
@@ -16,21 +17,47 @@ WIDTH = 100
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that writes where the simulated program writes, as wide as any other day."""
+    """A parser that writes where the simulated program writes, of a fixed width."""
 
     def __init__(self, prog: str, description: str) -> None:
-        super().__init__(prog=prog, description=description,
-                         formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH))
+        super().__init__(
+            prog=prog,
+            description=description,
+            formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH),
+        )
 
     def _print_message(self, message: str, file: Any = None) -> None:
         process = current_process()
         (process.stderr if file is sys.stderr else process.stdout).write(message)
 
+    def parse(self, words: Sequence[str]) -> argparse.Namespace:
+        """As `parse_args`, but optional words may stand behind options too: argparse allows that in newer
+        Pythons only."""
+        arguments, others = self.parse_known_args(words)
+        for action in self._get_positional_actions():
+            if action.nargs == '*':
+                while others and not others[0].startswith('-'):
+                    getattr(arguments, action.dest).append(others.pop(0))
+            elif (
+                action.nargs == '?'
+                and others
+                and getattr(arguments, action.dest) == action.default
+                and not others[0].startswith('-')
+            ):
+                setattr(arguments, action.dest, others.pop(0))
+        if others:
+            self.error(f'unrecognized arguments: {" ".join(others)}')
+        return arguments
+
     def error(self, message: str) -> NoReturn:
         """Usage and message on standard error, with the nearest option when one is unknown; status 2."""
         self.print_usage(sys.stderr)
         unknown = message.partition('unrecognized arguments: ')[2].split()
-        near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
+        near = (
+            nearest(unknown[0], self._option_string_actions)
+            if unknown and unknown[0].startswith('-')
+            else None
+        )
         self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
 
 
@@ -39,8 +66,13 @@ def command_line(words: Sequence[str]) -> tuple[str, argparse.Namespace]:
 
     :raises SystemExit: 0 after showing help, 2 after an error.
     """
-    command = _chosen('ros2', 'command', 'ros2 is an extensible command-line tool for ROS 2.', words,
-                      {name: text for name, (text, _) in COMMANDS.items()})
+    command = _chosen(
+        'ros2',
+        'command',
+        'ros2 is an extensible command-line tool for ROS 2.',
+        words,
+        {name: text for name, (text, _) in COMMANDS.items()},
+    )
     text, verbs = COMMANDS[command]
     prog, module, rest = f'ros2 {command}', f'edulaunch.cli.ros2.{command}', words[1:]
     if verbs:
@@ -48,7 +80,7 @@ def command_line(words: Sequence[str]) -> tuple[str, argparse.Namespace]:
         prog, module, text, rest = f'{prog} {verb}', f'{module}.{verb}', verbs[verb], rest[1:]
     parser = Parser(prog, text)
     import_module(module).add_arguments(parser)
-    return module, parser.parse_args(rest)
+    return module, parser.parse(rest)
 
 
 def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known: dict[str, str]) -> str:
@@ -62,15 +94,21 @@ def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known:
         return word
     near = nearest(word, known)
     choices = ', '.join(repr(name) for name in known)
-    message = with_help(f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: invalid choice: {word!r} '
-                        f'(choose from {choices})', near and f'did you mean `{prog} {near}`?')
+    message = with_help(
+        f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: '
+        f'invalid choice: {word!r} '
+        f'(choose from {choices})',
+        near and f'did you mean `{prog} {near}`?',
+    )
     current_process().stderr.write(f'{usage}{message}\n')
     raise SystemExit(2)
 
 
 def _listed(kind: str, known: dict[str, str]) -> str:
     width = max(map(len, known))
-    return f'{kind.capitalize()}s:\n' + ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
+    return f'{kind.capitalize()}s:\n' + ''.join(
+        f'  {name:<{width}}  {text}\n' for name, text in known.items()
+    )
 
 
 def nearest_help(word: str, known: Iterable[str]) -> str | None:

@@ -1,4 +1,5 @@
 """`ros2 run`: start a program of a package."""
+
 from __future__ import annotations
 
 import argparse
@@ -30,9 +31,17 @@ def main(arguments: argparse.Namespace) -> int | str:
     if path is None:
         return _not_found(process.index, package, executable)
     import shlex
+
     words = [*shlex.split(arguments.prefix or ''), path, *arguments.argv]
-    spec = ProcessSpec(argv=tuple(words), name=process.name, cwd=process.spec.cwd, env=dict(process.env), origin=process.spec.origin,
-                       package=package, executable=executable)
+    spec = ProcessSpec(
+        argv=tuple(words),
+        name=process.name,
+        cwd=process.spec.cwd,
+        env=dict(process.env),
+        origin=process.spec.origin,
+        package=package,
+        executable=executable,
+    )
     code = run_child(process, spec)
     if code:
         say(f'[ros2run]: {signal.strsignal(-code) if code < 0 else f"Process exited with failure {code}"}')
@@ -57,6 +66,12 @@ def _not_found(index: Index, package: str, executable: str) -> str:
         return with_help(f"Package '{package}' not found", nearest_help(package, index.packages()))
     native = index.native_executables(package)
     if executable in native:
-        return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')
+        return with_help(
+            'No executable found',
+            f'{executable} is made from C++ ({native[executable]}), which cannot run here',
+        )
     known = index.executables(package)
-    return with_help('No executable found', nearest_help(executable, known) or f'{package} has: {", ".join(known) or "no executables"}')
+    return with_help(
+        'No executable found',
+        nearest_help(executable, known) or f'{package} has: {", ".join(known) or "no executables"}',
+    )

@@ -1,4 +1,5 @@
 """`ros2 action info`: who serves and who uses an action."""
+
 from __future__ import annotations
 
 import argparse
@@ -18,22 +19,37 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     cli_node.add_arguments(parser)
     parser.add_argument('action_name', help="Name of the action to get info (e.g. '/fibonacci')")
     parser.add_argument('-t', '--show-types', action='store_true', help='Additionally show the action type')
-    parser.add_argument('-c', '--count', action='store_true', help='Only display the number of action clients and action servers')
+    parser.add_argument(
+        '-c',
+        '--count',
+        action='store_true',
+        help='Only display the number of action clients and action servers',
+    )
 
 
 def main(arguments: argparse.Namespace) -> None:
     """Print the nodes on both sides."""
     action = arguments.action_name
     with cli_node.cli_node(arguments) as node:
-        sides = (('clients', _nodes(node, action, clients_by_node)), ('servers', _nodes(node, action, servers_by_node)))
+        sides = (
+            ('clients', _nodes(node, action, clients_by_node)),
+            ('servers', _nodes(node, action, servers_by_node)),
+        )
     say(f'Action: {action}')
     for side, found in sides:
         say(f'Action {side}: {len(found)}')
         if not arguments.count:
-            names.say_lines([f'    {name} [{", ".join(types)}]' if arguments.show_types else f'    {name}' for name, types in found])
+            names.say_lines(
+                [
+                    f'    {name} [{", ".join(types)}]' if arguments.show_types else f'    {name}'
+                    for name, types in found
+                ]
+            )
 
 
-def _nodes(node: Node, action: str, actions_by_node: Callable[[Node, str, str], names.NamesAndTypes]) -> names.NamesAndTypes:
+def _nodes(
+    node: Node, action: str, actions_by_node: Callable[[Node, str, str], names.NamesAndTypes]
+) -> names.NamesAndTypes:
     found = []
     for name, namespace in node.get_node_names_and_namespaces():
         types = names.types_of(action, actions_by_node(node, name, namespace))

@@ -1,4 +1,5 @@
 """`ros2 action list`: which actions there are."""
+
 from __future__ import annotations
 
 import argparse

@@ -1,4 +1,5 @@
 """`ros2 action send_goal`: send a goal and wait for its result."""
+
 from __future__ import annotations
 
 import argparse
@@ -15,13 +16,17 @@ from edulaunch.processes.current import current_process
 if TYPE_CHECKING:
     from rclpy.node import Node
 
+CANCEL_PATIENCE_S = 1.0
+"""Ctrl-C often ends the server too; then there is nobody to wait for."""
 STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED')
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     parser.add_argument('action_name', help="Name of the ROS action (e.g. '/fibonacci')")
-    parser.add_argument('action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
+    parser.add_argument(
+        'action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')"
+    )
     group = parser.add_mutually_exclusive_group()
     group.add_argument('goal', nargs='?', default='{}', help='Goal request values in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
@@ -36,7 +41,9 @@ def main(arguments: argparse.Namespace) -> str | None:
         return with_help('The passed action type is invalid', error.help)
     goal = cls.Goal()
     try:
-        fill_message(goal, parse_values(current_process().stdin.read() if arguments.stdin else arguments.goal))
+        fill_message(
+            goal, parse_values(current_process().stdin.read() if arguments.stdin else arguments.goal)
+        )
     except FillError as error:
         return str(error)
     name = f'_ros2cli_send_goal_{cls.TYPE.replace("/", "_")}'
@@ -47,6 +54,7 @@ def main(arguments: argparse.Namespace) -> str | None:
 def _send(node: Node, arguments: argparse.Namespace, cls: Any, goal: Any) -> str | None:
     import rclpy
     from rclpy.action import ActionClient
+
     client = ActionClient(node, cls, arguments.action_name)
     say('Waiting for an action server to become available...')
     client.wait_for_server()
@@ -64,7 +72,10 @@ def _send(node: Node, arguments: argparse.Namespace, cls: Any, goal: Any) -> str
     except KeyboardInterrupt:
         return _cancel(node, handle)
     answer: Any = finished.result()
-    say(f'Result:\n    {message_yaml(answer.result)}\nGoal finished with status: {STATUS_WORDS[answer.status]}')
+    say(
+        f'Result:\n    {message_yaml(answer.result)}\n'
+        f'Goal finished with status: {STATUS_WORDS[answer.status]}'
+    )
     return None
 
 
@@ -74,11 +85,12 @@ def _say_feedback(message: Any) -> None:
 
 def _cancel(node: Node, handle: Any) -> str | None:
     import rclpy
+
     say('Canceling goal...')
     canceled = handle.cancel_goal_async()
-    rclpy.spin_until_future_complete(node, canceled)
-    answer: Any = canceled.result()
-    if not answer.goals_canceling:
+    rclpy.spin_until_future_complete(node, canceled, timeout_sec=CANCEL_PATIENCE_S)
+    answer: Any = canceled.result() if canceled.done() else None
+    if answer is None or not answer.goals_canceling:
         return 'Failed to cancel goal'
     say('Goal canceled.')
     return None

@@ -1,4 +1,5 @@
 """`ros2 action type`: the type of an action."""
+
 from __future__ import annotations
 
 import argparse

@@ -1,4 +1,5 @@
 """`ros2 interface list`: which interfaces there are."""
+
 from __future__ import annotations
 
 import argparse
@@ -13,7 +14,13 @@ KINDS = (('msg', 'Messages'), ('srv', 'Services'), ('action', 'Actions'))
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     for kind, heading in KINDS:
-        parser.add_argument(f'-{kind[0]}', f'--only-{kind}s', dest=kind, action='store_true', help=f'Print out only {heading.lower()}')
+        parser.add_argument(
+            f'-{kind[0]}',
+            f'--only-{kind}s',
+            dest=kind,
+            action='store_true',
+            help=f'Print out only {heading.lower()}',
+        )
 
 
 def main(arguments: argparse.Namespace) -> None:

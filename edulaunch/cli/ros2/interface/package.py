@@ -1,4 +1,5 @@
 """`ros2 interface package`: the interfaces of one package."""
+
 from __future__ import annotations
 
 import argparse
@@ -19,5 +20,11 @@ def main(arguments: argparse.Namespace) -> str | None:
     registry, package = current_registry(), arguments.package_name
     if not registry.has(package):
         return with_help(f"Unknown package '{package}'", nearest_help(package, registry.packages()))
-    say_lines([f'{package}/{kind}/{name}' for kind in ('action', 'msg', 'srv') for name in registry.names(package, kind)])
+    say_lines(
+        [
+            f'{package}/{kind}/{name}'
+            for kind in ('action', 'msg', 'srv')
+            for name in registry.names(package, kind)
+        ]
+    )
     return None

@@ -1,4 +1,5 @@
 """`ros2 interface proto`: an interface's fields as YAML, ready to be filled in."""
+
 from __future__ import annotations
 
 import argparse

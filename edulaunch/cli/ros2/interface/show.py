@@ -1,4 +1,5 @@
 """`ros2 interface show`: the text of an interface, with that of the types it uses."""
+
 from __future__ import annotations
 
 import argparse
@@ -16,7 +17,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     parser.add_argument('type', help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
     group = parser.add_mutually_exclusive_group()
-    group.add_argument('--all-comments', action='store_true', help='Show all comments, including for nested interface definitions')
+    group.add_argument(
+        '--all-comments',
+        action='store_true',
+        help='Show all comments, including for nested interface definitions',
+    )
     group.add_argument('--no-comments', action='store_true', help='Show no comments or whitespace')
 
 
@@ -28,7 +33,9 @@ def main(arguments: argparse.Namespace) -> str | None:
         say_lines(list(_lines(registry, name, 0, not arguments.no_comments, arguments.all_comments)))
     except InterfaceError as error:
         known = registry.has(package)
-        return with_help(f"Could not find the interface '{name}'" if known else f"Unknown package '{package}'", error.help)
+        return with_help(
+            f"Could not find the interface '{name}'" if known else f"Unknown package '{package}'", error.help
+        )
     return None
 
 
@@ -44,8 +51,13 @@ def _lines(registry: Registry, name: str, level: int, comments: bool, all_commen
 
 def _nested_types(spec: InterfaceSpec) -> dict[int, str]:
     """The types of fields that are interfaces themselves, by line of the file."""
-    parts = ((spec,) if isinstance(spec, MessageSpec) else (spec.request, spec.response) if isinstance(spec, ServiceSpec)
-             else (spec.goal, spec.result, spec.feedback))
+    parts = (
+        (spec,)
+        if isinstance(spec, MessageSpec)
+        else (spec.request, spec.response)
+        if isinstance(spec, ServiceSpec)
+        else (spec.goal, spec.result, spec.feedback)
+    )
     return {field.line: field.type.base for part in parts for field in part.fields if field.type.kind is None}
 
 

@@ -1,4 +1,5 @@
 """`ros2 node list`: which nodes there are."""
+
 from __future__ import annotations
 
 import argparse
@@ -11,7 +12,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
-    parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
+    parser.add_argument(
+        '-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered'
+    )
 
 
 def main(arguments: argparse.Namespace) -> None:
@@ -22,6 +25,9 @@ def main(arguments: argparse.Namespace) -> None:
         say(str(len(found)))
         return
     if len(set(found)) < len(found):
-        complain('WARNING: Be aware that there are nodes in the graph that share an exact name, which can have unintended side '
-                 'effects.')
+        complain(
+            'WARNING: Be aware that there are nodes in the graph that share an exact name, '
+            'which can have unintended side '
+            'effects.'
+        )
     names.say_lines(found)

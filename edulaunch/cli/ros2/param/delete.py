@@ -1,4 +1,5 @@
 """`ros2 param delete`: take a parameter away."""
+
 from __future__ import annotations
 
 import argparse
@@ -16,6 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(arguments: argparse.Namespace) -> None:
     """Set it to nothing and print how that went; status 0 either way, as in ROS 2."""
     from rcl_interfaces.msg import Parameter
+
     with node_parameters.parameters_of(arguments) as parameters:
         result = parameters.set([Parameter(name=arguments.parameter_name)])[0]
     reason = f': {result.reason}' if result.reason else ''

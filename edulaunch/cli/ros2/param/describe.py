@@ -1,4 +1,5 @@
 """`ros2 param describe`: type, description and constraints of parameters."""
+
 from __future__ import annotations
 
 import argparse
@@ -21,7 +22,10 @@ def main(arguments: argparse.Namespace) -> str | None:
         descriptors = parameters.descriptors(arguments.parameter_names)
         if not descriptors:
             known = parameters.names()
-            wrong = next((name for name in arguments.parameter_names if name not in known), arguments.parameter_names[0])
+            wrong = next(
+                (name for name in arguments.parameter_names if name not in known),
+                arguments.parameter_names[0],
+            )
             return with_help(f'Requested parameter {wrong!r} is not declared', parameters.help_for(wrong))
     for descriptor in descriptors:
         say_lines(_lines(descriptor))

@@ -1,4 +1,5 @@
 """`ros2 param dump`: all parameters of a node as a parameter file."""
+
 from __future__ import annotations
 
 import argparse
@@ -12,8 +13,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(arguments: argparse.Namespace) -> None:
-    """Print them; `ros2 param dump /node > node.yaml` makes a file that `--params-file` and `ros2 param load` read."""
+    """Print them, as `--params-file` and `ros2 param load` read them."""
     with node_parameters.parameters_of(arguments) as parameters:
         names = parameters.names()
         values = [node_parameters.python_value(value) for value in parameters.values(names)]
-    node_parameters.say_nested(dict(zip(names, values)), parameters.name)
+    node_parameters.say_nested(dict(zip(names, values, strict=True)), parameters.name)

@@ -1,4 +1,5 @@
 """`ros2 param get`: the value of a parameter."""
+
 from __future__ import annotations
 
 import argparse
@@ -6,8 +7,18 @@ import argparse
 from edulaunch.cli.ros2 import node_parameters
 from edulaunch.cli.ros2.output import say, with_help
 
-LABELS = ('Parameter not set.', 'Boolean value is:', 'Integer value is:', 'Double value is:', 'String value is:', 'Byte values are:',
-          'Boolean values are:', 'Integer values are:', 'Double values are:', 'String values are:')
+LABELS = (
+    'Parameter not set.',
+    'Boolean value is:',
+    'Integer value is:',
+    'Double value is:',
+    'String value is:',
+    'Byte values are:',
+    'Boolean values are:',
+    'Integer values are:',
+    'Double values are:',
+    'String values are:',
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

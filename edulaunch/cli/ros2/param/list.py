@@ -1,4 +1,5 @@
 """`ros2 param list`: the parameters of one node or of all."""
+
 from __future__ import annotations
 
 import argparse
@@ -12,8 +13,12 @@ from edulaunch.cli.ros2.output import say
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     node_parameters.add_arguments(parser, optional=True)
-    parser.add_argument('--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes')
-    parser.add_argument('--param-type', action='store_true', help='Print parameter types with parameter names')
+    parser.add_argument(
+        '--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes'
+    )
+    parser.add_argument(
+        '--param-type', action='store_true', help='Print parameter types with parameter names'
+    )
     parser.add_argument('--filter', metavar='REGEX', help='Only list parameters matching the provided regex')
 
 

@@ -1,4 +1,5 @@
 """`ros2 param set`: change a parameter."""
+
 from __future__ import annotations
 
 import argparse
@@ -18,6 +19,7 @@ def main(arguments: argparse.Namespace) -> None:
     """Set it and print how that went; status 0 either way, as in ROS 2."""
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value
+
     name = arguments.parameter_name
     with node_parameters.parameters_of(arguments) as parameters:
         result = parameters.set([Parameter(name=name, value=get_parameter_value(arguments.value))])[0]

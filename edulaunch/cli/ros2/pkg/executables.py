@@ -1,4 +1,5 @@
 """`ros2 pkg executables`: the programs of one package or of all."""
+
 from __future__ import annotations
 
 import argparse

@@ -1,4 +1,5 @@
 """`ros2 pkg list`: which packages there are."""
+
 from __future__ import annotations
 
 import argparse

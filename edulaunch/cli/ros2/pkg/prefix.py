@@ -1,4 +1,5 @@
 """`ros2 pkg prefix`: where a package is installed."""
+
 from __future__ import annotations
 
 import argparse

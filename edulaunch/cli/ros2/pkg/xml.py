@@ -1,4 +1,5 @@
 """`ros2 pkg xml`: the manifest of a package."""
+
 from __future__ import annotations
 
 import argparse
@@ -18,6 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(arguments: argparse.Namespace) -> str | None:
     """Print the file, or the text of a tag."""
     from xml.etree import ElementTree
+
     index, package = current_process().index, arguments.package_name
     share = index.share(package)
     if share is None:

@@ -1,4 +1,5 @@
 """`ros2 service call`: send a request and print the response."""
+
 from __future__ import annotations
 
 import argparse
@@ -25,9 +26,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('service_name', help="Name of the ROS service to call to (e.g. '/add_two_ints')")
     parser.add_argument('service_type', help="Type of the ROS service (e.g. 'std_srvs/srv/Empty')")
     group = parser.add_mutually_exclusive_group()
-    group.add_argument('values', nargs='?', default='{}', help='Values to fill the service request with in YAML format')
+    group.add_argument(
+        'values', nargs='?', default='{}', help='Values to fill the service request with in YAML format'
+    )
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
-    parser.add_argument('-r', '--rate', metavar='N', type=_positive, help='Repeat the call at a specific rate in Hz')
+    parser.add_argument(
+        '-r', '--rate', metavar='N', type=_positive, help='Repeat the call at a specific rate in Hz'
+    )
 
 
 def _positive(text: str) -> float:
@@ -64,13 +69,23 @@ def _wait(node: Node, client: Client) -> None:
         return
     services = node.get_service_names_and_types()
     types = names.types_of(client.service_name, services)
-    other = f'{client.service_name} has the type {types[0]}' if types else nearest_help(client.service_name, [name for name, _ in services])
-    complain(with_help(f'still waiting for {client.service_name} [{client.srv_type.TYPE}]', other or 'see `ros2 service list -t`'))
+    other = (
+        f'{client.service_name} has the type {types[0]}'
+        if types
+        else nearest_help(client.service_name, [name for name, _ in services])
+    )
+    complain(
+        with_help(
+            f'still waiting for {client.service_name} [{client.srv_type.TYPE}]',
+            other or 'see `ros2 service list -t`',
+        )
+    )
     client.wait_for_service()
 
 
 def _request(node: Node, client: Client, request: Any, rate: float | None) -> None:
     import rclpy
+
     sim = current_process().sim
     while node.context.ok():
         say(f'requester: making request: {request!r}\n')

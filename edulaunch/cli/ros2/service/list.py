@@ -1,4 +1,5 @@
 """`ros2 service list`: which services there are."""
+
 from __future__ import annotations
 
 import argparse
@@ -10,7 +11,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     names.add_list_arguments(parser, 'service')
-    parser.add_argument('--include-hidden-services', action='store_true', help='Consider hidden services as well')
+    parser.add_argument(
+        '--include-hidden-services', action='store_true', help='Consider hidden services as well'
+    )
 
 
 def main(arguments: argparse.Namespace) -> None:

@@ -1,4 +1,5 @@
 """`ros2 service type`: the type of a service."""
+
 from __future__ import annotations
 
 import argparse
@@ -9,7 +10,9 @@ from edulaunch.cli.ros2 import cli_node, names
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
-    parser.add_argument('service_name', help="Name of the ROS service to get type (e.g. '/talker/list_parameters')")
+    parser.add_argument(
+        'service_name', help="Name of the ROS service to get type (e.g. '/talker/list_parameters')"
+    )
 
 
 def main(arguments: argparse.Namespace) -> int:

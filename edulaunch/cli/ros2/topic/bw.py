@@ -1,4 +1,5 @@
 """`ros2 topic bw`: how many bytes come."""
+
 from __future__ import annotations
 
 import argparse
@@ -15,7 +16,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(arguments: argparse.Namespace) -> str | None:
     """Print a report each second."""
-    return measuring.listen(arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True)
+    return measuring.listen(
+        arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True
+    )
 
 
 class Bandwidth:
@@ -35,11 +38,14 @@ class Bandwidth:
             return None
         sizes = [size for _, size in self._taken]
         unit, factor = _unit(max(sizes))
-        shown = [f'{word}: {size / factor:.2f} {unit}' for word, size in
-                 (('mean', sum(sizes) / len(sizes)), ('min', min(sizes)), ('max', max(sizes)))]
+        shown = [
+            f'{word}: {size / factor:.2f} {unit}'
+            for word, size in (('mean', sum(sizes) / len(sizes)), ('min', min(sizes)), ('max', max(sizes)))
+        ]
         rate = sum(sizes) / seconds
         rate_unit, rate_factor = _unit(rate)
-        return f'{rate / rate_factor:.2f} {rate_unit}/s from {len(sizes)} messages\n\tMessage size {" ".join(shown)}'
+        heading = f'{rate / rate_factor:.2f} {rate_unit}/s from {len(sizes)} messages'
+        return f'{heading}\n\tMessage size {" ".join(shown)}'
 
 
 def _unit(size: float) -> tuple[str, float]:

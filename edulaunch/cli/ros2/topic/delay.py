@@ -1,4 +1,5 @@
 """`ros2 topic delay`: how old messages are when they come."""
+
 from __future__ import annotations
 
 import argparse
@@ -30,7 +31,9 @@ class Delay:
         :raises RuntimeError: for a message without header; in the words of ROS 2.
         """
         if not hasattr(message, 'header'):
-            raise RuntimeError('msg does not have header\n  help: only stamped messages tell when they were made')
+            raise RuntimeError(
+                'msg does not have header\n  help: only stamped messages tell when they were made'
+            )
         stamp = message.header.stamp
         self._delays.append((now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) / 1e9)
 
@@ -38,5 +41,7 @@ class Delay:
         """The two lines of ROS 2."""
         values = list(self._delays)
         mean, deviation = measuring.spread(values)
-        return (f'average delay: {mean:.3f}\n\tmin: {min(values):.3f}s max: {max(values):.3f}s '
-                f'std dev: {deviation:.5f}s window: {len(values)}')
+        return (
+            f'average delay: {mean:.3f}\n\tmin: {min(values):.3f}s max: {max(values):.3f}s '
+            f'std dev: {deviation:.5f}s window: {len(values)}'
+        )

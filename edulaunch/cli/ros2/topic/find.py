@@ -1,4 +1,5 @@
 """`ros2 topic find`: the topics of a type."""
+
 from __future__ import annotations
 
 import argparse
@@ -9,8 +10,16 @@ from edulaunch.cli.ros2 import cli_node, names
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
-    parser.add_argument('topic_type', help="Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')")
-    parser.add_argument('-c', '--count-topics', dest='count', action='store_true', help='Only display the number of topics discovered')
+    parser.add_argument(
+        'topic_type', help="Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')"
+    )
+    parser.add_argument(
+        '-c',
+        '--count-topics',
+        dest='count',
+        action='store_true',
+        help='Only display the number of topics discovered',
+    )
     parser.add_argument('--include-hidden-topics', action='store_true', help='Consider hidden topics as well')
 
 

@@ -1,4 +1,5 @@
 """`ros2 topic hz`: how often messages come."""
+
 from __future__ import annotations
 
 import argparse
@@ -11,8 +12,14 @@ from edulaunch.cli.ros2 import measuring
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     measuring.add_arguments(parser, 10000)
-    parser.add_argument('--filter', metavar='EXPR', help="only measure messages matching the Python expression, as in 'm.x > 1'")
-    parser.add_argument('--wall-time', action='store_true', help='accepted; simulated time is the only one here')
+    parser.add_argument(
+        '--filter',
+        metavar='EXPR',
+        help="only measure messages matching the Python expression, as in 'm.x > 1'",
+    )
+    parser.add_argument(
+        '--wall-time', action='store_true', help='accepted; simulated time is the only one here'
+    )
 
 
 def main(arguments: argparse.Namespace) -> str | None:
@@ -26,7 +33,9 @@ class Rate:
     def __init__(self, window: int, expression: str | None) -> None:
         self._intervals: deque[float] = deque(maxlen=max(1, window - 1))
         self._last_ns: int | None = None
-        self._filter = expression and eval(f'lambda m: {expression}')  # the user's own expression, as in ROS 2
+        self._filter = expression and eval(
+            f'lambda m: {expression}'
+        )  # the user's own expression, as in ROS 2
 
     def take(self, message: Any, now_ns: int) -> None:
         """Note when it came."""
@@ -42,5 +51,8 @@ class Rate:
             return None
         values = list(self._intervals)
         mean, deviation = measuring.spread(values)
-        return (f'average rate: {1 / mean if mean else 0.0:.3f}\n\tmin: {min(values):.3f}s max: {max(values):.3f}s '
-                f'std dev: {deviation:.5f}s window: {len(values) + 1}')
+        return (
+            f'average rate: {1 / mean if mean else 0.0:.3f}\n'
+            f'\tmin: {min(values):.3f}s max: {max(values):.3f}s '
+            f'std dev: {deviation:.5f}s window: {len(values) + 1}'
+        )

@@ -1,4 +1,5 @@
 """`ros2 topic info`: who publishes and subscribes."""
+
 from __future__ import annotations
 
 import argparse
@@ -12,7 +13,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to get info (e.g. '/chatter')")
-    parser.add_argument('-v', '--verbose', action='store_true', help='Print each endpoint with its node, type and quality of service')
+    parser.add_argument(
+        '-v',
+        '--verbose',
+        action='store_true',
+        help='Print each endpoint with its node, type and quality of service',
+    )
 
 
 def main(arguments: argparse.Namespace) -> str | None:

@@ -1,4 +1,5 @@
 """`ros2 topic list`: which topics there are."""
+
 from __future__ import annotations
 
 import argparse

@@ -1,4 +1,5 @@
 """`ros2 topic type`: the type of a topic."""
+
 from __future__ import annotations
 
 import argparse

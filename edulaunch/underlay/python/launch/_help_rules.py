@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from edulaunch.packages.nearest import nearest
 
-from ._help import frames_of, local_of
+from ._help import frames_of, launch_origin, local_of
 from ._known_names import class_named, home_of, import_line, keywords_of, names_in, nearest_anywhere
 from .launch_description_entity import LaunchDescriptionEntity
 
@@ -61,11 +61,21 @@ def _import_of_name(error: BaseException, text: str) -> str | None:
     return f"did you mean '{elsewhere}' from {home_of(elsewhere)}?" if elsewhere is not None else None
 
 
+def _relative_import(error: BaseException, text: str) -> str | None:
+    if not text.startswith('attempted relative import'):
+        return None
+    return ('a launch file belongs to no package: put the shared code into your Python package, '
+            'and write from my_package.module import ... without the leading dot')
+
+
 def _missing_module(error: BaseException, text: str) -> str | None:
     from ._known_names import MODULES
     found = _match(r"No module named '([\w.]+)'", text)
     if found is None:
         return None
+    place = launch_origin(error)
+    if place is not None and os.path.isfile(os.path.join(os.path.dirname(place[0]), f'{found[1]}.py')):
+        return f"the launch file's own folder is not searched: move {found[1]}.py into your Python package"
     near = nearest(found[1], MODULES)
     return f"did you mean 'from {near} import ...'?" if near is not None and near != found[1] else None
 
@@ -265,6 +275,7 @@ def _missing_file(error: BaseException, text: str) -> str | None:
 RULES = (
     Rule(ModuleNotFoundError, _missing_module),
     Rule((ImportError, AttributeError), _import_of_name),
+    Rule(ImportError, _relative_import),
     Rule(NameError, _unknown_name),
     Rule((NameError, SyntaxError, TypeError), _bad_expression),
     Rule(AttributeError, _not_an_entity),

@@ -124,11 +124,14 @@ class ActionClient(Waitable):
         return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self._signal)
 
     def _run(self, executor: Executor) -> Any:
-        """At most one answer of each kind, one feedback and one status in a turn, as rclpy."""
+        """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
+
+        The answer to a goal has a turn of its own: a real network brings it before the goal's first feedback.
+        """
         self._queued = False
-        sources = (('goal', self._goal_client), ('cancel', self._cancel_client), ('result', self._result_client),
-                   ('feedback', self._feedback), ('status', self._status))
-        taken = [(kind, source.take()) for kind, source in sources]
+        sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('result', self._result_client),
+                   ('feedback', self._feedback), ('status', self._status)]
+        taken = [(kind, source.take()) for kind, source in (sources[:1] if self._goal_client.queue else sources)]
         if any(source.queue for _, source in sources):
             self._signal()
         return self._handle_all(taken, executor)

@@ -1,0 +1,29 @@
+"""Decorators of test classes and of `generate_test_description`."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+T = TypeVar('T', bound=Callable[..., Any])
+DEFAULT_TIMEOUT_S = 15
+
+
+def post_shutdown_test() -> Callable[[type], type]:
+    """Mark a `unittest.TestCase` class: its tests run after everything that was launched has ended."""
+
+    def mark(test_class: type) -> type:
+        test_class.__post_shutdown_test__ = True  # type: ignore[attr-defined]
+        return test_class
+    return mark
+
+
+def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable[[T], T]:
+    """Say how many simulated seconds after the start `ReadyToTest` must have been reached.
+
+    :param timeout: seconds; without this decorator 15.
+    """
+
+    def mark(test_description: T) -> T:
+        test_description.__ready_to_test_action_timeout__ = timeout  # type: ignore[attr-defined]
+        return test_description
+    return mark

@@ -1,0 +1,4 @@
+"""Event handlers for launch tests."""
+from .stdout_ready_listener import StdoutReadyListener
+
+__all__ = ['StdoutReadyListener']

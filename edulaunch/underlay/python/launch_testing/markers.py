@@ -1,0 +1,40 @@
+"""Markers: how a launch test is to be run."""
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+T = TypeVar('T', bound=Callable[..., Any])
+
+
+def keep_alive(test_description: T) -> T:
+    """Let launch run on when all its processes have ended; the end of the tests shuts it down."""
+    return _with_marker(test_description, 'keep_alive', True)
+
+
+def retry_on_failure(*, times: int) -> Callable[[T], T]:
+    """Run a test method again when it fails, up to `times` times in all; the last failure counts.
+
+    :raises ValueError: for `times` below 1.
+    """
+    if times < 1:
+        raise ValueError(f'times must be at least 1, got {times}')
+
+    def decorate(function: T) -> T:
+        @functools.wraps(function)
+        def repeated(*args: Any, **kwargs: Any) -> Any:
+            for _ in range(times - 1):
+                try:
+                    return function(*args, **kwargs)
+                except AssertionError:
+                    continue
+            return function(*args, **kwargs)
+        return _with_marker(repeated, 'retry_on_failure', {'times': times})  # type: ignore[return-value]
+    return decorate
+
+
+def _with_marker(function: T, name: str, value: object) -> T:
+    markers = dict(getattr(function, '__markers__', {}))
+    function.__markers__ = {**markers, name: value}  # type: ignore[attr-defined]
+    return function

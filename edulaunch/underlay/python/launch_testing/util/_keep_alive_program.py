@@ -1,0 +1,12 @@
+"""The program of `KeepAliveProc`: waits for SIGINT."""
+from __future__ import annotations
+
+import threading
+
+
+def main() -> None:
+    """Wait for SIGINT, and end well."""
+    try:
+        threading.Event().wait()
+    except KeyboardInterrupt:
+        return

@@ -1,0 +1,134 @@
+"""rclpy.lifecycle."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import rclpy
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.lifecycle import LifecycleNode, State, TransitionCallbackReturn
+from rclpy.node import Node
+from std_msgs.msg import String
+
+from .conftest import World
+
+Ros = Callable[..., list[Any]]
+
+
+class Managed(LifecycleNode):
+    """Says each transition; its publisher is managed."""
+
+    def __init__(self, world: World, **options: Any) -> None:
+        super().__init__('managed', **options)
+        self.world = world
+        self.verdict = TransitionCallbackReturn.SUCCESS
+
+    def on_configure(self, state: State) -> TransitionCallbackReturn:
+        self.world.say(('configure', state.label))
+        self.chatter = self.create_lifecycle_publisher(String, 'chatter', 10)
+        return self.verdict
+
+    def on_activate(self, state: State) -> TransitionCallbackReturn:
+        self.world.say(('activate', state.label))
+        return super().on_activate(state)
+
+
+def test_callbacks_are_told_of_the_state_before(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Managed(world)
+        node.trigger_configure()
+        node.trigger_activate()
+        world.say(node._lifecycle_state)
+
+    assert ros(body) == [('configure', 'unconfigured'), ('activate', 'inactive'), State('active', 3)]
+
+
+def test_managed_publishers_are_silent_while_inactive(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Managed(world)
+        node.create_subscription(String, 'chatter', lambda message: world.say(message.data), 10)
+        node.trigger_configure()
+        node.chatter.publish(String(data='inactive'))
+        node.trigger_activate()
+        node.chatter.publish(String(data='active'))
+        node.trigger_deactivate()
+        node.chatter.publish(String(data='inactive'))
+        rclpy.spin_once(node)
+        rclpy.spin_once(node, timeout_sec=0.1)
+
+    assert [what for what in ros(body) if isinstance(what, str)] == ['active']
+
+
+@pytest.mark.parametrize(('verdict', 'state'), [
+    (TransitionCallbackReturn.FAILURE, 'unconfigured'), (TransitionCallbackReturn.ERROR, 'unconfigured')])
+def test_failures_lead_back(ros: Ros, world: World, verdict: Any, state: str) -> None:
+    def body() -> None:
+        node = Managed(world)
+        node.verdict = verdict
+        world.say((node.trigger_configure(), node._lifecycle_state.label))
+
+    assert ros(body)[-1] == (verdict, state)
+
+
+def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
+    class Broken(LifecycleNode):
+        def on_configure(self, state: State) -> TransitionCallbackReturn:
+            raise ValueError('broken on purpose')
+
+        def on_error(self, state: State) -> TransitionCallbackReturn:
+            return TransitionCallbackReturn.FAILURE
+
+    def body() -> None:
+        node = Broken('n')
+        world.say((node.trigger_configure(), node._lifecycle_state.label))
+
+    assert ros(body) == [(TransitionCallbackReturn.ERROR, 'finalized')]
+    assert world.tracer.logs == [(40, 'n', 'Exception in on_configure: ValueError: broken on purpose')]
+
+
+def test_transitions_that_do_not_start_here_are_refused(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.raises(RCLError, match="no transition matching 'activate' found for current state unconfigured"):
+            LifecycleNode('n').trigger_activate()
+        world.say('refused')
+
+    assert ros(body) == ['refused']
+
+
+def test_others_steer_a_managed_node_by_its_services(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+
+        def ask(srv_type: Any, name: str, **fields: Any) -> Any:
+            client = node.create_client(srv_type, f'managed/{name}')
+            client.wait_for_service()
+            future = client.call_async(srv_type.Request(**fields))
+            rclpy.spin_until_future_complete(node, future)
+            return future.result()
+
+        for transition in (Transition(id=Transition.TRANSITION_CONFIGURE), Transition(id=Transition.TRANSITION_CLEANUP),
+                           Transition(label='shutdown'), Transition(label='activate')):
+            world.say((ask(ChangeState, 'change_state', transition=transition).success,
+                       ask(GetState, 'get_state').current_state.label,
+                       [one.transition.label for one in ask(GetAvailableTransitions, 'get_available_transitions'
+                                                            ).available_transitions]))
+
+    def managed() -> None:
+        rclpy.init()
+        rclpy.spin(LifecycleNode('managed'))
+
+    world.start(managed, name='managed')
+    world.start(program)
+    assert [what for _, _, what in world.run(2)] == [
+        (True, 'inactive', ['cleanup', 'activate', 'shutdown']), (True, 'unconfigured', ['configure', 'shutdown']),
+        (True, 'finalized', []), (False, 'finalized', [])]
+
+
+def test_the_services_can_be_left_out(ros: Ros, world: World) -> None:
+    ros(lambda: world.say([service.srv_name for service in LifecycleNode('n', enable_communication_interface=False).services
+                           if 'state' in service.srv_name]))
+    assert [what for _, _, what in world.log] == [[]]

@@ -1,0 +1,154 @@
+"""rclpy.logging: lines, levels, filters, /rosout."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import rclpy
+from rcl_interfaces.msg import Log
+from rclpy.logging import LoggingSeverity, get_logger, get_logger_effective_level, set_logger_level
+from rclpy.node import Node
+
+from edulaunch.sim.sync import sleep
+
+from .conftest import World
+
+Ros = Callable[..., list[Any]]
+
+
+def output(world: World, body: Callable[[], Any], *arguments: str, env: dict[str, str] | None = None) -> list[str]:
+    def program() -> None:
+        rclpy.init()
+        body()
+
+    world.run_program(program, *arguments, env=env)
+    return world.output['main'].splitlines()
+
+
+def every_severity(node: Node) -> None:
+    logger = node.get_logger()
+    logger.debug('text')
+    logger.info('text')
+    logger.warning('text')
+    logger.error('text')
+    logger.fatal('text')
+
+
+def test_console_lines_carry_simulated_time(world: World) -> None:
+    def body() -> None:
+        node = Node('n', namespace='/a/b')
+        sleep(1.5)
+        every_severity(node)
+
+    assert output(world, body) == [f'[{severity}] [1700000001.500000000] [a.b.n]: text'
+                                   for severity in ('INFO', 'WARN', 'ERROR', 'FATAL')]
+    assert [level for level, _, _ in world.tracer.logs] == [20, 30, 40, 50]
+
+
+@pytest.mark.parametrize(('level', 'count'), [('debug', 5), ('WARN', 3), ('n:=error', 2), ('other:=fatal', 4)])
+def test_levels_come_from_the_command_line(world: World, level: str, count: int) -> None:
+    assert len(output(world, lambda: every_severity(Node('n')), '--ros-args', '--log-level', level)) == count
+
+
+@pytest.mark.parametrize(('env', 'line'), [
+    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{severity} {name}: {message} {nonsense} {'}, 'INFO n: text {nonsense} {'),
+    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{time_as_nanoseconds} {date_time_with_ms}'},
+     '1700000000000000000 2023-11-14 22:13:20.000'),
+    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{function_name}', 'RCUTILS_COLORIZED_OUTPUT': '1'}, '<lambda>'),
+])
+def test_the_format_comes_from_the_environment(world: World, env: dict[str, str], line: str) -> None:
+    assert output(world, lambda: Node('n').get_logger().info('text'), env=env) == [line]
+
+
+def test_colours_are_for_the_whole_line(world: World) -> None:
+    lines = output(world, lambda: every_severity(Node('n')), env={'RCUTILS_COLORIZED_OUTPUT': '1'})
+    assert [line.startswith('\033[') for line in lines] == [False, True, True, True]
+
+
+def test_children_inherit_levels_and_may_have_their_own(ros: Ros, world: World) -> None:
+    def body() -> None:
+        logger = Node('n').get_logger()
+        child = logger.get_child('part')
+        logger.set_level(LoggingSeverity.ERROR)
+        world.say((child.name, child.get_effective_level().name, child.is_enabled_for(LoggingSeverity.WARN)))
+        set_logger_level('n.part', LoggingSeverity.DEBUG)
+        world.say((get_logger_effective_level('n.part').name, get_logger_effective_level('n').name, child.debug('text')))
+
+    assert ros(body) == [('n.part', 'ERROR', False), ('DEBUG', 'ERROR', True)]
+
+
+@pytest.mark.parametrize(('options', 'written'), [
+    ({}, [0, 1, 2, 3, 4]), ({'once': True}, [0]), ({'skip_first': True}, [1, 2, 3, 4]),
+    ({'throttle_duration_sec': 1.0}, [0, 2, 4]), ({'throttle_duration_sec': 1.0, 'skip_first': True}, [2, 4]),
+])
+def test_filters_belong_to_the_place_of_the_call(ros: Ros, world: World, options: dict[str, Any], written: list[int]) -> None:
+    def body() -> None:
+        logger = Node('n').get_logger()
+        for number in range(5):
+            if logger.info(str(number), **options):
+                world.say(number)
+            sleep(0.5)
+
+    assert ros(body) == written
+
+
+def test_a_throttle_may_follow_another_clock(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        world.say([node.get_logger().info('x', throttle_duration_sec=1.0, throttle_time_source_type=node.get_clock())
+                   for _ in range(2)])
+
+    assert ros(body) == [[True, False]]
+
+
+def test_misuse_is_refused(ros: Ros, world: World) -> None:
+    def body() -> None:
+        logger = Node('n').get_logger()
+        for call in (lambda: [logger.log('x', severity) for severity in (20, 30)],
+                     lambda: [logger.info('x', once=once) for once in (True, False)],
+                     lambda: logger.info('x', onse=True), lambda: logger.info(5), lambda: get_logger(''),
+                     lambda: logger.info('x', throttle_time_source_type=1)):
+            with pytest.raises((TypeError, ValueError)) as caught:
+                call()
+            world.say(f'{caught.type.__name__}: {caught.value}'[:60])
+
+    assert ros(body) == [
+        'ValueError: Logger severity cannot be changed between calls.',
+        'ValueError: Requested logging filters cannot be changed betw',
+        'TypeError: parameter "onse" is not one of the recognized log',
+        'TypeError: rclpy_logging_rcutils_log(): incompatible functio',
+        'ValueError: Logger name must not be empty.',
+        'TypeError: required parameter "throttle_duration_sec" not sp',
+    ]
+
+
+def test_messages_are_published_on_rosout(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.create_subscription(Log, '/rosout', lambda log: world.say((log.level, log.name, log.msg, log.function)), 10)
+        node.get_logger().get_child('part').warning('heard')
+        node.get_logger().debug('below the level')
+        rclpy.spin_once(node)
+
+    assert ros(body) == [(30, 'n.part', 'heard', 'body')]
+
+
+def test_a_second_node_of_a_name_is_warned_of(world: World) -> None:
+    lines = output(world, lambda: [Node('n'), Node('n')])
+    assert len(lines) == 1
+    assert "[rcl.logging_rosout]: Publisher already registered for node name: 'n'. If this is due to multiple nodes" in lines[0]
+
+
+def test_outputs_can_be_switched_off(world: World) -> None:
+    assert output(world, lambda: every_severity(Node('n')), '--ros-args', '--disable-stdout-logs') == []
+
+
+def test_programs_have_levels_of_their_own(world: World) -> None:
+    def quiet() -> None:
+        rclpy.init()
+        Node('quiet').get_logger().set_level(LoggingSeverity.FATAL)
+        sleep(1)
+
+    world.start(quiet, name='quiet')
+    assert len(output(world, lambda: Node('quiet').get_logger().info('x'))) == 1

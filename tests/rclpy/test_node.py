@@ -1,0 +1,220 @@
+"""rclpy.node: names, remapping, the graph, its end."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import rclpy
+from rclpy import wait_for_message as waiting
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
+from rclpy.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+)
+from rclpy.node import Node
+from rclpy.qos import QoSPolicyKind, QoSProfile
+from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from std_msgs.msg import String
+from std_srvs.srv import Empty
+
+from edulaunch.sim.sync import sleep
+
+from .conftest import World
+
+Ros = Callable[..., list[Any]]
+
+
+def test_entities_of_a_new_node_are_made_in_the_order_of_rclpy(ros: Ros, world: World) -> None:
+    def body() -> None:
+        entry = Node('n', enable_logger_service=True).handle
+        world.say([(end.kind, getattr(end, 'topic_name', None) or end.service_name) for end in entry.endpoints])
+
+    assert ros(body) == [[('publisher', '/rosout'), ('publisher', '/parameter_events')] + [('service', f'/n/{name}') for name in (
+        'describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters',
+        'set_parameters_atomically', 'get_type_description', 'get_logger_levels', 'set_logger_levels')]]
+
+
+@pytest.mark.parametrize(('names', 'error', 'text'), [
+    (('my node',), InvalidNodeNameException,
+     "Invalid node name: node name must not contain characters other than alphanumerics or '_':\n  'my node'\n     ^"),
+    (('n', 'a b'), InvalidNamespaceException,
+     "Invalid namespace: namespace must not contain characters other than alphanumerics, '_', or '/':\n  '/a b'\n     ^"),
+])
+def test_bad_names_are_shown_with_a_caret(ros: Ros, world: World, names: Any, error: Any, text: str) -> None:
+    def body() -> None:
+        with pytest.raises(error) as caught:
+            Node(names[0], namespace=names[-1] if len(names) > 1 else None)
+        world.say(str(caught.value))
+
+    assert ros(body) == [text]
+
+
+def test_bad_topics_and_services_have_exceptions_of_their_own(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        with pytest.raises(InvalidTopicNameException, match='topic name must not contain repeated'):
+            node.create_publisher(String, 'a//b', 10)
+        with pytest.raises(InvalidServiceNameException, match='Invalid service name: topic name must not end with a forward slash'):
+            node.create_client(Empty, 'a/')
+        world.say('refused')
+
+    assert ros(body) == ['refused']
+
+
+def test_remap_rules_change_nodes_topics_and_services(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        world.say((node.get_fully_qualified_name(), node.get_logger().name, node.resolve_topic_name('chatter'),
+                   node.resolve_service_name('chatter'), node.resolve_topic_name('~/x'),
+                   node.resolve_topic_name('chatter', only_expand=True)))
+
+    rules = ('__node:=renamed', '__ns:=/deep/er', 'rostopic://chatter:=/talk', 'chatter:=other')
+    assert ros(body, '--ros-args', *(part for rule in rules for part in ('-r', rule))) == [
+        ('/deep/er/renamed', 'deep.er.renamed', '/talk', '/deep/er/other', '/deep/er/renamed/x', '/deep/er/chatter')]
+
+
+def test_arguments_of_the_node_come_before_those_of_the_program(ros: Ros, world: World) -> None:
+    def body() -> None:
+        own = Node('n', cli_args=['--ros-args', '-r', 'a:=own', '-p', 'p:=1'])
+        apart = Node('m', use_global_arguments=False)
+        world.say((own.resolve_topic_name('a'), own.declare_parameter('p', 0).value, own.declare_parameter('q', 0).value,
+                   apart.resolve_topic_name('a')))
+
+    assert ros(body, '--ros-args', '-r', 'a:=global', '-p', 'p:=2', '-p', 'q:=2') == [('/own', 1, 2, '/a')]
+
+
+def test_a_rename_of_the_program_renames_all_its_nodes(ros: Ros, world: World) -> None:
+    ros(lambda: world.say([Node('a').get_name(), Node('b').get_name()]), '--ros-args', '-r', '__node:=same')
+    assert [what for _, _, what in world.log] == [['same', 'same']]
+
+
+def test_the_graph_can_be_asked(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node, other = Node('n'), Node('other', namespace='/ns')
+        other.create_publisher(String, 'chatter', 7)
+        node.create_subscription(String, '/ns/chatter', lambda _: None, 10)
+        other.create_client(Empty, '/clear')
+        world.say((node.get_node_names(), node.get_node_names_and_namespaces(), node.count_publishers('/ns/chatter'),
+                   node.count_subscribers('/ns/chatter'), node.count_clients('/clear'), node.count_services('/clear')))
+        world.say([pair for pair in node.get_topic_names_and_types() if 'chatter' in pair[0]])
+        world.say(node.get_publisher_names_and_types_by_node('other', '/ns')[0])
+        world.say(node.get_client_names_and_types_by_node('other', '/ns'))
+        info = node.get_publishers_info_by_topic('/ns/chatter')[0]
+        world.say((info.node_name, info.node_namespace, info.topic_type, info.endpoint_type.name, info.qos_profile.depth))
+        world.say(str(info).splitlines()[4:])
+        with pytest.raises(NodeNameNonExistentError):
+            node.get_service_names_and_types_by_node('nobody', '/')
+
+    assert ros(body) == [
+        (['n', 'other'], [('n', '/'), ('other', '/ns')], 1, 1, 1, 0), [('/ns/chatter', ['std_msgs/msg/String'])],
+        ('/ns/chatter', ['std_msgs/msg/String']), [('/clear', ['std_srvs/srv/Empty'])],
+        ('other', '/ns', 'std_msgs/msg/String', 'PUBLISHER', 7),
+        ['Endpoint type: PUBLISHER', f'GID: {"00." * 15}{_gid(world)}', 'QoS profile:', '  Reliability: RELIABLE',
+         '  History (Depth): KEEP_LAST (7)', '  Durability: VOLATILE', '  Lifespan: Infinite', '  Deadline: Infinite',
+         '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite']]
+
+
+def _gid(world: World) -> str:
+    shown = next(what for _, _, what in world.log if isinstance(what, list) and str(what[0]).startswith('Endpoint'))
+    return str(shown[1])[-2:]
+
+
+def test_waiting_for_a_node(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        world.say((node.wait_for_node('/late', timeout=0.5), node.wait_for_node('/late', timeout=0.7)))
+
+    world.start(program)
+    world.start(lambda: (sleep(1.05), rclpy.init(), Node('late'), sleep(5)), name='late')
+    assert world.run(2) == [(1100.0, 'main', (False, True))]
+
+
+def test_a_destroyed_node_leaves_the_graph(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.create_timer(0.1, lambda: world.say('tick'))
+        node.destroy_node()
+        node.destroy_node()
+        world.say(([entry.name for entry in world.graph.nodes], world.graph.publishers, world.graph.services))
+
+    assert ros(body) == [([], {}, {})]
+
+
+def test_a_program_that_ends_takes_its_nodes_along(world: World) -> None:
+    world.start(lambda: (rclpy.init(), Node('n')))
+    world.run(1)
+    assert world.graph.nodes == []
+
+
+def test_a_forgotten_super_init_is_explained(ros: Ros, world: World) -> None:
+    class Forgetful(Node):
+        def __init__(self) -> None:
+            self.publisher = self.create_publisher(String, 'c', 10)
+
+    def body() -> None:
+        with pytest.raises(AttributeError, match=r"help: call super\(\).__init__\('node_name'\) in __init__ before"):
+            Forgetful()
+        world.say('explained')
+
+    assert ros(body) == ['explained']
+
+
+def test_one_message_can_be_waited_for_without_spinning(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        world.say(waiting.wait_for_message(String, node, 'c', time_to_wait=0.1))
+        found, message = waiting.wait_for_message(String, node, 'c')
+        world.say((found, message.data))
+
+    def speaking() -> None:
+        rclpy.init()
+        publisher = Node('talker').create_publisher(String, 'c', 10)
+        sleep(0.3)
+        publisher.publish(String(data='x'))
+
+    world.start(program)
+    world.start(speaking, name='talker')
+    assert world.run(1) == [(100.0, 'main', (False, None)), (300.0, 'main', (True, 'x'))]
+
+
+def test_parameters_may_override_quality_of_service(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        options = QoSOverridingOptions((QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY))
+        publisher = node.create_publisher(String, 'c', QoSProfile(depth=10), qos_overriding_options=options)
+        world.say((publisher.qos_profile.depth, node.get_parameter('qos_overrides./c.publisher.reliability').value))
+
+    assert ros(body, '--ros-args', '-p', 'qos_overrides./c.publisher.depth:=3') == [(3, 'reliable')]
+
+
+def test_quality_of_service_overrides_may_be_refused(ros: Ros, world: World) -> None:
+    from rcl_interfaces.msg import SetParametersResult
+
+    def body() -> None:
+        options = QoSOverridingOptions.with_default_policies(callback=lambda profile: SetParametersResult(reason='no'))
+        with pytest.raises(InvalidQosOverridesError, match="no: publisher of topic '/c'"):
+            Node('n').create_publisher(String, 'c', 10, qos_overriding_options=options)
+        world.say('refused')
+
+    assert ros(body) == ['refused']
+
+
+def test_others_can_ask_what_a_type_looks_like(ros: Ros, world: World) -> None:
+    from type_description_interfaces.srv import GetTypeDescription
+
+    def body() -> None:
+        node = Node('n')
+        node.create_publisher(String, 'c', 10)
+        client = node.create_client(GetTypeDescription, 'n/get_type_description')
+        for name in ('std_msgs/msg/String', 'std_msgs/msg/Bool'):
+            future = client.call_async(GetTypeDescription.Request(type_name=name))
+            rclpy.spin_until_future_complete(node, future)
+            answer = future.result()
+            world.say((answer.successful, [field.name for field in answer.type_description.type_description.fields]))
+
+    assert ros(body) == [(True, ['data']), (False, [])]

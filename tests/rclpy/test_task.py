@@ -1,0 +1,78 @@
+"""rclpy.task."""
+from __future__ import annotations
+
+import pytest
+from rclpy.task import Future, Task, is_coroutine_function
+
+
+def test_a_future_has_no_result_before_it_is_done() -> None:
+    future = Future()
+    assert (future.done(), future.result()) == (False, None)
+    future.set_result(5)
+    assert (future.done(), future.result()) == (True, 5)
+
+
+def test_an_exception_is_raised_by_result() -> None:
+    future = Future()
+    future.set_exception(ValueError('x'))
+    assert isinstance(future.exception(), ValueError)
+    with pytest.raises(ValueError, match='x'):
+        future.result()
+
+
+def test_cancelling_does_not_make_it_done() -> None:
+    future = Future()
+    future.cancel()
+    assert (future.cancelled(), future.done()) == (True, False)
+
+
+def test_callbacks_without_executor_run_at_once_and_their_errors_are_warnings() -> None:
+    future, called = Future(), []
+    future.add_done_callback(lambda _: 1 // 0)
+    future.add_done_callback(lambda done: called.append(done.result()))
+    with pytest.warns(UserWarning, match='Unhandled exception in done callback: '):
+        future.set_result(1)
+    future.add_done_callback(lambda done: called.append('late'))
+    assert called == [1, 'late']
+
+
+def test_callbacks_can_be_removed() -> None:
+    future, called = Future(), []
+    future.add_done_callback(called.append)
+    assert future.remove_done_callback(called.append)
+    assert not future.remove_done_callback(called.append)
+    future.set_result(1)
+    assert called == []
+
+
+def test_an_exception_that_nobody_asked_for_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    future = Future()
+    future.set_exception(ValueError('lost'))
+    del future
+    assert capsys.readouterr().err == 'The following exception was never retrieved: lost\n'
+
+
+def test_a_task_runs_functions_and_coroutines() -> None:
+    future = Future()
+
+    async def wait() -> int:
+        return int(await future) + 1
+
+    plain, waiting = Task(lambda a, b: a + b, (1, 2)), Task(wait)
+    plain()
+    waiting()
+    assert (plain.result(), waiting.done()) == (3, False)
+    future.set_result(4)
+    waiting()
+    assert waiting.result() == 5
+
+
+def test_coroutine_functions_are_seen_through_methods_and_partials() -> None:
+    from functools import partial
+
+    class Node:
+        async def callback(self, number: int) -> None:
+            """Nothing."""
+
+    assert is_coroutine_function(partial(Node().callback, 1))
+    assert not is_coroutine_function(print)
