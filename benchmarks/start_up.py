@@ -30,7 +30,8 @@ def measure() -> dict[str, float]:
     return {
         'bare interpreter (ms)': bare * 1e3,
         'import edulaunch (ms)': (median_s([sys.executable, '-c', 'import edulaunch']) - bare) * 1e3,
-        'import launch, launch_ros (ms)': (median_s([sys.executable, '-c', f'{setup}; import launch, launch_ros']) - sourced) * 1e3,
+        'import launch, launch_ros (ms)': (median_s([sys.executable, '-c', f'{setup}; import launch, launch_ros'])
+                                           - sourced) * 1e3,
         'edugrade solutions/circle.launch.py (ms)': median_s([str(BIN / 'edugrade'), 'solutions/circle.launch.py']) * 1e3,
     }
 

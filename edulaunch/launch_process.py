@@ -51,7 +51,8 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := first_error(launch)) is None else explain(error)
     return {
-        'file': launch.path, 'arguments': launch.arguments, 'declared': declared, 'includes': list(state.get('launch.includes', ())),
+        'file': launch.path, 'arguments': launch.arguments, 'declared': declared,
+        'includes': list(state.get('launch.includes', ())),
         'returncode': launch.process.returncode, 'error': told.text if told else None, 'error_file': told.file if told else None,
         'error_line': told.line if told else None, 'help': told.help if told else None,
         'warnings': [*_unknown_arguments(launch, [row[0] for row in declared]), *_dead_programs(launch)]}
@@ -91,8 +92,9 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
 
 def show_arguments(session: Session, package_or_path: str, file: str | None) -> int:
     """`ros2 launch ... -s`: print the arguments that may be given."""
-    from edulaunch.launching import find_launch_file
     from ros2launch.api import print_arguments_of_launch_file
+
+    from edulaunch.launching import find_launch_file
     path = find_launch_file(session.index, package_or_path, file)
     process = current_process()
     process.index, process.host.index = session.index, session.index

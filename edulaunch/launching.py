@@ -24,6 +24,7 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
         return _existing_file(first)
     from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
+
     from edulaunch.processes.current import current_process
     process = current_process()
     outer, process.index = process.index, index
@@ -50,7 +51,8 @@ def _existing_file(path: str) -> str:
         near = nearest(os.path.basename(absolute), names)
         raise UnusableInput(f'launch file {path!r} does not exist.',
                             help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?' if near else
-                            f'there is no folder {folder!r}' if not os.path.isdir(folder) else 'check the spelling and the folder you are in')
+                            'check the spelling and the folder you are in' if os.path.isdir(folder) else
+                            f'there is no folder {folder!r}')
     return absolute
 
 

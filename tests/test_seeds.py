@@ -99,7 +99,7 @@ def test_what_fails_with_ros_fails_with_its_error_and_a_line_of_help(file: str, 
 def plain(text: str) -> str:
     """Without what differs between machines: search paths, file paths, object addresses."""
     text = re.sub(r'searching: \[.*?\]', 'searching: []', text)
-    text = re.sub(r"(/|@)[\w./@-]*/", '', text)
+    text = re.sub(r'(/|@)[\w./@-]*/', '', text)
     return re.sub(r' at 0x[0-9a-f]+', '', text).replace('"', '').strip()
 
 

@@ -12,7 +12,7 @@ from edulaunch.canvas.picture import Picture
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-__all__ = ['Picture', 'plot_graph', 'plot_turtles']
+__all__ = ['Picture', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles']
 
 
 def plot_turtles(recording: Recording, time_s: float | None = None) -> Picture:
@@ -22,11 +22,27 @@ def plot_turtles(recording: Recording, time_s: float | None = None) -> Picture:
     :raises ValueError: when nothing moved in the recording.
     """
     from edulaunch.canvas.turtle_scene import turtle_scene
-    scene = turtle_scene(recording, recording.duration_s if time_s is None else time_s)
+    from edulaunch.canvas.worlds import read_worlds
+    scene = turtle_scene(read_worlds(recording), recording.duration_s if time_s is None else time_s)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_turtles import draw_turtles
         return draw_turtles(scene)
+    return Picture(draw, scene.caption(), scene)
+
+
+def plot_frames(recording: Recording, time_s: float | None = None) -> Picture:
+    """The tf frames from above, as rviz2 shows them: each tree of frames in its root frame.
+
+    :param time_s: seconds since the start; default: the end of the recording.
+    :raises ValueError: when no frame had been broadcast by then.
+    """
+    from edulaunch.canvas.frames_scene import frames_scene
+    scene = frames_scene(recording, recording.duration_s if time_s is None else time_s)
+
+    def draw() -> bytes:
+        from edulaunch.canvas.draw_frames import draw_frames
+        return draw_frames(scene)
     return Picture(draw, scene.caption(), scene)
 
 

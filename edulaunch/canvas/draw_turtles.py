@@ -2,80 +2,72 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
-from edulaunch.canvas.style import FONT, GRID, INK, new_figure, to_png
+from edulaunch.canvas.glyphs import text_width
+from edulaunch.canvas.labels import Box, place_labels
+from edulaunch.canvas.panel import Panel
+from edulaunch.canvas.paper import Paper
+from edulaunch.canvas.shapes import LOOKS, SHELLS, Part, robot, shade, turtle
+from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, TEXT
 from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 
-PANEL_IN = 3.6
-SHELLS = ('#7fb069', '#e6aa68', '#ca3c25', '#a288a6', '#5bc0be', '#f4d35e')
+SIDE, LEFT, BETWEEN, BELOW, ABOVE, TOP = 320, 30, 22, 24, 24, 22
+TURTLESIM_PX = 500
+"""Size of a real turtlesim window, in which widths of pens are meant."""
 
 
 def draw_turtles(scene: TurtleScene) -> bytes:
-    """PNG bytes: one panel per window, at most three in a row."""
+    """PNG bytes: one panel per window, at most three in a row, and the time above."""
     columns = min(3, len(scene.windows))
     rows = math.ceil(len(scene.windows) / columns)
-    figure = new_figure(PANEL_IN * columns, PANEL_IN * rows + 0.3)
-    for number, window in enumerate(scene.windows, 1):
-        axes = figure.add_subplot(rows, columns, number)
-        _draw_window(axes, window)
-    figure.suptitle(f't = {scene.time_s:.2f} s', fontsize=9, color=INK, family=FONT, y=0.985)
-    figure.tight_layout(rect=(0, 0, 1, 0.97))
-    return to_png(figure)
+    cell_width, cell_height = LEFT + SIDE + BETWEEN, ABOVE + SIDE + BELOW
+    paper = Paper(columns * cell_width, TOP + rows * cell_height)
+    paper.text(LEFT, paper.height - 16, f't = {scene.time_s:.2f} s', colour=MUTED)
+    for number, window in enumerate(scene.windows):
+        left = number % columns * cell_width + LEFT
+        top = paper.height - TOP - number // columns * cell_height - ABOVE
+        paper.text(left + SIDE / 2, top + 8, window.title, size=TEXT, font='mono', align='center')
+        panel = Panel(paper, Box(left, top - SIDE, left + SIDE, top), window.limits)
+        draw_window(panel, window)
+        panel.frame()
+    return paper.png()
 
 
-def _draw_window(axes: Any, window: Window) -> None:
-    left, right, bottom, top = window.limits
-    axes.set_facecolor([part / 255 for part in window.background])
-    axes.set_xlim(left, right)
-    axes.set_ylim(bottom, top)
-    axes.set_aspect('equal')
-    axes.set_title(window.title, fontsize=9, color=INK, family=FONT)
-    axes.tick_params(labelsize=7, colors=INK, length=2)
-    if window.kind == 'robot':
-        axes.grid(color=GRID, linewidth=0.6)
+def draw_window(panel: Panel, window: Window, names: bool = True) -> None:
+    """Ground, trails, bodies and, if wanted, their names."""
+    paper, side = panel.paper, panel.box.right - panel.box.left
+    panel.ground(window.background, grid=window.kind == 'robot')
+    paper.clip(panel.box.left, panel.box.bottom, side, panel.box.top - panel.box.bottom)
     for trail in window.trails:
-        axes.plot([x for x, _ in trail.points], [y for _, y in trail.points], color=[part / 255 for part in trail.colour],
-                  linewidth=trail.width * 0.55, solid_capstyle='round', zorder=2)
-    size = (right - left) / (11.0 if window.kind == 'turtlesim' else 14.0)
-    for number, body in enumerate(window.bodies):
-        draw = _draw_turtle if window.kind == 'turtlesim' else _draw_robot
-        draw(axes, body, size, SHELLS[number % len(SHELLS)])
-        axes.annotate(body.name, (body.x, body.y), xytext=(0, 13), textcoords='offset points', ha='center', fontsize=7,
-                      color=INK, family=FONT, zorder=6,
-                      bbox={'boxstyle': 'round,pad=0.15', 'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.8})
+        paper.line(panel.points(trail.points), colour=trail.colour, width=max(1.0, trail.width * side / TURTLESIM_PX))
+    size = side / (9.5 if window.kind == 'turtlesim' else 11.0)
+    parts = turtle() if window.kind == 'turtlesim' else robot()
+    for body in window.bodies:
+        draw_body(panel, body, parts, size)
+    paper.clip()
+    if names:
+        _draw_names(panel, window.bodies, size)
 
 
-def _placed(body: Body, size: float, points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Points of a shape that looks along +x, put where the body is."""
+def draw_body(panel: Panel, body: Body, parts: list[Part], size: float) -> None:
+    """A turtle or robot, `size` pixels long."""
+    x, y = panel.at(body.x, body.y)
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
-    return [(body.x + c * x - s * y, body.y + s * x + c * y) for x, y in points]
+    shell = SHELLS[body.number % len(SHELLS)]
+    for kind, corners in parts:
+        points = [(x + c * px - s * py, y + s * px + c * py) for px, py in corners]
+        if kind == 'seam':
+            panel.paper.line(points, colour=shade(shell, 0.5), width=0.8)
+        else:
+            fill = {'shell': shell, 'plate': shade(shell)}.get(kind) or LOOKS[kind]
+            panel.paper.polygon(points, fill=fill, edge=None if kind == 'eye' else shade(shell, 0.5) if kind == 'plate' else INK, line_width=0.8)
 
 
-def _oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0) -> list[tuple[float, float]]:
-    angles = [2 * math.pi * step / 24 for step in range(24)]
-    c, s = math.cos(turn), math.sin(turn)
-    return [(x + c * rx * math.cos(a) - s * ry * math.sin(a), y + s * rx * math.cos(a) + c * ry * math.sin(a)) for a in angles]
-
-
-def _draw_turtle(axes: Any, body: Body, size: float, shell: str) -> None:
-    skin = '#f2e8cf'
-    parts = [(_oval(0.30, side * 0.34, 0.17, 0.09, side * 0.9), skin) for side in (1, -1)]
-    parts += [(_oval(-0.27, side * 0.33, 0.14, 0.08, -side * 0.9), skin) for side in (1, -1)]
-    parts += [([(-0.38, 0.06), (-0.58, 0.0), (-0.38, -0.06)], skin), (_oval(0.52, 0.0, 0.16, 0.13), skin)]
-    parts += [(_oval(0.0, 0.0, 0.42, 0.36), shell), (_oval(0.0, 0.0, 0.22, 0.18), '#00000022')]
-    parts += [(_oval(0.57, side * 0.06, 0.022, 0.022), INK) for side in (1, -1)]
-    _fill(axes, body, size, parts)
-
-
-def _draw_robot(axes: Any, body: Body, size: float, shell: str) -> None:
-    parts = [([(-0.4, side * 0.36), (0.3, side * 0.36), (0.3, side * 0.48), (-0.4, side * 0.48)], INK) for side in (1, -1)]
-    parts += [(_oval(0.0, 0.0, 0.45, 0.38), '#4c6a92'), ([(0.1, 0.18), (0.42, 0.0), (0.1, -0.18)], '#f4f7fb')]
-    _fill(axes, body, size, parts)
-
-
-def _fill(axes: Any, body: Body, size: float, parts: list[tuple[list[tuple[float, float]], str]]) -> None:
-    from matplotlib.patches import Polygon
-    for points, colour in parts:
-        axes.add_patch(Polygon(_placed(body, size, points), closed=True, facecolor=colour, edgecolor=INK,
-                               linewidth=0.6, zorder=4))
+def _draw_names(panel: Panel, bodies: list[Body], size: float) -> None:
+    height = SMALL + 4
+    anchors = [panel.at(body.x, body.y) for body in bodies]
+    sizes = [(text_width(body.name, SMALL) + 6, height) for body in bodies]
+    taken = [Box(x - size * 0.4, y - size * 0.4, x + size * 0.4, y + size * 0.4) for x, y in anchors]
+    for body, box in zip(bodies, place_labels(anchors, sizes, panel.box, size * 0.62, taken), strict=True):
+        panel.paper.box(box.left, box.bottom, box.right - box.left, height, radius=3, fill=PAPER, opacity=0.85)
+        panel.paper.text((box.left + box.right) / 2, (box.bottom + box.top) / 2, body.name, size=SMALL, align='center', middle=True)

@@ -4,7 +4,6 @@ The origin is at the lower left, y goes up, the unit is one layout pixel. What w
 """
 from __future__ import annotations
 
-import io
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -14,6 +13,7 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
 from edulaunch.canvas.glyphs import text_path, text_width
+from edulaunch.canvas.png import encode
 from edulaunch.canvas.style import INK, PAPER, SCALE, TEXT, Colour
 
 Point = tuple[float, float]
@@ -35,11 +35,11 @@ class Paper:
         edges = (x, y, x + (width or 0), y + (height or 0))
         self._clip = None if width is None else Bbox.from_extents(*(edge * self.scale for edge in edges))
 
-    def path(self, path: Path, fill: Sequence[float] | None = None, edge: Colour | None = None, width: float = 1.0,
+    def path(self, path: Path, fill: Sequence[float] | None = None, edge: Colour | None = None, line_width: float = 1.0,
              dash: Sequence[float] = (), opacity: float = 1.0) -> None:
         """Fill and stroke an outline. `dash`: lengths of strokes and gaps in pixels."""
         pen = self._renderer.new_gc()
-        pen.set_linewidth(width * self.scale if edge is not None else 0.0)
+        pen.set_linewidth(line_width * self.scale if edge is not None else 0.0)
         pen.set_foreground(_unit(edge or INK))
         pen.set_alpha(opacity)
         pen.set_capstyle('butt' if dash else 'round')
@@ -58,11 +58,11 @@ class Paper:
     def line(self, points: Sequence[Point] | Any, colour: Colour = INK, width: float = 1.0, **look: Any) -> None:
         """A line through points."""
         if len(points) > 1:
-            self.path(Path(np.asarray(points, dtype=float)), edge=colour, width=width, **look)
+            self.path(Path(np.asarray(points, dtype=float)), edge=colour, line_width=width, **look)
 
     def curve(self, points: Sequence[Point], colour: Colour = INK, width: float = 1.0, **look: Any) -> None:
         """Joined cubic curves: a start, then two control points and an end for each."""
-        self.path(Path(points, [Path.MOVETO, *[Path.CURVE4] * (len(points) - 1)]), edge=colour, width=width, **look)
+        self.path(Path(points, [Path.MOVETO, *[Path.CURVE4] * (len(points) - 1)]), edge=colour, line_width=width, **look)
 
     def box(self, x: float, y: float, width: float, height: float, radius: float = 0.0, **look: Any) -> None:
         """A rectangle by its lower left corner, with rounded corners."""
@@ -97,17 +97,13 @@ class Paper:
         path = text_path(text, size, x - width * ALIGN[align], y - (0.365 * size if middle else 0.0), font)
         if path is not None:
             if halo is not None:
-                self.path(path, edge=halo, width=2.6)
+                self.path(path, edge=halo, line_width=2.6)
             self.path(path, fill=colour)
         return width
 
     def png(self) -> bytes:
         """The sheet as PNG, without a date or a version in it."""
-        from PIL import Image
-        image = Image.fromarray(np.asarray(self._renderer.buffer_rgba())).convert('RGB')
-        buffer = io.BytesIO()
-        image.save(buffer, format='png', compress_level=6)
-        return buffer.getvalue()
+        return encode(np.asarray(self._renderer.buffer_rgba()))
 
 
 def _unit(colour: Sequence[float]) -> tuple[float, ...]:

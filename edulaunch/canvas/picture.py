@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from edulaunch.canvas.style import SCALE
+
 
 class Picture:
     """A drawing of a scene. A notebook shows the image; `repr()` is one line with a digest of the scene.
@@ -23,7 +25,7 @@ class Picture:
     @property
     def digest(self) -> str:
         """Eight hexadecimal digits for what the scene shows."""
-        return hashlib.sha256(repr(rounded(self.scene)).encode()).hexdigest()[:8]
+        return digest(self.scene)
 
     def __repr__(self) -> str:
         return f'{self.caption} [scene {self.digest}]'
@@ -34,13 +36,26 @@ class Picture:
             self._png = self._draw()
         return self._png
 
-    def _repr_png_(self) -> bytes:
-        return self.png()
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
+        """The image, and the caption for those who cannot see it: as plain text and as the image's alternative text."""
+        return {'text/plain': repr(self), 'image/png': self.png()}, {'image/png': png_metadata(self.png(), self.caption)}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the image as a PNG file."""
         with open(path, 'wb') as file:
             file.write(self.png())
+
+
+def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:
+    """What a notebook needs to know of an image: its size on the screen, and the text that says the same."""
+    from edulaunch.canvas.png import size
+    width, height = size(png)
+    return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
+
+
+def digest(scene: Any) -> str:
+    """Eight hexadecimal digits for plain data."""
+    return hashlib.sha256(repr(rounded(scene)).encode()).hexdigest()[:8]
 
 
 def rounded(value: Any) -> Any:

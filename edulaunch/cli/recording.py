@@ -54,7 +54,8 @@ def lines(summary: dict[str, Any]) -> list[str]:
             f'Duration:     {summary["duration_s"]:.3f} s (seed {summary["seed"]})',
             f'Digest:       {summary["digest"]}', f'Log messages: {summary["log_messages"]}', '', 'Processes:']
     for process in summary['processes']:
-        end = 'running at the end' if process['ended_s'] is None else f'ended at {process["ended_s"]:.3f} s with code {process["returncode"]}'
+        end = ('running at the end' if process['ended_s'] is None else
+               f'ended at {process["ended_s"]:.3f} s with code {process["returncode"]}')
         place = '' if process['origin'] is None else f'  [{process["origin"][0]}:{process["origin"][1]}]'
         text.append(f'  {process["name"]} (pid {process["pid"]}): {end}{place}')
     text += ['', 'Nodes:', *(f'  {node["name"]} ({node["process"]})' for node in summary['nodes']), '', 'Topics:']

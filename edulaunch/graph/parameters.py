@@ -14,7 +14,8 @@ _SCALAR_TYPES: dict[type, int] = {bool: BOOL, int: INTEGER, float: DOUBLE, str: 
 _ARRAY_TYPES = ((bytes, BYTE_ARRAY), (bool, BOOL_ARRAY), (int, INTEGER_ARRAY), (float, DOUBLE_ARRAY), (str, STRING_ARRAY))
 _TRUE = frozenset(('Y', 'y', 'yes', 'Yes', 'YES', 'true', 'True', 'TRUE', 'on', 'On', 'ON'))
 _FALSE = frozenset(('N', 'n', 'no', 'No', 'NO', 'false', 'False', 'FALSE', 'off', 'Off', 'OFF'))
-_DOTTED_FLOATS = {f'{sign}.{word}': f'{sign}{word}' for sign in ('', '+', '-') for word in ('nan', 'NaN', 'NAN', 'inf', 'Inf', 'INF')}
+_DOTTED_FLOATS = {f'{sign}.{word}': f'{sign}{word}'
+                  for sign in ('', '+', '-') for word in ('nan', 'NaN', 'NAN', 'inf', 'Inf', 'INF')}
 _TOLERANCE = 1e-6
 _INT64 = range(-(1 << 63), 1 << 63)
 

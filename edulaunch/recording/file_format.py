@@ -49,7 +49,8 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     lines = data.split(b'\n')
     header = _parse(lines[0], name, 1)
     if header.get('format') != FORMAT:
-        raise RecordingError(f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`')
+        raise RecordingError(f'{name} is not a recording of edulaunch.',
+                             help='recordings are written by `edulaunch launch ... --record FILE`')
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
     content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'topics': []}

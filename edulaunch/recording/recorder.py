@@ -58,7 +58,8 @@ class Recorder(Tracer):
             {'topic': topic, 'type': kind, 'times': [row[0] - start for row in rows if row[0] <= end],
              'publishers': [row[1] for row in rows if row[0] <= end], 'messages': [row[2] for row in rows if row[0] <= end]}
             for (topic, kind), rows in sorted(self.columns.items())]
-        return {'seed': self.sim.seed, 'start_ns': start, 'duration_ns': self._duration_ns, 'roots': self.roots, 'launch': self.launch, 'processes': self.processes,
+        return {'seed': self.sim.seed, 'start_ns': start, 'duration_ns': self._duration_ns, 'roots': self.roots,
+                'launch': self.launch, 'processes': self.processes,
                 'nodes': self.nodes, 'endpoints': self.endpoints, 'parameters': self.parameters, 'calls': self.calls,
                 'logs': self.logs, 'output': self.output_lines, 'notes': self.notes, 'topics': topics}
 
@@ -79,7 +80,8 @@ class Recorder(Tracer):
     def endpoint_added(self, kind: str, endpoint: Any) -> None:
         if self.on:
             name = endpoint.topic_name if kind in ('publisher', 'subscription') else endpoint.service_name
-            self.endpoints.append([kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(), list(endpoint.qos)])
+            self.endpoints.append([kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(),
+                                   list(endpoint.qos)])
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         if self.on:

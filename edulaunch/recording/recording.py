@@ -9,9 +9,23 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.errors import RecordingError
 from edulaunch.recording import file_format
 from edulaunch.recording.records import (
-    DeclaredArgument, Frame, LaunchRecord, LogRecord, NodeRecord, Note, Output, Parameter, ProcessRecord, ServiceCall, TopicRecord)
+    DeclaredArgument,
+    Frame,
+    LaunchRecord,
+    LogRecord,
+    NodeRecord,
+    Note,
+    Output,
+    Parameter,
+    ProcessRecord,
+    ServiceCall,
+    TopicRecord,
+)
 
 if TYPE_CHECKING:
+    from edulaunch.canvas.parameter_table import Table
+    from edulaunch.canvas.picture import Picture
+    from edulaunch.canvas.replay import Replay
     from edulaunch.recording.trajectory import Trajectory
 
 
@@ -68,6 +82,7 @@ class Recording:
         Paths of the launch files are left out, so that a copy of a workspace gives the same digest.
         """
         import hashlib
+
         from edulaunch.recording.canonical import canonical
         return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
 
@@ -197,18 +212,44 @@ class Recording:
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
             cls = service_class(kind)
             answer = cls.Response.from_wire(response) if replied is not None else None
-            calls.append(ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served, _seconds(replied), answer))
+            calls.append(ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served,
+                                     _seconds(replied), answer))
         return calls
 
-    def plot_turtles(self, **options: Any) -> Any:
-        """A matplotlib figure of the turtle windows at the end of the run; see `edulaunch.canvas.plot_turtles`."""
+    def plot_turtles(self, time_s: float | None = None) -> Picture:
+        """The turtle windows at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_turtles`."""
         from edulaunch.canvas import plot_turtles
-        return plot_turtles(self, **options)
+        return plot_turtles(self, time_s)
 
-    def plot_graph(self, **options: Any) -> Any:
-        """A matplotlib figure of nodes and topics; see `edulaunch.canvas.plot_graph`."""
+    def plot_frames(self, time_s: float | None = None) -> Picture:
+        """tf frames from above at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_frames`."""
+        from edulaunch.canvas import plot_frames
+        return plot_frames(self, time_s)
+
+    def plot_tf_tree(self) -> Picture:
+        """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""
+        from edulaunch.canvas import plot_tf_tree
+        return plot_tf_tree(self)
+
+    def plot_graph(self, *, unused: bool = False, services: bool = False) -> Picture:
+        """Nodes and topics; see :func:`edulaunch.canvas.plot_graph`."""
         from edulaunch.canvas import plot_graph
-        return plot_graph(self, **options)
+        return plot_graph(self, unused=unused, services=services)
+
+    def plot_distance(self, first: str, second: str, close_m: float = 1.0) -> Picture:
+        """How far a turtle, robot or tf frame is from another over time; see :func:`edulaunch.canvas.plot_distance`."""
+        from edulaunch.canvas import plot_distance
+        return plot_distance(self, first, second, close_m)
+
+    def parameter_table(self, node: str | None = None, *, every: bool = False) -> Table:
+        """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""
+        from edulaunch.canvas import parameter_table
+        return parameter_table(self, node, every=every)
+
+    def replay(self) -> Replay:
+        """A player for turtles, robots and tf frames; see :func:`edulaunch.canvas.replay`."""
+        from edulaunch.canvas import replay
+        return replay(self)
 
 
 def _seconds(time_ns: int | None) -> float | None:

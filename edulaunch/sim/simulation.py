@@ -25,7 +25,9 @@ class Simulation:
 
     The agenda is a heap of (time, priority, sequence, callback): ties are settled by priority, then by who asked first.
     What is asked for the present instant with the usual priority 0 stands in a queue beside the heap: that is the same order
-    (whatever the heap holds for this instant was asked for earlier), and much cheaper. Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
+    (whatever the heap holds for this instant was asked for earlier), and much cheaper.
+
+    Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
     :class:`~edulaunch.sim.task.Task`).
 
     :param seed: from which every random generator of the run is derived.

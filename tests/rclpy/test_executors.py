@@ -120,7 +120,7 @@ def test_spin_once_executes_a_callback_that_polls_until_done(ros: Ros, world: Wo
     def body() -> None:
         node = Node('n')
         done: list[int] = []
-        node.create_timer(0.5, lambda: done.append(1))
+        node.create_timer(0.02, lambda: done.append(1))
         while not done:
             rclpy.spin_once(node, timeout_sec=0)
         world.say('done')

@@ -75,7 +75,7 @@ def test_calls_stay_on_the_grid_however_long_they_take(period_ms: int, naps_ms: 
     times = [round(at * 1e6) for at, _, _ in world.run(1)]
     period = int(period_ms / 1000 * 1e9)
     assert times[0] == period
-    late_by = [at % period for at, nap in zip(times[1:], naps_ms) if nap == 0]
+    late_by = [at % period for at, nap in zip(times[1:], naps_ms, strict=False) if nap == 0]
     assert not any(late_by[1:2])
     assert all(at % period == 0 for at in times[len(naps_ms) + 1:])
 
@@ -118,7 +118,7 @@ def test_a_timer_without_period_is_always_ready_but_time_passes(world: World) ->
         calls = []
         node.create_timer(0, lambda: calls.append(1))
         spin_for(0.01, node)
-        world.say(len(calls) > 1000)
+        world.say(len(calls) > 500)
 
     assert world.run_program(program) == [True]
 

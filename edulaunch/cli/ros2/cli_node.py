@@ -27,9 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help='Spin time in seconds to wait for discovery (default: until the simulation is 0.5 s old)',
     )
     parser.add_argument('-s', '--use-sim-time', action='store_true', help='Enable ROS simulation time')
-    parser.add_argument(
-        '--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery'
-    )
+    parser.add_argument('--no-daemon', action='store_true', help='Do not use a running daemon; wait for discovery')
 
 
 @contextmanager

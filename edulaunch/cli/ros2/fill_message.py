@@ -34,9 +34,7 @@ def parse_values(text: str) -> dict[str, Any]:
     try:
         values = yaml.safe_load(text)
     except yaml.YAMLError as error:
-        raise ValuesError(
-            f'The passed value is not valid YAML: {str(error).splitlines()[0]}\n  help: {_YAML_HELP}'
-        ) from None
+        raise ValuesError(f'The passed value is not valid YAML: {str(error).splitlines()[0]}\n  help: {_YAML_HELP}') from None
     if values is None:
         return {}
     if not isinstance(values, dict):
@@ -67,9 +65,10 @@ def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = Fal
         field = fields.get(name)
         if field is None:
             listed = f'the fields of {message.TYPE} are: {", ".join(fields) or "(none)"}'
+            blank = f'put a blank after the colon: {str(name).replace(":", ": ", 1)}' if ':' in str(name) else None
             raise FillError(
                 f'{type(message).__name__!r} object has no attribute {name!r}',
-                nearest_help(str(name), fields) or listed,
+                blank or nearest_help(str(name), fields) or listed,
             )
         if stamps and _is_stamp(field, value):
             found.append(_stamp(message, field))
@@ -100,16 +99,10 @@ def _fill_field(message: Message, field: Field, value: Any, stamps: bool) -> lis
                 new.append(message._RULES[field.name].message())
                 found += fill_message(new[-1], _dictionary(item), stamps=stamps)
         else:
-            new = (
-                [_plain(field.type, item) for item in _list(field, value)]
-                if field.type.array
-                else _plain(field.type, value)
-            )
+            new = [_plain(field.type, item) for item in _list(field, value)] if field.type.array else _plain(field.type, value)
         setattr(message, field.name, new)
     except (AssertionError, TypeError, ValueError, OverflowError) as error:
-        raise FillError(
-            str(error), None if 'help:' in str(error) else f"'{field.name}' is {field.type.text}"
-        ) from None
+        raise FillError(str(error), None if 'help:' in str(error) else f"'{field.name}' is {field.type.text}") from None
     return found
 
 
@@ -121,9 +114,7 @@ def _dictionary(value: Any) -> dict[str, Any]:
 
 def _list(field: Field, value: Any) -> Any:
     if not isinstance(value, (list, tuple)):
-        raise TypeError(
-            f"Value '{value}' of '{field.name}' is expected to be a list but is a {type(value).__name__}"
-        )
+        raise TypeError(f"Value '{value}' of '{field.name}' is expected to be a list but is a {type(value).__name__}")
     return value
 
 

@@ -46,6 +46,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action='store_true',
         help='Show arguments that may be given to the launch file.',
     )
+    _add_names(parser)
+
+
+def _add_names(parser: argparse.ArgumentParser) -> None:
+    """What to launch, and with which arguments."""
     parser.add_argument(
         'package_name',
         help='Name of the ROS package which contains the launch file, or path of a launch file',
@@ -72,14 +77,10 @@ def main(arguments: argparse.Namespace) -> int:
     else:
         path = find_launch_file(process.index, arguments.package_name, arguments.launch_file_name)
     if arguments.show_args or arguments.print:
-        (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(
-            launch_file_path=path
-        )
+        (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
         return 0
     if arguments.show_all_subprocesses_output:
         process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
     return int(
-        api.launch_a_launch_file(
-            launch_file_path=path, launch_file_arguments=given, noninteractive=True, debug=arguments.debug
-        )
+        api.launch_a_launch_file(launch_file_path=path, launch_file_arguments=given, noninteractive=True, debug=arguments.debug)
     )

@@ -31,9 +31,7 @@ def absolute(name: str) -> str:
 
 def node_names(node: Node, include_hidden: bool = True) -> list[str]:
     """The full names of all nodes, sorted."""
-    return sorted(
-        name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name)
-    )
+    return sorted(name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name))
 
 
 def add_list_arguments(parser: argparse.ArgumentParser, what: str) -> None:

@@ -68,6 +68,15 @@ class ParametersOf:
         """Their ParameterValues; none at all when one is not declared."""
         return list(self._call('get_parameters', 'GetParameters', names=parameters).values)
 
+    def all_values(self) -> dict[str, Any]:
+        """All that have a value, as plain Python data, sorted by name."""
+        known = self.names()
+        values = self.values(known)
+        if len(values) < len(known):  # one without a value makes the whole answer empty
+            given = [(name, self.values([name])) for name in known]
+            return {name: python_value(found[0]) for name, found in given if found}
+        return {name: python_value(value) for name, value in zip(known, values, strict=True)}
+
     def descriptors(self, parameters: list[str]) -> list[Any]:
         """Their descriptors; none at all when one is not declared."""
         return list(self._call('describe_parameters', 'DescribeParameters', names=parameters).descriptors)
@@ -105,15 +114,11 @@ def python_value(value: Any) -> Any:
     found = parameter_value_to_python(value)
     if hasattr(found, 'tolist'):
         return found.tolist()
-    return (
-        [item[0] if isinstance(item, bytes) else item for item in found]
-        if isinstance(found, (list, tuple))
-        else found
-    )
+    return [item[0] if isinstance(item, bytes) else item for item in found] if isinstance(found, (list, tuple)) else found
 
 
 def type_help(reason: str) -> str | None:
-    """What to try when a value of the wrong type was refused: it is read as YAML, so its spelling is its type."""
+    """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
     for word, text in (
         ('DOUBLE', 'write the number with a point, as in 5.0'),
         ('STRING', "write '!!str VALUE', in quotation marks"),

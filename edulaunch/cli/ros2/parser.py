@@ -53,11 +53,7 @@ class Parser(argparse.ArgumentParser):
         """Usage and message on standard error, with the nearest option when one is unknown; status 2."""
         self.print_usage(sys.stderr)
         unknown = message.partition('unrecognized arguments: ')[2].split()
-        near = (
-            nearest(unknown[0], self._option_string_actions)
-            if unknown and unknown[0].startswith('-')
-            else None
-        )
+        near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
         self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
 
 
@@ -106,9 +102,7 @@ def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known:
 
 def _listed(kind: str, known: dict[str, str]) -> str:
     width = max(map(len, known))
-    return f'{kind.capitalize()}s:\n' + ''.join(
-        f'  {name:<{width}}  {text}\n' for name, text in known.items()
-    )
+    return f'{kind.capitalize()}s:\n' + ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
 
 
 def nearest_help(word: str, known: Iterable[str]) -> str | None:

@@ -35,9 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
         default=default,
         help=f'Quality of service preset profile (default: {default})',
     )
-    parser.add_argument(
-        '--qos-depth', metavar='N', type=int, help='Queue size setting (overrides depth of the profile)'
-    )
+    parser.add_argument('--qos-depth', metavar='N', type=int, help='Queue size setting (overrides depth of the profile)')
     for policy, values in POLICIES.items():
         parser.add_argument(
             f'--qos-{policy}',

@@ -33,9 +33,7 @@ def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wai
         while wait and not types and cli_node.pause(node, 0.1):
             types = _types(node, name)
     if not types:
-        return with_help(
-            UNKNOWN, nearest_help(name, [known for known, _ in node.get_topic_names_and_types()])
-        )
+        return with_help(UNKNOWN, nearest_help(name, [known for known, _ in node.get_topic_names_and_types()]))
     if len(types) > 1:
         return f"Cannot {verb} topic '{topic}', as it contains more than one type: [{', '.join(types)}]"
     return interface_class(types[0], 'msg')

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:
-    """Module functions use one generator seeded by (simulation seed, process name); `Random()` without a seed draws one from it."""
+    """Module functions use one generator seeded by (simulation seed, process name); `Random()` draws its seed from it."""
     generator = process.sim.random(process.name)
 
     class Random(real.Random):

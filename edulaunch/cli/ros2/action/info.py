@@ -40,16 +40,11 @@ def main(arguments: argparse.Namespace) -> None:
         say(f'Action {side}: {len(found)}')
         if not arguments.count:
             names.say_lines(
-                [
-                    f'    {name} [{", ".join(types)}]' if arguments.show_types else f'    {name}'
-                    for name, types in found
-                ]
+                [f'    {name} [{", ".join(types)}]' if arguments.show_types else f'    {name}' for name, types in found]
             )
 
 
-def _nodes(
-    node: Node, action: str, actions_by_node: Callable[[Node, str, str], names.NamesAndTypes]
-) -> names.NamesAndTypes:
+def _nodes(node: Node, action: str, actions_by_node: Callable[[Node, str, str], names.NamesAndTypes]) -> names.NamesAndTypes:
     found = []
     for name, namespace in node.get_node_names_and_namespaces():
         types = names.types_of(action, actions_by_node(node, name, namespace))

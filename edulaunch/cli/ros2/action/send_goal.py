@@ -24,9 +24,7 @@ STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'C
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     parser.add_argument('action_name', help="Name of the ROS action (e.g. '/fibonacci')")
-    parser.add_argument(
-        'action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')"
-    )
+    parser.add_argument('action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
     group = parser.add_mutually_exclusive_group()
     group.add_argument('goal', nargs='?', default='{}', help='Goal request values in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
@@ -41,9 +39,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         return with_help('The passed action type is invalid', error.help)
     goal = cls.Goal()
     try:
-        fill_message(
-            goal, parse_values(current_process().stdin.read() if arguments.stdin else arguments.goal)
-        )
+        fill_message(goal, parse_values(current_process().stdin.read() if arguments.stdin else arguments.goal))
     except FillError as error:
         return str(error)
     name = f'_ros2cli_send_goal_{cls.TYPE.replace("/", "_")}'
@@ -72,10 +68,7 @@ def _send(node: Node, arguments: argparse.Namespace, cls: Any, goal: Any) -> str
     except KeyboardInterrupt:
         return _cancel(node, handle)
     answer: Any = finished.result()
-    say(
-        f'Result:\n    {message_yaml(answer.result)}\n'
-        f'Goal finished with status: {STATUS_WORDS[answer.status]}'
-    )
+    say(f'Result:\n    {message_yaml(answer.result)}\nGoal finished with status: {STATUS_WORDS[answer.status]}')
     return None
 
 

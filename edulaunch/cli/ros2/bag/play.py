@@ -27,21 +27,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=1.0,
         help='rate at which to play back messages. Valid range > 0.0.',
     )
-    parser.add_argument(
-        '--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.'
-    )
+    parser.add_argument('--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.')
     parser.add_argument(
         '--start-offset',
         type=float,
         default=0.0,
         help='Start the playback player this many seconds into the bag file.',
     )
-    parser.add_argument(
-        '-l', '--loop', action='store_true', help='enables loop playback when playing a bagfile.'
-    )
-    parser.add_argument(
-        '-d', '--delay', type=float, default=0.0, help='Sleep duration before play (each loop), in seconds.'
-    )
+    parser.add_argument('-l', '--loop', action='store_true', help='enables loop playback when playing a bagfile.')
+    parser.add_argument('-d', '--delay', type=float, default=0.0, help='Sleep duration before play (each loop), in seconds.')
 
 
 def _positive(text: str) -> float:
@@ -60,9 +54,7 @@ def main(arguments: argparse.Namespace) -> str | None:
             'give the folder that `ros2 bag record` made',
         )
     if find_spec('rosbags') is None:
-        return with_help(
-            "bags cannot be read, because 'rosbags' is not installed", 'pip install edulaunch[bags]'
-        )
+        return with_help("bags cannot be read, because 'rosbags' is not installed", 'pip install edulaunch[bags]')
     with cli_node.cli_node(name='rosbag2_player') as node:
         log = node.get_logger()
         log.info(f'Set rate to {arguments.rate:g}')

@@ -36,9 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
     parser.add_argument('--all-topics', action='store_true', help='Record all topics.')
-    parser.add_argument(
-        '-e', '--regex', default='', help='Record only topics containing provided regular expression.'
-    )
+    parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
     parser.add_argument(
         '-x',
         '--exclude',
@@ -59,6 +57,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default='mcap',
         help="Storage identifier to be used, defaults to 'mcap'.",
     )
+    _add_discovery(parser)
+
+
+def _add_discovery(parser: argparse.ArgumentParser) -> None:
+    """How topics are found."""
     parser.add_argument(
         '-p',
         '--polling-interval',
@@ -66,12 +69,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=100,
         help='Time in ms to wait between querying available topics for recording (default: 100)',
     )
-    parser.add_argument(
-        '--include-hidden-topics', action='store_true', help='Discover and record hidden topics as well.'
-    )
-    parser.add_argument(
-        '--no-discovery', action='store_true', help='Disables topic auto discovery during recording.'
-    )
+    parser.add_argument('--include-hidden-topics', action='store_true', help='Discover and record hidden topics as well.')
+    parser.add_argument('--no-discovery', action='store_true', help='Disables topic auto discovery during recording.')
 
 
 def main(arguments: argparse.Namespace) -> str | None:
@@ -149,12 +148,7 @@ class BagRecorder:
             return False
         if chosen.exclude and re.search(chosen.exclude, topic):
             return False
-        return (
-            topic in self._wanted
-            or chosen.all
-            or chosen.all_topics
-            or bool(chosen.regex and re.search(chosen.regex, topic))
-        )
+        return topic in self._wanted or chosen.all or chosen.all_topics or bool(chosen.regex and re.search(chosen.regex, topic))
 
     def _listen(self, topic: str) -> None:
         graph = self._node.handle.process.graph

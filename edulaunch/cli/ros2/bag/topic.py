@@ -27,9 +27,7 @@ class BagTopic:
         self._keep = messages.append
         self._sim = node.process.sim
         self._queue: Any = ()
-        subscription = first.graph.create_subscription(
-            node, self.name, self.cls, _suitable(self.offered), self._on_ready
-        )
+        subscription = first.graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
         self._queue = subscription.queue
         self._on_ready()
 

@@ -84,7 +84,7 @@ def _short(name: str) -> str:
 def _offered(qos: QoS) -> Any:
     from rosbags import interfaces
 
-    def time(nanoseconds: int) -> Any:
+    def finite(nanoseconds: int) -> Any:
         return interfaces.QosTime(*divmod(nanoseconds or (1 << 63) - 1, 1_000_000_000))
 
     return interfaces.Qos(
@@ -92,9 +92,9 @@ def _offered(qos: QoS) -> Any:
         qos.depth,
         interfaces.QosReliability[qos.reliability.upper()],
         interfaces.QosDurability[qos.durability.upper()],
-        time(qos.deadline_ns),
-        time(qos.lifespan_ns),
+        finite(qos.deadline_ns),
+        finite(qos.lifespan_ns),
         interfaces.QosLiveliness[qos.liveliness.upper()],
-        time(qos.lease_ns),
+        finite(qos.lease_ns),
         False,
     )

@@ -20,11 +20,5 @@ def main(arguments: argparse.Namespace) -> str | None:
     registry, package = current_registry(), arguments.package_name
     if not registry.has(package):
         return with_help(f"Unknown package '{package}'", nearest_help(package, registry.packages()))
-    say_lines(
-        [
-            f'{package}/{kind}/{name}'
-            for kind in ('action', 'msg', 'srv')
-            for name in registry.names(package, kind)
-        ]
-    )
+    say_lines([f'{package}/{kind}/{name}' for kind in ('action', 'msg', 'srv') for name in registry.names(package, kind)])
     return None

@@ -18,10 +18,4 @@ def main(arguments: argparse.Namespace) -> None:
     """Print them, sorted."""
     registry = current_registry()
     chosen = [kind for kind, _ in listing.KINDS if getattr(arguments, kind)]
-    say_lines(
-        [
-            name
-            for name in registry.packages()
-            if not chosen or any(registry.has(name, kind) for kind in chosen)
-        ]
-    )
+    say_lines([name for name in registry.packages() if not chosen or any(registry.has(name, kind) for kind in chosen)])

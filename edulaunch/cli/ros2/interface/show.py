@@ -33,9 +33,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         say_lines(list(_lines(registry, name, 0, not arguments.no_comments, arguments.all_comments)))
     except InterfaceError as error:
         known = registry.has(package)
-        return with_help(
-            f"Could not find the interface '{name}'" if known else f"Unknown package '{package}'", error.help
-        )
+        return with_help(f"Could not find the interface '{name}'" if known else f"Unknown package '{package}'", error.help)
     return None
 
 

@@ -17,12 +17,8 @@ if TYPE_CHECKING:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
-    parser.add_argument(
-        'node_name', help='Fully qualified node name to request information with given spin time'
-    )
-    parser.add_argument(
-        '--include-hidden', action='store_true', help='Display hidden topics, services, and actions as well'
-    )
+    parser.add_argument('node_name', help='Fully qualified node name to request information with given spin time')
+    parser.add_argument('--include-hidden', action='store_true', help='Display hidden topics, services, and actions as well')
 
 
 def main(arguments: argparse.Namespace) -> str | None:
@@ -36,16 +32,12 @@ def main(arguments: argparse.Namespace) -> str | None:
         if count > 1:
             complain(
                 f'There are {count} nodes in the graph with the exact name "{wanted}". '
-                'You are seeing information about only '
-                'one of them.'
+                'You are seeing information about only one of them.'
             )
         say(wanted)
         for heading, entries in _sections(node, wanted):
             say(f'  {heading}:')
-            shown = [
-                f'    {name}: {", ".join(types)}'
-                for name, types in names.visible(entries, arguments.include_hidden)
-            ]
+            shown = [f'    {name}: {", ".join(types)}' for name, types in names.visible(entries, arguments.include_hidden)]
             say('\n'.join(shown))
     return None
 

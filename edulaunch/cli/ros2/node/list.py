@@ -12,9 +12,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
-    parser.add_argument(
-        '-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered'
-    )
+    parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
 
 
 def main(arguments: argparse.Namespace) -> None:
@@ -27,7 +25,6 @@ def main(arguments: argparse.Namespace) -> None:
     if len(set(found)) < len(found):
         complain(
             'WARNING: Be aware that there are nodes in the graph that share an exact name, '
-            'which can have unintended side '
-            'effects.'
+            'which can have unintended side effects.'
         )
     names.say_lines(found)

@@ -15,6 +15,4 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(arguments: argparse.Namespace) -> None:
     """Print them, as `--params-file` and `ros2 param load` read them."""
     with node_parameters.parameters_of(arguments) as parameters:
-        names = parameters.names()
-        values = [node_parameters.python_value(value) for value in parameters.values(names)]
-    node_parameters.say_nested(dict(zip(names, values, strict=True)), parameters.name)
+        node_parameters.say_nested(parameters.all_values(), parameters.name)

@@ -13,12 +13,8 @@ from edulaunch.cli.ros2.output import say
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     node_parameters.add_arguments(parser, optional=True)
-    parser.add_argument(
-        '--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes'
-    )
-    parser.add_argument(
-        '--param-type', action='store_true', help='Print parameter types with parameter names'
-    )
+    parser.add_argument('--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes')
+    parser.add_argument('--param-type', action='store_true', help='Print parameter types with parameter names')
     parser.add_argument('--filter', metavar='REGEX', help='Only list parameters matching the provided regex')
 
 

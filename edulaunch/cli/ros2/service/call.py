@@ -26,13 +26,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('service_name', help="Name of the ROS service to call to (e.g. '/add_two_ints')")
     parser.add_argument('service_type', help="Type of the ROS service (e.g. 'std_srvs/srv/Empty')")
     group = parser.add_mutually_exclusive_group()
-    group.add_argument(
-        'values', nargs='?', default='{}', help='Values to fill the service request with in YAML format'
-    )
+    group.add_argument('values', nargs='?', default='{}', help='Values to fill the service request with in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
-    parser.add_argument(
-        '-r', '--rate', metavar='N', type=_positive, help='Repeat the call at a specific rate in Hz'
-    )
+    parser.add_argument('-r', '--rate', metavar='N', type=_positive, help='Repeat the call at a specific rate in Hz')
 
 
 def _positive(text: str) -> float:

@@ -21,9 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action='store_true',
         help='Only display the number of services discovered',
     )
-    parser.add_argument(
-        '--include-hidden-services', action='store_true', help='Consider hidden services as well'
-    )
+    parser.add_argument('--include-hidden-services', action='store_true', help='Consider hidden services as well')
 
 
 def main(arguments: argparse.Namespace) -> None:

@@ -11,9 +11,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     names.add_list_arguments(parser, 'service')
-    parser.add_argument(
-        '--include-hidden-services', action='store_true', help='Consider hidden services as well'
-    )
+    parser.add_argument('--include-hidden-services', action='store_true', help='Consider hidden services as well')
 
 
 def main(arguments: argparse.Namespace) -> None:

@@ -10,9 +10,7 @@ from edulaunch.cli.ros2 import cli_node, names
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
-    parser.add_argument(
-        'service_name', help="Name of the ROS service to get type (e.g. '/talker/list_parameters')"
-    )
+    parser.add_argument('service_name', help="Name of the ROS service to get type (e.g. '/talker/list_parameters')")
 
 
 def main(arguments: argparse.Namespace) -> int:

@@ -16,9 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(arguments: argparse.Namespace) -> str | None:
     """Print a report each second."""
-    return measuring.listen(
-        arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True
-    )
+    return measuring.listen(arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True)
 
 
 class Bandwidth:

@@ -31,9 +31,7 @@ class Delay:
         :raises RuntimeError: for a message without header; in the words of ROS 2.
         """
         if not hasattr(message, 'header'):
-            raise RuntimeError(
-                'msg does not have header\n  help: only stamped messages tell when they were made'
-            )
+            raise RuntimeError('msg does not have header\n  help: only stamped messages tell when they were made')
         stamp = message.header.stamp
         self._delays.append((now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) / 1e9)
 

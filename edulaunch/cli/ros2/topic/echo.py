@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, qos_options
+from edulaunch.cli.ros2.message_filter import message_filter
 from edulaunch.cli.ros2.message_text import Shortening, message_csv, message_yaml, plain_value
 from edulaunch.cli.ros2.output import complain, say
 from edulaunch.cli.ros2.topic_class import topic_class
@@ -22,14 +23,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to listen to (e.g. '/chatter')")
-    parser.add_argument(
-        'message_type', nargs='?', help="Type of the ROS message (e.g. 'std_msgs/msg/String')"
-    )
+    parser.add_argument('message_type', nargs='?', help="Type of the ROS message (e.g. 'std_msgs/msg/String')")
     parser.add_argument('--csv', action='store_true', help='Output all recursive fields separated by commas')
     parser.add_argument('--field', metavar='FIELD', help='Echo a selected field of a message')
-    parser.add_argument(
-        '-f', '--full-length', action='store_true', help='Output all elements for arrays, bytes, and string'
-    )
+    parser.add_argument('-f', '--full-length', action='store_true', help='Output all elements for arrays, bytes, and string')
     parser.add_argument(
         '-l',
         '--truncate-length',
@@ -42,9 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--flow-style', action='store_true', help='Print collections in the block style')
     parser.add_argument('--no-lost-messages', action='store_true', help="Don't report when a message is lost")
     parser.add_argument('--raw', action='store_true', help='Echo the raw binary representation')
-    parser.add_argument(
-        '--filter', metavar='EXPR', help="Python expression to select messages, as in 'm.x > 1'"
-    )
+    parser.add_argument('--filter', metavar='EXPR', help="Python expression to select messages, as in 'm.x > 1'")
     parser.add_argument('--once', action='store_true', help='Print the first message received and then exit')
     parser.add_argument('--timeout', metavar='N', type=float, help='Set a timeout in seconds for waiting')
     parser.add_argument('--include-hidden-topics', action='store_true', help='Consider hidden topics as well')
@@ -62,9 +57,7 @@ def main(arguments: argparse.Namespace) -> str | int | None:
         topic = node.resolve_topic_name(arguments.topic_name)
         done = rclpy.task.Future()
         printer = Printer(arguments, done)
-        node.create_subscription(
-            cls, topic, printer.on_message, _suitable_profile(node, topic, arguments), raw=arguments.raw
-        )
+        node.create_subscription(cls, topic, printer.on_message, _suitable_profile(node, topic, arguments), raw=arguments.raw)
         rclpy.spin_until_future_complete(node, done, timeout_sec=arguments.timeout)
     return None
 
@@ -76,27 +69,23 @@ class Printer:
         self._arguments = arguments
         self._done = done
         self._fields = [name for name in (arguments.field or '').split('.') if name]
-        self._filter = arguments.filter and eval(
-            f'lambda m: {arguments.filter}'
-        )  # the user's own expression, as in ROS 2
+        self._passes = message_filter(arguments.filter)
         length = None if arguments.full_length else arguments.truncate_length
         self._short = Shortening(length, arguments.no_arr, arguments.no_str)
 
     def on_message(self, message: Any) -> None:
         """Print one message."""
+        if not self._passes(message):
+            return
         for name in self._fields:
             message = _member(message, name)
-        if self._filter and not self._filter(message):
-            return
         say(self._text(message), '\n' if self._arguments.csv else '---\n')
         if self._arguments.once:
             self._done.set_result(True)
 
     def _text(self, message: Any) -> str:
         if not isinstance(message, Message):
-            return (
-                f'{message!r}\n' if isinstance(message, bytes) else f'{plain_value(message, self._short)}\n'
-            )
+            return f'{message!r}\n' if isinstance(message, bytes) else f'{plain_value(message, self._short)}\n'
         if self._arguments.csv:
             return message_csv(message, self._short)
         return message_yaml(message, self._short, flow_style=self._arguments.flow_style)
@@ -136,13 +125,8 @@ def _suitable_profile(node: Node, topic: str, arguments: argparse.Namespace) -> 
         if 0 < count < len(offered):
             complain(
                 f'Some, but not all, publishers are offering {policy}. '
-                f'Falling back to {falls_back} as it will connect to all '
-                'publishers'
+                f'Falling back to {falls_back} as it will connect to all publishers'
             )
-    profile.reliability = (
-        ReliabilityPolicy.RELIABLE if reliable == len(offered) else ReliabilityPolicy.BEST_EFFORT
-    )
-    profile.durability = (
-        DurabilityPolicy.TRANSIENT_LOCAL if kept == len(offered) else DurabilityPolicy.VOLATILE
-    )
+    profile.reliability = ReliabilityPolicy.RELIABLE if reliable == len(offered) else ReliabilityPolicy.BEST_EFFORT
+    profile.durability = DurabilityPolicy.TRANSIENT_LOCAL if kept == len(offered) else DurabilityPolicy.VOLATILE
     return profile

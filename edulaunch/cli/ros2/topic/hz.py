@@ -7,6 +7,7 @@ from collections import deque
 from typing import Any
 
 from edulaunch.cli.ros2 import measuring
+from edulaunch.cli.ros2.message_filter import message_filter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -17,9 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar='EXPR',
         help="only measure messages matching the Python expression, as in 'm.x > 1'",
     )
-    parser.add_argument(
-        '--wall-time', action='store_true', help='accepted; simulated time is the only one here'
-    )
+    parser.add_argument('--wall-time', action='store_true', help='accepted; simulated time is the only one here')
 
 
 def main(arguments: argparse.Namespace) -> str | None:
@@ -33,13 +32,11 @@ class Rate:
     def __init__(self, window: int, expression: str | None) -> None:
         self._intervals: deque[float] = deque(maxlen=max(1, window - 1))
         self._last_ns: int | None = None
-        self._filter = expression and eval(
-            f'lambda m: {expression}'
-        )  # the user's own expression, as in ROS 2
+        self._passes = message_filter(expression)
 
     def take(self, message: Any, now_ns: int) -> None:
         """Note when it came."""
-        if self._filter and not self._filter(message):
+        if not self._passes(message):
             return
         if self._last_ns is not None:
             self._intervals.append((now_ns - self._last_ns) / 1e9)

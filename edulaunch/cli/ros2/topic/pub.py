@@ -23,13 +23,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('topic_name', help="Name of the ROS topic to publish to (e.g. '/chatter')")
     parser.add_argument('message_type', help="Type of the ROS message (e.g. 'std_msgs/String')")
     group = parser.add_mutually_exclusive_group()
-    group.add_argument(
-        'values', nargs='?', default='{}', help='Values to fill the message with in YAML format'
-    )
+    group.add_argument('values', nargs='?', default='{}', help='Values to fill the message with in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
-    parser.add_argument(
-        '-r', '--rate', metavar='N', type=_positive, default=1.0, help='Publishing rate in Hz (default: 1)'
-    )
+    parser.add_argument('-r', '--rate', metavar='N', type=_positive, default=1.0, help='Publishing rate in Hz (default: 1)')
     parser.add_argument(
         '-p',
         '--print',
@@ -38,22 +34,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=1,
         help='Only print every N-th published message (default: 1)',
     )
+    _add_times(parser)
+
+
+def _add_times(parser: argparse.ArgumentParser) -> None:
+    """How often, and for whom."""
     times = parser.add_mutually_exclusive_group()
     times.add_argument('-1', '--once', action='store_true', help='Publish one message and exit')
-    times.add_argument(
-        '-t', '--times', type=int, default=0, help='Publish this number of times and then exit'
-    )
+    times.add_argument('-t', '--times', type=int, default=0, help='Publish this number of times and then exit')
     parser.add_argument(
         '-w',
         '--wait-matching-subscriptions',
         type=int,
         default=None,
-        help='Wait until finding the specified number of matching subscriptions '
-        '(default: 1 when using -1 or -t, else 0)',
+        help='Wait until finding the specified number of matching subscriptions (default: 1 when using -1 or -t, else 0)',
     )
-    parser.add_argument(
-        '--max-wait-time-secs', type=_positive, default=None, help='Longest wait for matching subscriptions'
-    )
+    parser.add_argument('--max-wait-time-secs', type=_positive, default=None, help='Longest wait for matching subscriptions')
     parser.add_argument(
         '--keep-alive',
         metavar='N',
@@ -93,13 +89,9 @@ def main(arguments: argparse.Namespace) -> str | None:
     return problem
 
 
-def _wait_for_subscriptions(
-    node: Node, publisher: Publisher, arguments: argparse.Namespace, default: int
-) -> str | None:
+def _wait_for_subscriptions(node: Node, publisher: Publisher, arguments: argparse.Namespace, default: int) -> str | None:
     """Look each 0.1 s, and say each second that we wait."""
-    wanted = (
-        default if arguments.wait_matching_subscriptions is None else arguments.wait_matching_subscriptions
-    )
+    wanted = default if arguments.wait_matching_subscriptions is None else arguments.wait_matching_subscriptions
     looks = 0
     while publisher.get_subscription_count() < wanted:
         if looks % 10 == 0:

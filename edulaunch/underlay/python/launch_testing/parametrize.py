@@ -32,7 +32,8 @@ def parametrize(argnames: str | Iterable[str], argvalues: Iterable[Any]) -> Call
 
 
 def _row(names: list[str], value: Any) -> dict[str, Any]:
-    values = [value] if len(names) == 1 and not isinstance(value, (list, tuple)) else list(value)
+    plain = len(names) == 1 and not (isinstance(value, (list, tuple)) and len(value) == 1)
+    values = [value] if plain else list(value)
     if len(values) != len(names):
         raise ValueError(f'parametrize: {len(names)} names {names}, but {len(values)} values {values}')
     return dict(zip(names, values))

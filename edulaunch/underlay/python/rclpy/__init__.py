@@ -1,4 +1,4 @@
-"""The ROS 2 client library for Python, as a face over edulaunch's simulation: same names, defaults and errors as ROS 2 Jazzy's."""
+"""The ROS 2 client library for Python, over edulaunch's simulation: names, defaults and errors are those of ROS 2 Jazzy."""
 from __future__ import annotations
 
 from collections.abc import Iterable

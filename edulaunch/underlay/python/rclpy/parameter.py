@@ -94,7 +94,8 @@ class Parameter:
         return f'Parameter(name={self._name!r}, type_={self._type_}, value={self._value!r})'
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Parameter) and (self._name, self._type_, self._value) == (other._name, other._type_, other._value)
+        return isinstance(other, Parameter) and (
+            self._name, self._type_, self._value) == (other._name, other._type_, other._value)
 
     __hash__ = None  # type: ignore[assignment]
 

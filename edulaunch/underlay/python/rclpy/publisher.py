@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 class Publisher:
     """Made by `Node.create_publisher`. Messages are copied when they are published."""
 
-    def __init__(self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context) -> None:
+    def __init__(self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile,
+                 context: Context) -> None:
         self.msg_type = msg_type
         self.topic = topic
         self.qos_profile = qos_profile

@@ -307,7 +307,8 @@ def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile
               if 'SYSTEM_DEFAULT' in (getattr(publisher_qos, name).name, getattr(subscription_qos, name).name)
               and getattr(publisher_qos, name) != getattr(subscription_qos, name) and name != 'liveliness']
     if doubts:
-        return QoSCheck(QoSCompatibility.WARNING, ''.join(f'WARNING: {name} of one side is the system default;' for name in doubts))
+        reason = ''.join(f'WARNING: {name} of one side is the system default;' for name in doubts)
+        return QoSCheck(QoSCompatibility.WARNING, reason)
     return QoSCheck(QoSCompatibility.OK, '')
 
 

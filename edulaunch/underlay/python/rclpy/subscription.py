@@ -130,6 +130,8 @@ def _accepts(callback: Any, count: int) -> bool:
     from inspect import signature
     try:
         signature(callback).bind(*[None] * count)
-    except (TypeError, ValueError):
+    except TypeError:
         return False
+    except ValueError:   # a built-in function that does not tell
+        return count == 1
     return True

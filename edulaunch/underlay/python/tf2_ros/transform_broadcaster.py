@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from geometry_msgs.msg import TransformStamped
 from rclpy.qos import QoSProfile
 from tf2_msgs.msg import TFMessage
 
 if TYPE_CHECKING:
-    from geometry_msgs.msg import TransformStamped
     from rclpy.node import Node
+
+_to_wire = TransformStamped.to_wire
 
 
 class TransformBroadcaster:
@@ -23,8 +25,16 @@ class TransformBroadcaster:
         self.pub_tf = node.create_publisher(TFMessage, '/tf', QoSProfile(depth=100) if qos is None else qos)
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
-        """Publish one transform, or several in one message."""
-        self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
+        """Publish one transform, or several in one message.
+
+        A single one, the usual case, is sent without making a message around it: the wire of a TFMessage is the tuple of its
+        transforms' wires.
+        """
+        publisher = self.pub_tf
+        if transform.__class__ is TransformStamped and publisher._context._ok:
+            publisher._send(((_to_wire(transform),),))
+        else:
+            publisher.publish(TFMessage(transforms=as_list(transform)))
 
 
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:

@@ -44,25 +44,26 @@ class SingleThreadedExecutor(Executor):
         Anything else is left to :meth:`_turn`, which would do the same with more steps.
         """
         context, sim, waiting, task = self._context, self._sim, self._waiting, current_task()
-        while context._ok and not self._is_shutdown and not self._woken:
-            if not ready_list.entities and ready_list.due_ns > sim.now_ns:
+        while context._ok and not self._is_shutdown:
+            if not ready_list.entities and ready_list.due_ns > sim.now_ns and not self._woken:
                 due_ns = ready_list.due_ns
                 waiting.append(task)
                 try:
                     task.park(due_ns if due_ns < NEVER_NS else None)
                 finally:
                     waiting.remove(task)
-                if self._woken:
-                    break
+                self._raise_if_over()
+                continue
             now = sim.now_ns
             if now != self._seen_ns:
                 self._seen_ns = now
                 self._turns = 0
             else:
                 self._turns += 1
-            entity = self._only_one(ready_list, now)
+            entity = None if self._woken else self._only_one(ready_list, now)
             if entity is None:
-                break
+                self._turn()
+                return
             group = entity.callback_group
             if type(group) is not MutuallyExclusiveCallbackGroup or group.busy_with is not None or entity.is_async:
                 self._run_entity(entity)
@@ -74,10 +75,6 @@ class SingleThreadedExecutor(Executor):
                     group.busy_with = None
             if self._tasks:
                 return
-        else:
-            if not self._woken:
-                return
-        self._turn()
 
     def _only_one(self, ready_list: ReadyList, now: int) -> Entity | None:
         """The one entity that is ready, taken off its list; None when there are none or several."""

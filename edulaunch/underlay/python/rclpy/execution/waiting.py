@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Item = Any
 """What an executor executes: a Task or an Entity."""
 
-TURNS_BEFORE_TIME_PASSES = 1000
+TURNS_BEFORE_TIME_PASSES = 200
 PAUSE_NS = 1_000_000
 _order_of = attrgetter('_order')
 
@@ -108,6 +108,9 @@ class Waiting:
             finally:
                 self._waiting.remove(task)
         self._woken = False
+        self._raise_if_over()
+
+    def _raise_if_over(self) -> None:
         if self._is_shutdown:
             raise ShutdownException()
         if not self._context._ok:

@@ -42,7 +42,7 @@ _TOKENS = {
 
 
 class ConsoleFormat:
-    """The console line of a message, by the RCUTILS_* variables of an environment. Nothing is a terminal, so the default is plain."""
+    """The console line of a message, by the RCUTILS_* variables of an environment. Colours are off unless these ask for them."""
 
     def __init__(self, environment: Mapping[str, str]) -> None:
         self.text = environment.get('RCUTILS_CONSOLE_OUTPUT_FORMAT') or DEFAULT_FORMAT

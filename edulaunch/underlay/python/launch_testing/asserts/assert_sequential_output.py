@@ -1,0 +1,43 @@
+"""Claims about the order of what was written."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from ..util.proc_lookup import CmdArgs, resolveProcesses
+from .assert_output import text_of
+
+if TYPE_CHECKING:
+    from ..io_handler import IoHandler
+
+
+class SequentialTextChecker:
+    """Looks for texts behind those that were found before.
+
+    :param text: everything that was written.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._position = 0
+
+    def assertInStdout(self, msg: Any) -> None:
+        """Claim that `msg` (a text or a compiled regular expression) comes after what was found before.
+
+        :raises AssertionError: when it does not.
+        """
+        from ..tools.text import build_text_match
+        found = build_text_match(msg)(self._text, self._position)
+        if found is None:
+            where = 'at all' if build_text_match(msg)(self._text) is None else 'there, only before it'
+            raise AssertionError(f"'{getattr(msg, 'pattern', msg)}' was not found in the output after character "
+                                 f'{self._position}\n  help: it was not written {where}')
+        self._position = found[1]
+
+
+@contextmanager
+def assertSequentialStdout(proc_output: IoHandler, process: Any, cmd_args: CmdArgs = None) -> Iterator[SequentialTextChecker]:
+    """Check the standard output of one process in order: `with assertSequentialStdout(...) as c: c.assertInStdout('a')`."""
+    action, = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
+    yield SequentialTextChecker(text_of(proc_output, action, 'stdout'))

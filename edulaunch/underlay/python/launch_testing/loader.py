@@ -1,0 +1,116 @@
+"""What a launch test file contains."""
+from __future__ import annotations
+
+import functools
+import inspect
+import unittest
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from types import ModuleType
+from typing import Any
+
+from launch.launch_description import LaunchDescription
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+from .actions.ready import ReadyToTest
+from .decorator import DEFAULT_TIMEOUT_S
+
+Tests = Sequence[unittest.TestCase]
+
+
+class TestRun:
+    """One launch with its tests.
+
+    :param description_function: `generate_test_description`, parameters already filled in.
+    :param param_args: those parameters.
+    :param tests, post_shutdown_tests: to run while it is up, and afterwards.
+    """
+
+    __test__ = False  # pytest is not to take this class for a test case
+
+    def __init__(self, name: str, description_function: Callable[..., Any], param_args: Mapping[str, Any],
+                 pre_shutdown_tests: Tests, post_shutdown_tests: Tests, *, timeout_s: float = DEFAULT_TIMEOUT_S,
+                 markers: Mapping[str, Any] | None = None) -> None:
+        self.name = name
+        self.param_args = dict(param_args)
+        self.pre_shutdown_tests = pre_shutdown_tests
+        self.post_shutdown_tests = post_shutdown_tests
+        self.timeout_s = timeout_s
+        self.markers = dict(markers or {})
+        self._description_function = description_function
+
+    def __str__(self) -> str:
+        return f'{self.name}[{", ".join(map(str, self.param_args.values()))}]' if self.param_args else self.name
+
+    def normalized_test_description(self, ready_fn: Callable[[], None]) -> tuple[LaunchDescription, dict[str, Any]]:
+        """Make the description, and the context for the tests that came with it.
+
+        :param ready_fn: called when the tests may begin.
+        :raises Exception: when there is no `ReadyToTest`; with ROS 2's text.
+        """
+        function = self._description_function
+        if 'ready_fn' in inspect.signature(function).parameters:
+            return _with_context(function(ready_fn=ready_fn))
+        description, context = _with_context(function())
+        action = next(_ready_actions(description.entities), None)
+        if action is None:
+            raise Exception('generate_test_description functions without a ready_fn argument must return '
+                            'a LaunchDescription containing a ReadyToTest action')
+        action._add_callback(ready_fn)
+        return description, context
+
+    def bind(self, tests: Tests, attributes: Mapping[str, Any], arguments: Mapping[str, Any]) -> None:
+        """Give the tests attributes, and their methods the arguments whose names they have."""
+        for test in tests:
+            for name, value in attributes.items():
+                setattr(test, name, value)
+            method: str = test._testMethodName
+            for name in (method, 'setUp', 'tearDown'):
+                setattr(test, name, _bound(getattr(test, name), arguments))
+            for name in ('setUpClass', 'tearDownClass'):
+                setattr(type(test), name, staticmethod(_bound(getattr(type(test), name), arguments)))
+
+
+def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests') -> list[TestRun]:
+    """The launches that a test file describes: one, or one for each parameter.
+
+    :raises AttributeError: when there is no `generate_test_description`.
+    """
+    function = module.generate_test_description
+    runs = function() if getattr(function, '__parametrized__', False) else [(function, {})]
+    timeout_s = getattr(function, '__ready_to_test_action_timeout__', DEFAULT_TIMEOUT_S)
+    markers = getattr(function, '__markers__', {})
+    return [TestRun(name, description, parameters, _tests(module, False), _tests(module, True), timeout_s=timeout_s,
+                    markers=markers) for description, parameters in runs]
+
+
+def _tests(module: ModuleType, post_shutdown: bool) -> list[unittest.TestCase]:
+    found = unittest.TestLoader().loadTestsFromModule(module)
+    return [test for test in _flat(found) if getattr(type(test), '__post_shutdown_test__', False) == post_shutdown]
+
+
+def _flat(suite: Any) -> Iterator[Any]:
+    if isinstance(suite, unittest.TestSuite):
+        for part in suite:
+            yield from _flat(part)
+    else:
+        yield suite
+
+
+def _with_context(result: Any) -> tuple[LaunchDescription, dict[str, Any]]:
+    return (result[0], dict(result[1])) if isinstance(result, tuple) else (result, {})
+
+
+def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
+    """All of them, also in groups, timers and the lists of event handlers."""
+    for entity in entities:
+        if isinstance(entity, ReadyToTest):
+            yield entity
+        yield from _ready_actions(list(entity.describe_sub_entities()))
+        for _, conditional in entity.describe_conditional_sub_entities():
+            yield from _ready_actions(list(conditional))
+
+
+def _bound(function: Callable[..., Any], values: Mapping[str, Any]) -> Callable[..., Any]:
+    names = inspect.signature(function).parameters
+    matching = {name: value for name, value in values.items() if name in names}
+    return functools.wraps(function)(functools.partial(function, **matching)) if matching else function

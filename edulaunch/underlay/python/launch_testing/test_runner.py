@@ -1,0 +1,42 @@
+"""Running launch tests."""
+from __future__ import annotations
+
+import unittest
+from collections.abc import Sequence
+
+from edulaunch.processes.current import current_process
+
+from .loader import TestRun
+from .test_result import TestResult
+
+
+class LaunchTestRunner:
+    """Runs launches with their tests, one after the other, in the running process.
+
+    :param test_runs: see :func:`launch_testing.LoadTestsFromPythonModule`.
+    :param launch_file_arguments: texts `name:=value`.
+    :param debug: let launch log at level DEBUG.
+    """
+
+    def __init__(self, test_runs: Sequence[TestRun], launch_file_arguments: Sequence[str] = (), debug: bool = False) -> None:
+        self._test_runs = list(test_runs)
+        self._arguments = list(launch_file_arguments)
+        self._debug = debug
+
+    def run(self) -> dict[TestRun, TestResult]:
+        """Run all; gives how each went.
+
+        :raises Exception: what generating a description raised.
+        """
+        return {test_run: self._run_one(test_run) for test_run in self._test_runs}
+
+    def _run_one(self, test_run: TestRun) -> TestResult:
+        from ._run_worker import RunWorker
+        if len(self._test_runs) > 1:
+            current_process().stdout.write(f'Starting test run {test_run}\n')
+        try:
+            return RunWorker(test_run, self._arguments, self._debug).run()
+        except unittest.SkipTest as skip:
+            result = TestResult()
+            result.skipped.append((test_run, str(skip)))  # type: ignore[arg-type]
+            return result

@@ -1,0 +1,33 @@
+"""A laser and a camera on the mast of a robot, as static frames.
+
+    ros2 launch static_frame.launch.py height:=0.8
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    height = LaunchConfiguration('height')
+    return LaunchDescription([
+        DeclareLaunchArgument('height', default_value='0.5', description='Height of the laser (in meters).'),
+        Node(
+            package='tf2_ros',
+            executable='static_transform_publisher',
+            name='laser_frame',
+            arguments=['--x', '0.2', '--z', height, '--frame-id', 'base_link', '--child-frame-id', 'laser'],
+        ),
+        Node(
+            package='tf2_ros',
+            executable='static_transform_publisher',
+            name='camera_frame',
+            arguments=['--z', '0.1', '--yaw', '1.5708', '--frame-id', 'laser', '--child-frame-id', 'camera'],
+        ),
+        Node(
+            package='tf2_ros',
+            executable='tf2_echo',
+            arguments=['base_link', 'camera'],
+            output='screen',
+        ),
+    ])
