@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from edulaunch.canvas.picture import Picture
 
 if TYPE_CHECKING:
+    from edulaunch.canvas.table import Table
     from edulaunch.recording import Recording
 
-__all__ = ['Picture', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles']
+__all__ = ['Picture', 'parameter_table', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles']
 
 
 def plot_turtles(recording: Recording, time_s: float | None = None) -> Picture:
@@ -46,15 +47,58 @@ def plot_frames(recording: Recording, time_s: float | None = None) -> Picture:
     return Picture(draw, scene.caption(), scene)
 
 
-def plot_graph(recording: Recording, *, unused: bool = False) -> Picture:
+def plot_tf_tree(recording: Recording) -> Picture:
+    """Which frame is whose parent over the whole run, which node broadcasts it and how often; trees that are not connected stand
+    side by side.
+
+    :raises ValueError: when no frame was broadcast.
+    """
+    from edulaunch.canvas.tree_scene import tree_scene
+    scene = tree_scene(recording)
+
+    def draw() -> bytes:
+        from edulaunch.canvas.draw_tree import draw_tree
+        return draw_tree(scene)
+    return Picture(draw, scene.caption(), scene)
+
+
+def plot_graph(recording: Recording, *, unused: bool = False, services: bool = False) -> Picture:
     """Nodes and the topics between them, as `rqt_graph` shows them.
 
     :param unused: also show topics that nobody listens to. `/rosout` and `/parameter_events` are never shown.
+    :param services: also show services that a node calls.
     """
     from edulaunch.canvas.graph_scene import graph_scene
-    scene = graph_scene(recording, unused)
+    scene = graph_scene(recording, unused=unused, services=services)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_graph import draw_graph
         return draw_graph(scene)
     return Picture(draw, scene.caption(), scene)
+
+
+def plot_distance(recording: Recording, first: str, second: str, close_m: float = 1.0) -> Picture:
+    """How far a follower is from what it follows, over time, in metres; below `close_m` it counts as close.
+
+    :param first, second: turtles as in `Recording.trajectory`, or tf frames.
+    :raises KeyError: when there is no such thing; the message names what there is.
+    :raises ValueError: when the two were never there at the same time.
+    """
+    from edulaunch.canvas.distance_scene import distance_scene
+    scene = distance_scene(recording, first, second, close_m)
+
+    def draw() -> bytes:
+        from edulaunch.canvas.draw_distance import draw_distance
+        return draw_distance(scene)
+    return Picture(draw, scene.caption(), scene)
+
+
+def parameter_table(recording: Recording, node: str | None = None, *, every: bool = False) -> Table:
+    """Parameters at the end of the run, with where each value came from.
+
+    :param node: fully qualified name; default: all nodes.
+    :param every: also those that each node has anyway (`use_sim_time`, `qos_overrides...`).
+    :raises KeyError: when there was no such node.
+    """
+    from edulaunch.canvas.table import Table, table_rows
+    return Table(table_rows(recording, node, every))

@@ -3,14 +3,14 @@ from __future__ import annotations
 
 import math
 
-from edulaunch.canvas.labels import Box, place_labels
+from edulaunch.canvas.labels import Box, along, leader, place_labels
 from edulaunch.canvas.frames_scene import FrameMark, FramesScene, View
 from edulaunch.canvas.panel import Panel
 from edulaunch.canvas.paper import Paper
 from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, TEXT, Colour, mono_width
 
-SIDE, LEFT, BETWEEN, BELOW, ABOVE, TOP = 420, 34, 22, 44, 24, 22
-AXIS = 34.0
+SIDE, LEFT, BETWEEN, BELOW, ABOVE, TOP, LEGEND = 420, 34, 22, 24, 24, 22, 20
+AXIS = 30.0
 X_COLOUR: Colour = (204, 36, 29)
 Y_COLOUR: Colour = (46, 140, 48)
 
@@ -20,12 +20,13 @@ def draw_frames(scene: FramesScene) -> bytes:
     columns = min(2, len(scene.views))
     rows = math.ceil(len(scene.views) / columns)
     cell_width, cell_height = LEFT + SIDE + BETWEEN, ABOVE + SIDE + BELOW
-    paper = Paper(columns * cell_width, TOP + rows * cell_height)
+    paper = Paper(columns * cell_width, TOP + rows * cell_height + LEGEND)
     paper.text(LEFT, paper.height - 16, f't = {scene.time_s:.2f} s', colour=MUTED)
     for number, view in enumerate(scene.views):
         left = number % columns * cell_width + LEFT
         top = paper.height - TOP - number // columns * cell_height - ABOVE
         _draw_view(paper, view, left, top)
+    paper.text(LEFT, 10, 'thick: x axis   thin: y axis   arrow: to the parent frame (dashed: static)', size=SMALL, colour=MUTED)
     return paper.png()
 
 
@@ -41,7 +42,6 @@ def _draw_view(paper: Paper, view: View, left: float, top: float) -> None:
         _draw_axes(paper, mark, *places[mark.name])
     _draw_names(panel, view.frames, places)
     panel.frame('m')
-    paper.text(left, top - SIDE - 34, 'thick: x axis   thin: y axis   arrow: to the parent frame (dashed: static)', size=SMALL, colour=MUTED)
 
 
 def _draw_parent(paper: Paper, start: tuple[float, float], end: tuple[float, float], is_static: bool) -> None:
@@ -64,13 +64,16 @@ def _draw_axes(paper: Paper, mark: FrameMark, x: float, y: float) -> None:
 def _draw_names(panel: Panel, frames: list[FrameMark], places: dict[str, tuple[float, float]]) -> None:
     """Names clear of axes and of each other; a height above the ground is said in words."""
     texts = [mark.name + (f' (z={mark.z:.2f})' if abs(mark.z) >= 0.005 else '') for mark in frames]
-    taken = [_around(places[mark.name], axis) for mark in frames for axis in (mark.x_axis, mark.y_axis)]
+    taken = [box for mark in frames for axis in (mark.x_axis, mark.y_axis) for box in along(places[mark.name], _axis_end(places[mark.name], axis))]
+    taken += [box for mark in frames if mark.parent for box in along(places[mark.name], places[mark.parent], 1.5)]
     anchors = [places[mark.name] for mark in frames]
     boxes = place_labels(anchors, [(mono_width(text) + 4, TEXT + 3) for text in texts], panel.box, 6, taken)
-    for text, box in zip(texts, boxes, strict=True):
+    for text, anchor, box in zip(texts, anchors, boxes, strict=True):
+        end = leader(anchor, box)
+        if end is not None:
+            panel.paper.line([anchor, end], colour=INK, width=0.7, dash=(1.5, 2))
         panel.paper.text((box.left + box.right) / 2, (box.bottom + box.top) / 2, text, font='mono', align='center', middle=True, halo=PAPER)
 
 
-def _around(place: tuple[float, float], axis: tuple[float, float]) -> Box:
-    (x, y), (dx, dy) = place, (axis[0] * (AXIS + 11), axis[1] * (AXIS + 11))
-    return Box(min(x, x + dx) - 4, min(y, y + dy) - 4, max(x, x + dx) + 4, max(y, y + dy) + 4)
+def _axis_end(place: tuple[float, float], axis: tuple[float, float]) -> tuple[float, float]:
+    return (place[0] + axis[0] * (AXIS + 11), place[1] + axis[1] * (AXIS + 11))

@@ -23,9 +23,9 @@ from edulaunch.recording.records import (
 )
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.parameter_table import Table
+    from edulaunch.canvas.table import Table
     from edulaunch.canvas.picture import Picture
-    from edulaunch.canvas.replay import Replay
+    from edulaunch.canvas.player import Replay
     from edulaunch.recording.trajectory import Trajectory
 
 

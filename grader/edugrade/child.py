@@ -73,9 +73,10 @@ def answer_before_the_deadline(job: dict[str, Any], channel: int) -> None:
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
     """File and line of the innermost frame that is the student's, if any."""
+    folder = os.path.realpath(job['folder']) + os.sep  # files of a package are run through links
     while frame is not None:
-        file = os.path.abspath(frame.f_code.co_filename)
-        if file == job['file'] or file.startswith(job['folder'] + os.sep):
+        file = os.path.realpath(frame.f_code.co_filename)
+        if file.startswith(folder):
             return file, frame.f_lineno
         frame = frame.f_back
     return None

@@ -7,34 +7,24 @@ import io
 import os
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import exercises, find_rubric
+from .grading import Work, grade, plan_work
 from .limits import Limits
-from .runner import Runner
+from .options import read_options
 from .submission import Submission
 
-EPILOG = """\
-examples:
-  edugrade exercises/circle.launch.py                  grade a launch file; the rubric is found by its name
-  edugrade circle.launch.py --json report.json         write the report as data too
-  edugrade my_try.launch.py --rubric circle            a file of another name
-  edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
-
-exit codes:
-  0  all checks passed
-  1  some failed or could not be run
-  2  unusable input: no such file, no rubric for it, or a launch file that cannot be run at all
-  3  the grader broke; that is never the student's fault and gives no mark
-"""
+if TYPE_CHECKING:
+    from .results import Refusal, Report
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Grade a launch file and print the report. Returns the exit code."""
-    options = _parser().parse_args(argv)
+    """Grade launch files and print the reports. Returns the exit code."""
+    options = read_options(argv)
     try:
-        return _hint(options) if options.hint else _grade(options)
+        return _hints(options) if options.hint else _grade(options)
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
@@ -46,83 +36,79 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 130
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog='edugrade',
-        description='Grade a ROS 2 launch file by what it does when it is launched, in simulation.',
-        epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    parser.add_argument('path', metavar='PATH', help='the launch file')
-    parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
-    parser.add_argument(
-        '--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises())
-    )
-    parser.add_argument(
-        '--seed',
-        type=int,
-        metavar='N',
-        help="choose the runs' values by this number (default: by the file's content)",
-    )
-    parser.add_argument(
-        '--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)'
-    )
-    parser.add_argument(
-        '--workspace',
-        action='append',
-        default=[],
-        metavar='DIR',
-        help='a folder with your own packages (repeatable)',
-    )
-    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
-    return parser
-
-
-def _seconds(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value < 86_400:
-        raise argparse.ArgumentTypeError(f'{text} is not a sensible number of seconds')
-    return value
-
-
-def _hint(options: argparse.Namespace) -> int:
+def _hints(options: argparse.Namespace) -> int:
     from .hints import find_hint
 
-    print(find_hint(Submission(options.path), options.hint))
+    for path in options.paths:
+        print(find_hint(Submission(path), options.hint))
     return 0
 
 
 def _grade(options: argparse.Namespace) -> int:
-    submission = Submission(options.path)
-    name, rubric = find_rubric(submission.exercise, options.rubric)
-    seed = submission.seed if options.seed is None else options.seed
-    with Runner(submission, rubric.scenarios(seed), Limits(options.limit), options.workspace) as runner:
-        from .judging import judge  # loaded while the runs are under way
-        from .results import Report
-        from .terminal import render
+    several = len(options.paths) > 1
+    works, refusals = _plan(options, several)
+    reports = _reports(works, options, several)
+    exit_code = max([report.exit_code for report in reports] + [2 for _ in refusals])
+    _write(options, reports, refusals, exit_code)
+    _show(_text(reports, refusals) if several else _render(reports[0]))
+    return exit_code
 
-        outcomes = runner.wait()
-    results = judge(rubric.checks, outcomes, submission.source)
-    report = Report(
-        submission.file,
-        submission.given,
-        submission.sha256,
-        name,
-        rubric.title,
-        seed,
-        tuple(outcomes),
-        tuple(results),
-        tuple(submission.source.gaps),
-    )
+
+def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
+    """What can be graded, and what cannot; one bad path among several spoils only itself."""
+    works, refusals = [], []
+    for path in options.paths:
+        try:
+            works.append(plan_work(Submission(path), options.rubric, options.seed))
+        except UnusableInput as error:
+            if not several:
+                raise
+            from .results import Refusal
+
+            refusals.append(Refusal(path, error.message, error.help))
+    return works, refusals
+
+
+def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> list[Report]:
+    from .progress_bar import progress_bar
+
+    runs = sum(len(work.rubric.scenarios(work.seed)) for work in works)
+    with progress_bar(runs if several else 0) as advance:
+        return list(grade(works, Limits(options.limit), options.workspace, advance))
+
+
+def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
     if options.json is not None:
-        from .document import write_document
+        from .document import document, document_of_all, json_text
+        from .whole_file import write_whole
 
-        write_document(report, options.json)
-    _show(render(report, colour=_colour()))
-    return report.exit_code
+        alone = len(options.paths) == 1
+        write_whole(options.json, json_text(
+            document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
+    if options.junit is not None:
+        from .junit import junit_text
+        from .whole_file import write_whole
+
+        write_whole(options.junit, junit_text(reports, refusals))
+    if options.html is not None:
+        from .page import page
+        from .whole_file import write_whole
+
+        write_whole(options.html, page(reports, refusals))
+
+
+def _render(report: Report) -> str:
+    from .terminal import render
+
+    return render(report, colour=_colour())
+
+
+def _text(reports: list[Report], refusals: list[Refusal]) -> str:
+    """The reports of those that have something to repair, and a summary of all."""
+    from .summary import summary
+
+    texts = [_render(report) for report in reports if report.exit_code]
+    return '\n'.join([*texts, summary(reports, refusals)])
 
 
 def _show(text: str) -> None:

@@ -4,51 +4,47 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Sequence
 from typing import Any
 
-from edulaunch.errors import UnusableInput
-
 from .outcome import Outcome
-from .results import CheckResult, Report
+from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
 
 FORMAT = 1
-VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 
 def document(report: Report) -> dict[str, Any]:
     """A report as plain data. Paths in the submission's folder are relative, so that copies report alike."""
-    paths = ShortPaths(os.path.dirname(report.file))
+    paths = ShortPaths(report.folder, package=report.package)
     return {
         'format': FORMAT,
-        'submission': {'file': os.path.basename(report.file), 'sha256': report.sha256},
+        'submission': {'file': os.path.relpath(report.file, report.folder), 'sha256': report.sha256},
         'rubric': {'name': report.rubric, 'title': report.title},
         'seed': report.seed,
-        'verdict': VERDICTS[report.exit_code],
+        'verdict': report.verdict,
         'exit_code': report.exit_code,
         'points': {'earned': report.earned, 'possible': report.possible},
         'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
         'checks': [_check(paths.result(result)) for result in report.results],
-        'gaps': [{'line': line, 'text': text} for line, text in report.gaps],
+        'gaps': [
+            {'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
 
 
-def write_document(report: Report, path: str) -> None:
-    """Write the JSON report, whole or not at all.
+def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit_code: int) -> dict[str, Any]:
+    """Several reports as plain data, with the paths that could not be graded."""
+    return {
+        'format': FORMAT,
+        'exit_code': exit_code,
+        'reports': [document(report) for report in reports],
+        'refused': [refusal._asdict() for refusal in refusals],
+    }
 
-    :raises UnusableInput: when it cannot be written there.
-    """
-    temporary = f'{path}.{os.getpid()}.part'
-    try:
-        with open(temporary, 'w', encoding='utf-8') as file:
-            json.dump(document(report), file, indent=2, ensure_ascii=False)
-            file.write('\n')
-        os.replace(temporary, path)
-    except OSError as error:
-        raise UnusableInput(
-            f'the report {path} cannot be written: {error.strerror or error}',
-            help='give --json a file in a folder that exists and that you may write to',
-        ) from None
+
+def json_text(data: dict[str, Any]) -> str:
+    """The text of a document."""
+    return json.dumps(data, indent=2, ensure_ascii=False) + '\n'
 
 
 def _scenario(outcome: Outcome, paths: ShortPaths) -> dict[str, Any]:

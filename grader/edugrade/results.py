@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from .outcome import Outcome
 from .place import Place
+from .source import Gap
 
 PASSED, FAILED, NOT_RUN, GRADER_BROKE = STATUSES = ('passed', 'failed', 'not_run', 'grader_broke')
 
 ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
+VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 
 @dataclass(frozen=True)
@@ -43,17 +46,35 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Report:
-    """A graded submission. `file` is absolute; `given` is how the caller named it."""
+    """A graded submission.
+
+    :param file: the launch file, absolute; `given` is how the caller named the submission.
+    :param folder: the submission's folder, absolute, and how it is `shown`: '' or with a separator at its end.
+    :param package: the name of the package that it is, if it is one.
+    """
 
     file: str
     given: str
+    folder: str
+    shown: str
+    package: str | None
     sha256: str
     rubric: str
     title: str
     seed: int
     outcomes: tuple[Outcome, ...]
     results: tuple[CheckResult, ...]
-    gaps: tuple[tuple[int, str], ...] = ()
+    gaps: tuple[Gap, ...] = ()
+
+    @property
+    def passed(self) -> int:
+        """How many checks passed."""
+        return sum(result.status == PASSED for result in self.results)
+
+    @property
+    def verdict(self) -> str:
+        """What it came to, in words."""
+        return VERDICTS[self.exit_code]
 
     @property
     def possible(self) -> int:
@@ -74,3 +95,11 @@ class Report:
         if any(outcome.kind == 'unusable' for outcome in self.outcomes):
             return UNUSABLE_INPUT
         return ALL_PASSED if statuses == {PASSED} else SOME_FAILED
+
+
+class Refusal(NamedTuple):
+    """A path that could not be graded at all: how it was given, why, and what to try."""
+
+    given: str
+    reason: str
+    help: str | None = None

@@ -1,10 +1,10 @@
-"""Runs the scenarios of a rubric, each in a child process, as many at once as there are processors."""
+"""Runs scenarios of submissions, each in a child process, as many at once as there are processors."""
 
 from __future__ import annotations
 
 import os
 import selectors
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from .child_run import ChildRun
 from .job import Job
@@ -17,29 +17,34 @@ from .verdicts import verdict
 LONGEST_NAP_S = 0.05
 
 
-class Runner:
-    """Starts the runs when it is made; `wait` gives the outcomes. Leaving its ``with`` ends every child.
+class Ticket:
+    """The runs of one submission: what is asked for, and what has come of it."""
 
-    :param workspaces: folders with the student's packages.
+    def __init__(self, scenarios: Sequence[Scenario]) -> None:
+        self.scenarios = list(scenarios)
+        self.outcomes: dict[str, Outcome] = {}
+
+    @property
+    def is_done(self) -> bool:
+        """Whether every run has ended."""
+        return len(self.outcomes) == len(self.scenarios)
+
+
+class Runner:
+    """Begins a run as soon as it is added and a processor is free. Leaving its ``with`` ends every child.
+
+    :param limits: of each child.
+    :param on_outcome: called when a run has ended.
     """
 
-    def __init__(
-        self,
-        submission: Submission,
-        scenarios: Sequence[Scenario],
-        limits: Limits | None = None,
-        workspaces: Sequence[str] = (),
-    ) -> None:
-        self._submission = submission
-        self._scenarios = list(scenarios)
+    def __init__(self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None) -> None:
         self._limits = limits or Limits()
-        self._workspaces = workspaces
+        self._on_outcome = on_outcome
         self._home = _private_folder()
-        self._waiting = list(scenarios)
-        self._running: list[ChildRun] = []
-        self._outcomes: dict[str, Outcome] = {}
+        self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
+        self._running: dict[ChildRun, Ticket] = {}
+        self._started = 0
         self._selector = selectors.DefaultSelector()
-        self._start_some()
 
     def __enter__(self) -> Runner:
         return self
@@ -52,9 +57,20 @@ class Runner:
 
         shutil.rmtree(self._home, ignore_errors=True)
 
-    def wait(self) -> list[Outcome]:
-        """The outcome of each scenario, in the rubric's order."""
-        while self._running:
+    def add(self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = ()) -> Ticket:
+        """Ask for the runs of a submission; runs that were added earlier go first.
+
+        :param workspaces: more folders with the student's packages, searched before the submission's own.
+        """
+        ticket = Ticket(scenarios)
+        folders = [*workspaces, *submission.workspaces]
+        self._waiting += [(ticket, scenario, submission, folders) for scenario in scenarios]
+        self._start_some()
+        return ticket
+
+    def wait(self, ticket: Ticket) -> list[Outcome]:
+        """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
+        while not ticket.is_done:
             for key, _ in self._selector.select(LONGEST_NAP_S):
                 run: ChildRun = key.data
                 read = run.read_channel if key.fileobj == run.channel else run.read_output
@@ -64,26 +80,29 @@ class Runner:
                 run.watch_the_clock()
                 if run.finished:
                     self._finish(run)
-        return [self._outcomes[scenario.name] for scenario in self._scenarios]
+        return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
 
     def _start_some(self) -> None:
         while self._waiting and len(self._running) < (os.cpu_count() or 1):
-            scenario = self._waiting.pop(0)
-            home = os.path.join(self._home, str(len(self._outcomes) + len(self._running)))
+            ticket, scenario, submission, workspaces = self._waiting.pop(0)
+            self._started += 1
+            home = os.path.join(self._home, str(self._started))
             os.mkdir(home)
-            run = ChildRun(Job(self._submission, scenario, self._limits, self._workspaces, home))
-            self._running.append(run)
+            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home))
+            self._running[run] = ticket
             for end in (run.channel, run.output):
                 self._selector.register(end, selectors.EVENT_READ, run)
 
     def _finish(self, run: ChildRun) -> None:
-        self._running.remove(run)
+        ticket = self._running.pop(run)
         for end in (run.channel, run.output):
             if end in self._selector.get_map():
                 self._selector.unregister(end)
         run.end()
         self._start_some()
-        self._outcomes[run.scenario.name] = verdict(run)
+        ticket.outcomes[run.scenario.name] = verdict(run)
+        if self._on_outcome is not None:
+            self._on_outcome()
 
 
 def _private_folder() -> str:

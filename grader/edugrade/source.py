@@ -2,36 +2,68 @@
 
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Mapping
+from typing import NamedTuple
 
 from .place import Place
 
-_GAP = re.compile(r'\s*#\s*TODO\b')
+_GAP = re.compile(r'\s*#\s*TODO\b\s*(\d*)')
 _FUNCTION = re.compile(r'\s*(async\s+)?def\s+generate_launch_description\b')
 _LIST = re.compile(r'.*\bLaunchDescription\s*\(')
 
 
-class Source:
-    """The lines of a submission."""
+class Gap(NamedTuple):
+    """A comment that marks what is still to be written."""
 
-    def __init__(self, file: str, text: str) -> None:
+    file: str
+    line: int
+    text: str
+
+
+class Source:
+    """The lines of a submission.
+
+    :param file: the launch file, absolute.
+    :param others: texts of the other files of the package by absolute path, for a submission that is a package.
+    """
+
+    def __init__(self, file: str, text: str, others: Mapping[str, str] | None = None) -> None:
         self.file = file
         self._lines = text.splitlines()
+        self._others = {path: other.splitlines() for path, other in (others or {}).items() if path != file}
 
     @property
     def place(self) -> Place:
         """Where a missing action belongs: the line of ``LaunchDescription(``, else of the function."""
-        return Place(
-            self.file, self._line_of(_LIST, after=self._line_of(_FUNCTION) or 0) or self._line_of(_FUNCTION)
-        )
+        function = _line_of(_FUNCTION, self._lines)
+        return Place(self.file, _line_of(_LIST, self._lines, function or 0) or function)
+
+    def place_in(self, name: str, pattern: str = '') -> Place:
+        """A place in another file of the package: the first line that `pattern` matches somewhere.
+
+        :param name: how the file's path ends, such as ``config/turtlesim.yaml``; without such a file: :attr:`place`.
+        """
+        for path, lines in {self.file: self._lines, **self._others}.items():
+            if path.endswith(os.sep + name.replace('/', os.sep)):
+                return Place(path, _line_of(re.compile(f'.*(?:{pattern})'), lines) if pattern else None)
+        return self.place
 
     @property
-    def gaps(self) -> list[tuple[int, str]]:
-        """(line, text) of the comments that mark what is still to be written."""
-        return [(number, line.strip()) for number, line in enumerate(self._lines, 1) if _GAP.match(line)]
+    def gaps(self) -> list[Gap]:
+        """What is still to be written, in the order of the numbers after TODO."""
+        found = []
+        for path, lines in {self.file: self._lines, **self._others}.items():
+            for number, line in enumerate(lines, 1):
+                match = _GAP.match(line)
+                if match:
+                    found.append((int(match[1] or 0), Gap(path, number, line.strip())))
+        return [gap for _, gap in sorted(found, key=lambda item: item[0])]
 
-    def _line_of(self, pattern: re.Pattern[str], after: int = 0) -> int | None:
-        for number, line in enumerate(self._lines, 1):
-            if number >= after and pattern.match(line):
-                return number
-        return None
+
+def _line_of(pattern: re.Pattern[str], lines: list[str], after: int = 0) -> int | None:
+    for number, line in enumerate(lines, 1):
+        if number >= after and pattern.match(line):
+            return number
+    return None

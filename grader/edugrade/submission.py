@@ -1,12 +1,14 @@
-"""The file to grade, read as bytes: nothing here runs it."""
+"""What was handed in, read as bytes: nothing here runs it."""
 
 from __future__ import annotations
 
 import os
+from functools import cached_property
 from random import Random
 
 from edulaunch.errors import UnusableInput
 
+from .package_folder import PackageFolder, package_above, package_at
 from .source import Source
 
 ENDINGS = tuple(mark + kind for mark in ('.launch', '_launch') for kind in ('.py', '.xml', '.yaml', '.yml'))
@@ -14,31 +16,68 @@ LARGEST_BYTES = 1_000_000
 
 
 class Submission:
-    """A launch file that somebody handed in.
+    """A launch file, alone or in a ROS 2 package, that somebody handed in.
 
-    :param path: as it was given.
+    :param path: of the launch file, or of the folder of a package: then the file ``launch/<package>.launch.py`` in it.
     :raises UnusableInput: when there is no such launch file; the message says what was found instead.
+
+    :ivar given: the path as it was given.
+    :ivar launch_path: the launch file, by a path like the given one.
+    :ivar file: the launch file, absolute.
+    :ivar folder: the package's folder, or that of the launch file; absolute.
+    :ivar exercise: which exercise it is, by the name of the launch file.
     """
 
     def __init__(self, path: str) -> None:
         self.given = path
-        self.file = os.path.abspath(path)
-        self.folder, self.name = os.path.split(self.file)
-        self.data = _read(path)
+        self.launch_path = _launch_path(path)
+        self.file = os.path.abspath(self.launch_path)
+        self.name = os.path.basename(self.file)
+        self.data = _read(self.launch_path)
+        self.package: PackageFolder | None = package_above(self.file)
+        self.folder = self.package.path if self.package else os.path.dirname(self.file)
         self.exercise = exercise_of(self.name)
-        self.source = Source(self.file, self.data.decode('utf-8', 'replace'))
+
+    @property
+    def workspaces(self) -> list[str]:
+        """The folder to search for the student's packages: found by itself when the launch file lies in a package."""
+        return [self.package.workspace] if self.package else []
+
+    @property
+    def shown_folder(self) -> str:
+        """`folder` as a prefix for what is shown: like the given path, '' or with a separator at its end."""
+        inside = os.path.relpath(self.file, self.folder)
+        if self.launch_path.endswith(inside):
+            return self.launch_path[: -len(inside)]
+        return os.path.join(os.path.relpath(self.folder), '')
+
+    @cached_property
+    def source(self) -> Source:
+        """The text, with that of the whole package when it is one."""
+        others = {os.path.join(self.folder, name): data.decode('utf-8', 'replace') for name, data in self._texts}
+        return Source(self.file, self.data.decode('utf-8', 'replace'), others)
+
+    @cached_property
+    def _texts(self) -> list[tuple[str, bytes]]:
+        return list(self.package.texts()) if self.package else []
+
+    @cached_property
+    def _content(self) -> bytes:
+        """Everything that an edit can change."""
+        parts = [part for name, data in self._texts for part in (name.encode(), data)]
+        return self.data if not parts else b'\0'.join([self.data, *parts])
 
     @property
     def seed(self) -> int:
         """A number that changes with every edit (a hash of the text); the rubric's choices come from it."""
-        return Random(self.data).getrandbits(32)
+        return Random(self._content).getrandbits(32)
 
     @property
     def sha256(self) -> str:
         """Names the graded text in the report."""
         from hashlib import sha256
 
-        return sha256(self.data).hexdigest()
+        return sha256(self._content).hexdigest()
 
 
 def exercise_of(name: str) -> str:
@@ -49,9 +88,21 @@ def exercise_of(name: str) -> str:
     return os.path.splitext(name)[0]
 
 
+def _launch_path(path: str) -> str:
+    """The launch file that is meant; a package stands for the one that is named after it."""
+    if not os.path.isdir(path):
+        return path
+    package = package_at(path)
+    if package is None:
+        raise UnusableInput(f'{path} is a directory; edugrade grades launch files and packages', help=_files_in(path))
+    if not os.path.isfile(package.launch_file):
+        raise UnusableInput(
+            f'the package {package.name} has no file launch/{package.name}.launch.py',
+            help=_files_in(os.path.join(path, 'launch')))
+    return os.path.join(path, os.path.relpath(package.launch_file, package.path))
+
+
 def _read(path: str) -> bytes:
-    if os.path.isdir(path):
-        raise UnusableInput(f'{path} is a directory; edugrade grades one launch file', help=_files_in(path))
     try:
         with open(path, 'rb') as file:
             data = file.read(LARGEST_BYTES + 1)
@@ -67,15 +118,17 @@ def _read(path: str) -> bytes:
     return data
 
 
-def _launch_files(folder: str) -> list[str]:
+def _gradable(folder: str) -> list[str]:
+    """Names of the launch files and packages in a folder."""
     try:
-        return sorted(name for name in os.listdir(folder or '.') if name.endswith(ENDINGS))
+        return sorted(name for name in os.listdir(folder or '.')
+                      if name.endswith(ENDINGS) or package_at(os.path.join(folder, name)))
     except OSError:
         return []
 
 
 def _files_in(folder: str) -> str:
-    names = _launch_files(folder)
+    names = _gradable(folder)
     if not names:
         return f'there is no launch file in it (a name that ends in {ENDINGS[0]}); give the path of one'
     return 'try one of: ' + ', '.join(os.path.join(folder, name) for name in names)
@@ -87,7 +140,7 @@ def _nearest_to(path: str) -> str:
     folder, name = os.path.split(path)
     if folder and not os.path.isdir(folder):
         return f'the folder {folder} does not exist either; look where you are with pwd and ls'
-    names = _launch_files(folder)
+    names = _gradable(folder)
     close = nearest(name, names)
     if close is not None:
         return f'did you mean {os.path.join(folder, close)}?'

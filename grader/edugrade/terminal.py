@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import textwrap
 from collections.abc import Callable, Iterator
 
@@ -26,8 +25,7 @@ INDENT = ' ' * 9
 
 def render(report: Report, *, colour: bool = False) -> str:
     """The whole report: what to repair, what was not run for it, what is right, points, the next step."""
-    shown = os.path.join(os.path.dirname(report.given), '')
-    paths = ShortPaths(os.path.dirname(report.file), shown)
+    paths = ShortPaths(report.folder, report.shown, report.package)
     results = [paths.result(result) for result in report.results]
     mark = _coloured_mark if colour else _plain_mark
     lines = [f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})', '']
@@ -36,7 +34,7 @@ def render(report: Report, *, colour: bool = False) -> str:
             lines += [mark(status) + _title(result), *_explanation(result)]
     lines += _not_run(results, mark)
     lines += [mark(PASSED) + _title(result) for result in _of(PASSED, results)]
-    lines += ['', _points(report), *textwrap.wrap(_printable(_next(report)), WIDTH, break_on_hyphens=False)]
+    lines += ['', points_line(report), *textwrap.wrap(printable(next_step(report)), WIDTH, break_on_hyphens=False)]
     return '\n'.join(lines) + '\n'
 
 
@@ -69,7 +67,7 @@ def _explanation(result: CheckResult) -> Iterator[str]:
 def _wrapped(label: str, text: str) -> Iterator[str]:
     """A text under its label, line by line; what is indented in it stays so."""
     margin = INDENT + (f'{label:<10}' if label else '')
-    for line in _printable(text).splitlines():
+    for line in printable(text).splitlines():
         indent = ' ' * (len(line) - len(line.lstrip()))
         yield from textwrap.wrap(line.strip(), WIDTH, initial_indent=margin + indent,
                                  subsequent_indent=' ' * len(margin) + indent + ('  ' if indent else ''),
@@ -77,7 +75,7 @@ def _wrapped(label: str, text: str) -> Iterator[str]:
         margin = ' ' * len(margin)
 
 
-def _printable(text: str) -> str:
+def printable(text: str) -> str:
     """Without control characters: a submission's texts must not move the cursor or repaint the report."""
     return ''.join(sign if sign.isprintable() or sign == '\n' else '?' for sign in text)
 
@@ -91,15 +89,15 @@ def _not_run(results: list[CheckResult], mark: Callable[[str], str]) -> Iterator
         yield from (f'{INDENT}  {_title(result)}' for result in folded)
 
 
-def _points(report: Report) -> str:
-    count = sum(result.status == PASSED for result in report.results)
+def points_line(report: Report) -> str:
+    """How much of it passed, and the mark."""
     mark = f'{report.earned} of {report.possible} points'
     if report.earned is None:
         mark = 'no mark, because the grader broke'
-    return f'{count} of {len(report.results)} checks passed: {mark}.'
+    return f'{report.passed} of {len(report.results)} checks passed: {mark}.'
 
 
-def _next(report: Report) -> str:
+def next_step(report: Report) -> str:
     """The closing line: the one thing to do now."""
     if report.exit_code == ALL_PASSED:
         return 'Next: done. Take the next exercise, or change something and predict what the report will say.'
@@ -107,6 +105,7 @@ def _next(report: Report) -> str:
         return 'Next: this is not your mistake. Please report what BROKE above, with the launch file.'
     first = next(_of(FAILED, list(report.results)))
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
-        line, text = report.gaps[0]
-        return f'Next: fill in line {line} of {report.given} and grade again. It says: {text}'
+        gap = report.gaps[0]
+        file = ShortPaths(report.folder, report.shown, report.package).text(gap.file)
+        return f'Next: fill in line {gap.line} of {file} and grade again. It says: {gap.text}'
     return f'Next: repair "{first.sentence}" and grade again.'

@@ -208,6 +208,16 @@ def test_a_blocking_send_goal_in_a_callback_is_explained(world: World) -> None:
     assert [text.split(' inside')[0] for _, text in world.tracer.notes] == ["send_goal() of action '/fibonacci'"]
 
 
+def test_a_quiet_action_client_is_nothing_to_execute(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        ActionClient(node, Fibonacci, 'fibonacci')
+        node.create_timer(0.1, lambda: world.say('tick'))
+        rclpy.spin_once(node)
+
+    assert ros(body) == ['tick']
+
+
 def test_actions_are_seen_in_the_graph(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

@@ -186,6 +186,7 @@ def test_spinning_a_node_inside_its_callback_leaves_it_without_executor(world: W
 
     world.start(program)
     assert world.run(5) == [(200.0, 'main', 'nested spin is over')]
+    assert [kind for kind, _ in world.tracer.notes] == ['nested spin']
 
 
 def test_callbacks_of_the_default_group_do_not_run_in_a_nested_spin(world: World) -> None:

@@ -110,6 +110,8 @@ def test_shutdown_after_ctrl_c_raises_as_in_ros(world: World) -> None:
             with pytest.raises(RuntimeError):
                 rclpy.get_default_context().shutdown()
             rclpy.try_shutdown()
+            rclpy.init()
+            rclpy.spin_once(Node('again'), timeout_sec=0.0)
             world.say('still alive')
 
     process = world.start(program)

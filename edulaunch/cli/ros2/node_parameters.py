@@ -27,6 +27,12 @@ TYPE_WORDS = (
     'string array',
 )
 LOOK_EVERY_S = 0.1
+SPELLINGS = {
+    'double': 'write the number with a point, as in 5.0',
+    'integer': 'write the number without a point',
+    'string': "write '!!str VALUE', in quotation marks",
+    'bool': 'write true or false',
+}
 
 
 class NodeNotFound(RuntimeError):
@@ -119,19 +125,9 @@ def python_value(value: Any) -> Any:
 
 def type_help(reason: str) -> str | None:
     """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
-    for word, text in (
-        ('DOUBLE', 'write the number with a point, as in 5.0'),
-        ('STRING', "write '!!str VALUE', in quotation marks"),
-        ('INTEGER', 'write the number without a point'),
-        ('BOOL', 'write true or false'),
-    ):
-        if (
-            f"expected 'Type.{word}'" in reason
-            or f'expected [{word.lower()}' in reason
-            or f'expecting type {word.lower()}' in reason.lower()
-        ):
-            return text
-    return None
+    import re
+    found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
+    return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 
 
 def say_nested(values: dict[str, Any], node_name: str) -> None:

@@ -90,7 +90,11 @@ class RunWorker:
     def _execute(self, tests: Sequence[unittest.TestCase], values: dict[str, Any]) -> None:
         attributes = {name: values[name] for name in ('proc_info', 'proc_output', 'test_args')}
         self._run.bind(tests, attributes, values)
-        unittest.TestSuite(tests).run(self._result)
+        result = TestResult(self._process.stderr.write)
+        try:
+            unittest.TestSuite(tests).run(result)
+        finally:
+            self._result.append(result)
 
     def _give_up(self, tests: Task) -> None:
         message = 'Processes under test stopped before tests completed'

@@ -15,9 +15,9 @@ from rclpy.utilities import (
     ok,
     remove_ros_args,
     timeout_sec_to_nsec,
-    try_shutdown,
 )
 from rclpy.utilities import shutdown as _shutdown
+from rclpy.utilities import try_shutdown as _try_shutdown
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
@@ -66,6 +66,14 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         uninstall_signal_handlers()
 
 
+def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End the use of ROS 2 if that was not done yet; never raises."""
+    _end_global_executor()
+    _try_shutdown(context=context)
+    if uninstall_handlers or (uninstall_handlers is None and context is None):
+        uninstall_signal_handlers()
+
+
 def _end_global_executor() -> None:
     state = process_state()
     if state.global_executor is not None:
@@ -91,7 +99,7 @@ def create_node(node_name: str, *, context: Context | None = None, cli_args: lis
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Execute one callback of the node, or wait until `timeout_sec` is over (None: for ever; 0: do not wait)."""
-    executor = get_global_executor() if executor is None else executor
+    executor = _spinning_executor(executor, node, 'spin_once')
     try:
         executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
@@ -105,7 +113,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     :raises KeyboardInterrupt: on Ctrl-C.
     :raises rclpy.executors.ExternalShutdownException: when ROS 2 is shut down by a signal while nothing is executed.
     """
-    executor = get_global_executor() if executor is None else executor
+    executor = _spinning_executor(executor, node, 'spin')
     try:
         executor.add_node(node)
         executor.spin()
@@ -116,12 +124,24 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_until_future_complete(node: Node, future: Future, executor: Executor | None = None,
                                timeout_sec: float | None = None) -> None:
     """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
-    executor = get_global_executor() if executor is None else executor
+    executor = _spinning_executor(executor, node, 'spin_until_future_complete')
     try:
         executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
         executor.remove_node(node)
+
+
+def _spinning_executor(executor: Executor | None, node: Node, function: str) -> Executor:
+    """The executor to spin; says so (once) when that happens inside one of its own callbacks."""
+    if executor is None:
+        executor = get_global_executor()
+    if executor._spinner is not None and executor._note_nested_spin():
+        process_state().process.note('nested spin', (
+            f"rclpy.{function}() of node '{node.get_fully_qualified_name()}' inside a callback: meanwhile no callback of a busy "
+            'callback group can run (a service client of the default group gets no reply), and afterwards the node is not '
+            'spun any more. Use call_async() with add_done_callback(), or async and await.'))
+    return executor
 
 
 def __getattr__(name: str) -> Any:

@@ -42,6 +42,7 @@ class Executor(Waiting):
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context=context)
         self._nodes: list[Node] = []
+        self._nested_noted = False
         self._context._executors.append(self)
 
     @property
@@ -159,6 +160,13 @@ class Executor(Waiting):
             task.result()
         else:
             self._tasks.append(task)
+
+    def _note_nested_spin(self) -> bool:
+        """Whether this thread executes a callback here and nobody has heard of that yet."""
+        if self._nested_noted or self._spinner is not current_task():
+            return False
+        self._nested_noted = True
+        return True
 
     def _cannot_serve(self, entity: Entity) -> bool:
         """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""

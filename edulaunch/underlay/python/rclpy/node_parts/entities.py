@@ -71,8 +71,9 @@ class NodeEntities:
         waitable._ready_list = core.ready_list
         waitable._order = core.next_number()
         core.waitables.append(waitable)
-        waitable._queued = False
-        waitable._signal()
+        if waitable._queued:
+            waitable._queued = False
+            waitable._signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
         """Wait for it no more."""

@@ -1,0 +1,79 @@
+"""How far one thing is from another over time, as plain data."""
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from operator import itemgetter
+from typing import TYPE_CHECKING, NamedTuple
+
+from edulaunch.canvas.composing import placed
+from edulaunch.canvas.worlds import GAP_S
+
+if TYPE_CHECKING:
+    from edulaunch.recording.recording import Recording
+
+Place = tuple[float, float, float]
+"""Time in seconds, x and y in metres."""
+
+
+class DistanceScene(NamedTuple):
+    """Points of (time, distance), how near counts as close (metres), and since when it stayed close for good (None: it is not)."""
+
+    first: str
+    second: str
+    close_m: float
+    duration_s: float
+    points: list[tuple[float, float]]
+    close_since_s: float | None
+
+    def caption(self) -> str:
+        """One line that says what is to be seen."""
+        since = 'not close at the end' if self.close_since_s is None else f'closer than {self.close_m:g} m from t={self.close_since_s:.2f} s on'
+        return (f'{self.first} to {self.second}: {self.points[0][1]:.3f} m at t={self.points[0][0]:.2f} s, '
+                f'{self.points[-1][1]:.3f} m at t={self.points[-1][0]:.2f} s, {since}')
+
+
+def distance_scene(recording: Recording, first: str, second: str, close_m: float) -> DistanceScene:
+    """The distance whenever the first one moved, while both were there.
+
+    :raises KeyError: when one of them is neither a turtle, a robot nor a tf frame of the recording.
+    :raises ValueError: when they were never there at the same time.
+    """
+    others = places_of(recording, second)
+    points = []
+    for time_s, x, y in places_of(recording, first):
+        position = bisect_right(others, time_s, key=itemgetter(0))
+        if position and time_s - others[position - 1][0] < GAP_S:
+            points.append((time_s, math.hypot(x - others[position - 1][1], y - others[position - 1][2])))
+    if not points:
+        raise ValueError(f'{first!r} and {second!r} were never there at the same time')
+    return DistanceScene(first, second, close_m, recording.duration_s, points, _close_since(points, close_m))
+
+
+def _close_since(points: list[tuple[float, float]], close_m: float) -> float | None:
+    since = None
+    for time_s, distance in points:
+        since = None if distance > close_m else time_s if since is None else since
+    return since
+
+
+def places_of(recording: Recording, name: str) -> list[Place]:
+    """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
+    from edulaunch.recording.trajectory import moving_things
+    things = moving_things(recording)
+    if name in things or '/' + name in things or name.removeprefix('/') in things:
+        track = recording.trajectory(name)
+        return [(float(t), float(x), float(y)) for t, x, y in zip(track.t, track.x, track.y, strict=True)]
+    frames = placed(recording.frames_at(recording.duration_s))
+    if name not in frames:
+        raise KeyError(f'nothing called {name!r} moved in this recording; there are: {", ".join([*things, *frames]) or "none"}')
+    return _frame_places(recording, name)
+
+
+def _frame_places(recording: Recording, name: str) -> list[Place]:
+    """The frame in its root, twenty times a second."""
+    from edulaunch.canvas.frame_tracks import FrameTracks
+    tracks = FrameTracks(recording)
+    times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
+    found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]
+    return [(time_s, place.position[0], place.position[1]) for time_s, place in found if place is not None]

@@ -1,0 +1,121 @@
+"""Launch tests in a simulation of their own: what `launch_test FILE` and the pytest plugin both use."""
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.errors import UnusableInput
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.session import Session
+from edulaunch.sim.pacing import Pacer
+
+if TYPE_CHECKING:
+    from launch_testing.launch_test import LaunchTest
+
+LONGEST_TEST_S = 3600.0
+
+
+def run_launch_test(test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0,
+                    body: Callable[[], int] | None = None) -> int:
+    """Run a launch test in a fresh simulation; its console goes to this program's own.
+
+    :param workspaces: folders with packages; None: the workspace in which the test file lies.
+    :param body: what the process does; None: `test.run`.
+    :returns: 0 when all went well. What went wrong else is in `test.results` and `test.error`.
+    """
+    words = ['launch_test', test.path, *test.arguments]
+    with Session(seed=seed, workspaces=workspaces_of(test.path) if workspaces is None else workspaces) as session:
+        spec = ProcessSpec(argv=tuple(words), name='launch_test')
+        process = Process(session.host, spec, session.host.next_pid(), words, lambda _: (body or test.run)())
+        process.on_output = _print
+        process.loader.roots += session.index.python_roots()
+        session.host.adopt(process)
+        _Runner(session, process).run()
+        if process.returncode is None:
+            test.error = UnusableInput(
+                f'{os.path.basename(test.path)}: the launch test was still waiting after {session.sim.elapsed_s:.1f} s of simulated time.',
+                help='give waits a timeout, such as event.wait(timeout=10)')
+        return 1 if process.returncode is None else process.returncode
+
+
+def workspaces_of(path: str) -> list[str]:
+    """The folder whose packages a test file can use: the `src` folder above its package, else the package; none outside any."""
+    folder = os.path.dirname(os.path.abspath(path))
+    while not os.path.isfile(os.path.join(folder, 'package.xml')):
+        above = os.path.dirname(folder)
+        if above == folder:
+            return []
+        folder = above
+    parts = folder.split(os.sep)
+    return [os.sep.join(parts[:parts.index('src') + 1])] if 'src' in parts else [folder]
+
+
+def _print(stream: str, text: str) -> None:
+    target = sys.stdout if stream == 'stdout' else sys.stderr
+    target.write(text)
+    target.flush()
+
+
+class _Runner:
+    """Runs the simulation until a process has ended; Ctrl-C ends the run, a second one also a program that never waits."""
+
+    def __init__(self, session: Session, process: Process) -> None:
+        self._session = session
+        self._process = process
+        self._pressed = False
+
+    def run(self) -> None:
+        """Run.
+
+        :raises KeyboardInterrupt: after Ctrl-C.
+        """
+        sim = self._session.sim
+        in_main = threading.current_thread() is threading.main_thread()
+        before: Any = signal.signal(signal.SIGINT, self._press) if in_main else None
+        try:
+            Pacer(sim, 0).run(sim.now_ns + round(LONGEST_TEST_S * 1e9), self._is_over)
+        finally:
+            if in_main:
+                signal.signal(signal.SIGINT, before)
+        if self._pressed:
+            raise KeyboardInterrupt
+
+    def _press(self, signum: int, frame: FrameType | None) -> None:
+        if self._pressed:
+            raise KeyboardInterrupt
+        self._pressed = True
+
+    def _is_over(self) -> bool:
+        return self._pressed or self._process.returncode is not None
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """`launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; returns the exit code, 2 for unusable input."""
+    import argparse
+
+    from edulaunch.sourcing import source
+    source()
+    from launch_testing.launch_test import LaunchTest, add_arguments
+    parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
+    parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
+    add_arguments(parser)
+    parser.add_argument('--workspace', action='append', metavar='DIR', help='folder with packages; default: the test file\'s own')
+    given = parser.parse_args(argv)
+    if not os.path.isfile(given.test_file):
+        parser.error(f"Test file '{given.test_file}' does not exist")
+    test = LaunchTest(given.test_file, given.launch_arguments, debug=given.verbose)
+    try:
+        code = run_launch_test(test, workspaces=given.workspace, body=test.show_arguments if given.show_args else None)
+    except KeyboardInterrupt:
+        return 130
+    if isinstance(test.error, UnusableInput):
+        sys.stderr.write(f'error: {test.error}\n')
+    if given.junit_xml:
+        test.write_junit_xml(given.junit_xml, given.package_name)
+    return code

@@ -1,0 +1,80 @@
+"""The command `launch_test FILE [name:=value ...]`: runs a launch test file.
+
+As `python -m launch_testing.launch_test` it opens a simulation of its own (see `edulaunch/launch_test_session.py`).
+"""
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.current import current_process
+
+from .loader import LoadTestsFromPythonModule, TestRun
+from .test_result import TestResult
+
+if TYPE_CHECKING:
+    import argparse
+
+
+class LaunchTest:
+    """One run of a test file. Make it anywhere; :meth:`run` belongs inside a simulated process.
+
+    :param path: of the test file.
+    :param arguments: launch arguments, `name:=value`.
+    :ivar results: how each launch went; empty before the run.
+    :ivar error: why the file could not be run at all, or None.
+    """
+
+    def __init__(self, path: str, arguments: Sequence[str] = (), *, debug: bool = False) -> None:
+        self.path = os.path.abspath(path)
+        self.name = os.path.splitext(os.path.basename(path))[0].replace('.', '_')
+        self.arguments = list(arguments)
+        self.debug = debug
+        self.results: dict[TestRun, TestResult] = {}
+        self.error: BaseException | None = None
+
+    def load(self) -> list[TestRun]:
+        """Execute the file with the private modules of the running process; gives its launches."""
+        module = current_process().loader.run_file(self.path, self.name)
+        if not hasattr(module, 'generate_test_description'):
+            raise AttributeError(f"Test file '{self.path}' does not contain generate_test_description function")
+        return LoadTestsFromPythonModule(module, name=self.name)
+
+    def run(self) -> int:
+        """Run everything in the file; returns 0 when all went well, else 1."""
+        from .test_runner import LaunchTestRunner
+        try:
+            self.results = LaunchTestRunner(self.load(), self.arguments, self.debug).run()
+        except Exception as error:
+            self.error = error
+            raise
+        return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
+
+    def show_arguments(self) -> int:
+        """Print the launch arguments of the (first) description; returns 0."""
+        from ros2launch.api.api import arguments_text
+        description, _ = self.load()[0].normalized_test_description(lambda: None)
+        current_process().stdout.write(arguments_text(description) + '\n')
+        return 0
+
+    def write_junit_xml(self, path: str, package_name: str | None) -> None:
+        """Write the results as JUnit XML."""
+        from .junitxml import unittestResultsToXml
+        name = self.name if package_name is None else f'{package_name}.{self.name}'
+        tree: Any = unittestResultsToXml(name=name, test_results=self.results)
+        tree.write(path, xml_declaration=True, encoding='UTF-8')
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options of ROS 2's `launch_test`."""
+    parser.add_argument('launch_arguments', nargs='*', metavar='name:=value', help='arguments of the launch description')
+    parser.add_argument('-v', '--verbose', action='store_true', help='let launch log at level DEBUG')
+    parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
+    parser.add_argument('--junit-xml', metavar='FILE', help='write the results as JUnit XML')
+    parser.add_argument('--package-name', metavar='NAME', help='name of the package, for the JUnit XML')
+
+
+if __name__ == '__main__':
+    from edulaunch.launch_test_session import main
+    raise SystemExit(main())

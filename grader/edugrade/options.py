@@ -1,0 +1,58 @@
+"""The words of the command line."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+from .catalogue import exercises
+
+EPILOG = """\
+examples:
+  edugrade exercises/circle.launch.py                  grade a launch file; the rubric is found by its name
+  edugrade exercises/large_project                     a package: its launch/large_project.launch.py is launched
+  edugrade exercises/*.launch.py --html report.html    several at once; a page with pictures of the runs
+  edugrade circle.launch.py --json report.json         write the report as data too
+  edugrade my_try.launch.py --rubric circle            a file of another name
+  edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
+
+exit codes (the worst one, of several):
+  0  all checks passed
+  1  some failed or could not be run
+  2  unusable input: no such file, no rubric for it, or a launch file that cannot be run at all
+  3  the grader broke; that is never the student's fault and gives no mark
+"""
+
+
+def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
+    """Parse the command line; ends the program with a usage message when it is wrong."""
+    parser = argparse.ArgumentParser(
+        prog='edugrade',
+        description='Grade ROS 2 launch files by what they do when they are launched, in simulation.',
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument('paths', metavar='PATH', nargs='+', help="a launch file, or a package's folder")
+    parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
+    parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
+    parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
+    parser.add_argument(
+        '--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
+    parser.add_argument(
+        '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)")
+    parser.add_argument(
+        '--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
+    parser.add_argument(
+        '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)')
+    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
+    return parser.parse_args(argv)
+
+
+def _seconds(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 86_400:
+        raise argparse.ArgumentTypeError(f'{text} is not a sensible number of seconds')
+    return value
