@@ -1,42 +1,73 @@
-"""Nodes and topics of a recording, laid out in columns from publishers to subscribers, as plain data."""
+"""Nodes, topics and services of a recording with the arrows between them, laid out on a sheet, as plain data."""
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, NamedTuple
+
+from edulaunch.canvas.layout import Point, lay_out
+from edulaunch.canvas.style import SMALL, TEXT, mono_width, shortened
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
 
 HIDDEN = ('/rosout', '/parameter_events')
+PARAMETER_SERVICES = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters',
+                      'set_parameters_atomically', 'get_type_description')
+Key = tuple[str, str]
+"""Kind ('node', 'topic' or 'service') and name."""
 
 
 class Box(NamedTuple):
-    """A node or a topic at a place: column from the left, row from the top. `mark` says what is wrong with it, or ''."""
+    """A node, topic or service with the upper left corner and size of its box in pixels. `mark` says what is wrong with it, or ''."""
 
     kind: str
     name: str
-    column: int
-    row: float
+    left: float
+    top: float
+    width: float
+    height: float
     mark: str
 
 
 class GraphScene(NamedTuple):
-    """Boxes, and arrows between their positions in the list."""
+    """Boxes, arrows between their positions in the list, and each arrow's way (see `edulaunch.canvas.layout.Route`)."""
 
+    width: float
+    height: float
     boxes: list[Box]
     arrows: list[tuple[int, int]]
+    routes: list[list[Point]]
+    direction: str
 
     def caption(self) -> str:
         """One line that says what is to be seen."""
-        nodes = [box.name for box in self.boxes if box.kind == 'node']
+        count = {kind: sum(box.kind == kind for box in self.boxes) for kind in ('node', 'topic', 'service')}
         marked = [f'{box.name}: {box.mark}' for box in self.boxes if box.mark]
-        text = f'{len(nodes)} nodes, {len(self.boxes) - len(nodes)} topics, {len(self.arrows)} connections'
+        services = f', {count["service"]} services' if count['service'] else ''
+        text = f'{count["node"]} nodes, {count["topic"]} topics{services}, {len(self.arrows)} connections'
         return text + (f'; {"; ".join(marked)}' if marked else '')
 
 
-def graph_scene(recording: Recording, unused: bool = False) -> GraphScene:
-    """The graph at the end of a run; topics without listeners only if `unused`."""
-    edges: list[tuple[tuple[str, str], tuple[str, str]]] = []
-    marks: dict[tuple[str, str], str] = {}
+def graph_scene(recording: Recording, *, unused: bool = False, services: bool = False) -> GraphScene:
+    """The graph of a run; topics without listeners only if `unused`, services that somebody calls only if `services`."""
+    edges, marks = _topics(recording, unused)
+    if services:
+        calls, unserved = _services(recording)
+        edges, marks = edges + calls, {**marks, **unserved}
+    keys = list(dict.fromkeys([*(('node', node.name) for node in recording.nodes), *(key for edge in edges for key in edge)]))
+    place = {key: number for number, key in enumerate(keys)}
+    arrows = list(dict.fromkeys((place[start], place[end]) for start, end in edges))
+    sizes = [_size(*key, marks.get(key, '')) for key in keys]
+    layout = lay_out(sizes, arrows)
+    boxes = [Box(*key, *corner, *size, marks.get(key, '')) for key, corner, size in zip(keys, layout.corners, sizes, strict=True)]
+    return GraphScene(layout.width, layout.height, boxes, arrows, [route.points for route in layout.routes], layout.direction)
+
+
+def _topics(recording: Recording, unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+    """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
+    edges: list[tuple[Key, Key]] = []
+    marks: dict[Key, str] = {}
+    misfits = _misfits(recording)
     for topic in recording.topics.values():
         if topic.name in HIDDEN or (not topic.subscriptions and not unused):
             continue
@@ -46,63 +77,59 @@ def graph_scene(recording: Recording, unused: bool = False) -> GraphScene:
             marks[key] = 'no publisher'
         elif not topic.subscriptions:
             marks[key] = 'no subscriber'
-    keys = list(dict.fromkeys([key for edge in edges for key in edge] + [('node', node.name) for node in recording.nodes]))
-    columns = _columns(keys, edges)
-    boxes = _rows(keys, edges, columns, marks)
-    place = {(box.kind, box.name): position for position, box in enumerate(boxes)}
-    return GraphScene(boxes, [(place[start], place[end]) for start, end in edges])
+        elif topic.name in misfits:
+            marks[key] = f'{misfits[topic.name]} does not fit'
+    return edges, marks
 
 
-def _columns(keys: list[tuple[str, str]], edges: list[tuple[tuple[str, str], tuple[str, str]]]) -> dict[tuple[str, str], int]:
-    """The column of each box: the longest way to it; boxes that lie on a loop share their loop's order of discovery."""
-    import networkx as nx
-    graph = nx.DiGraph()
-    graph.add_nodes_from(keys)
-    graph.add_edges_from(edges)
-    for start, end in _back_edges(keys, graph):
-        graph.remove_edge(start, end)
-    columns: dict[tuple[str, str], int] = {}
-    for key in nx.lexicographical_topological_sort(graph, key=keys.index):
-        columns[key] = max((columns[before] + 1 for before in graph.predecessors(key)), default=0 if key[0] == 'node' else 1)
-    return columns
+MISFIT = re.compile(r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)')
+"""The recorder's note of two ends that cannot talk."""
 
 
-def _back_edges(keys: list[tuple[str, str]], graph: object) -> list[tuple[tuple[str, str], tuple[str, str]]]:
-    """The edges that close loops, found by walking depth first in the given order."""
-    state: dict[tuple[str, str], int] = {}
-    back = []
-    for root in keys:
-        stack = [(root, iter(list(graph.successors(root))))]  # type: ignore[attr-defined]
-        if root in state:
-            continue
-        state[root] = 1
-        while stack:
-            key, following = stack[-1]
-            step = next(following, None)
-            if step is None:
-                state[key] = 2
-                stack.pop()
-            elif state.get(step) == 1:
-                back.append((key, step))
-            elif step not in state:
-                state[step] = 1
-                stack.append((step, iter(list(graph.successors(step)))))  # type: ignore[attr-defined]
-    return back
+def _misfits(recording: Recording) -> dict[str, str]:
+    """Topics on which a publisher and a subscription cannot talk, with the reason ('type' or a QoS policy).
+
+    A node that subscribes with several types hears its publisher all the same.
+    """
+    nodes = {node.name: node for node in recording.nodes}
+    found = {}
+    for match in filter(None, (MISFIT.fullmatch(note.text) for note in recording.notes if note.kind == 'incompatible')):
+        topic, why = match['topic'], match['why'].lower()
+        sent = {kind for name, kind in nodes[match['publisher']].publishers if name == topic}
+        heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == topic}
+        if why != 'type' or not sent & heard:
+            found[topic] = why
+    return found
 
 
-def _rows(keys: list[tuple[str, str]], edges: list[tuple[tuple[str, str], tuple[str, str]]],
-          columns: dict[tuple[str, str], int], marks: dict[tuple[str, str], str]) -> list[Box]:
-    """Rows within each column, ordered so that a box stands near what leads to it."""
-    row: dict[tuple[str, str], float] = {}
-    boxes = []
-    for column in range(max(columns.values(), default=0) + 1):
-        members = [key for key in keys if columns[key] == column]
-        wish = {}
-        for key in members:
-            before = [row[start] for start, end in edges if end == key and start in row]
-            wish[key] = sum(before) / len(before) if before else float(members.index(key))
-        members.sort(key=lambda key: (wish[key], keys.index(key)))
-        for number, key in enumerate(members):
-            row[key] = number - (len(members) - 1) / 2
-            boxes.append(Box(*key, column, row[key], marks.get(key, '')))
-    return boxes
+def _services(recording: Recording) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+    """Arrows from clients to services to servers; and which services nobody serves."""
+    servers = {name: node.name for node in recording.nodes for name, _ in node.services}
+    edges: list[tuple[Key, Key]] = []
+    marks: dict[Key, str] = {}
+    for node in recording.nodes:
+        for name, _ in node.clients:
+            key = ('service', name)
+            if name.rpartition('/')[2] not in PARAMETER_SERVICES:
+                edges.append((('node', node.name), key))
+                if name in servers:
+                    edges.append((key, ('node', servers[name])))
+                else:
+                    marks[key] = 'no server'
+    return edges, marks
+
+
+def label_lines(kind: str, name: str, mark: str) -> list[tuple[str, float, bool]]:
+    """What stands in a box, as (text, font size, whether it is the mark): the namespace small above the name."""
+    namespace, _, base = name.rpartition('/')
+    lines = [(shortened(namespace + '/'), SMALL, False)] if namespace else []
+    lines.append((shortened(base if namespace else name), TEXT, False))
+    if kind == 'service':
+        lines.append(('(service)', SMALL, False))
+    return [*lines, (mark, SMALL, True)] if mark else lines
+
+
+def _size(kind: str, name: str, mark: str) -> tuple[float, float]:
+    lines = label_lines(kind, name, mark)
+    width = max(mono_width(text, size) for text, size, _ in lines) + (28 if kind == 'node' else 18)
+    return (float(round(width)), 12.0 + 14.0 * len(lines))

@@ -28,3 +28,8 @@ MONO_ADVANCE = 0.602
 def mono_width(text: str, size: float = TEXT) -> float:
     """How wide a text in the monospaced font is, in pixels."""
     return len(text) * MONO_ADVANCE * size
+
+
+def shortened(text: str, most: int = 28) -> str:
+    """The text, its end left out where it is longer than `most` characters."""
+    return text if len(text) <= most else text[:most - 1] + '…'

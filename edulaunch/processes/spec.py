@@ -2,13 +2,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import NamedTuple
 
 from edulaunch.processes.origin import Origin
 
 
-@dataclass(frozen=True)
-class ProcessSpec:
+class ProcessSpec(NamedTuple):
     """Everything that is decided before a program starts.
 
     :ivar argv: the command line, program first, exactly as the launch action resolved it.
@@ -29,4 +29,4 @@ class ProcessSpec:
     origin: Origin | None = None
     package: str | None = None
     executable: str | None = None
-    parameter_origins: Mapping[str, str] = field(default_factory=dict)
+    parameter_origins: Mapping[str, str] = MappingProxyType({})

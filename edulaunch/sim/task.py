@@ -14,6 +14,7 @@ from edulaunch.errors import SimulationError
 from edulaunch.sim.simulation import Item, Simulation
 
 POLLS_BEFORE_TIME_PASSES = 1000
+POLLS_AFTER_THAT = 20
 POLL_PAUSE_NS = 1_000_000
 
 
@@ -92,8 +93,9 @@ class Task:
         :raises TaskKilled: when the task is killed; and whatever an :meth:`interrupt` raises.
         """
         self._polls = 0
-        if not (self._woken or self._killed):
-            self._set_timer(deadline_ns)
+        if not self._woken and not self._killed:
+            if deadline_ns is not None or self._timer is not None:
+                self._set_timer(deadline_ns)
             self._parked = True
             if self.loop is None:
                 self.sim.hub.switch()
@@ -155,10 +157,14 @@ class Task:
         self.wake()
 
     def poll(self) -> None:
-        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time."""
+        """Count a look at the clock; a program that only looks and never blocks is moved on by simulated time.
+
+        It takes many looks until time passes for the first time, and fewer from then on until it really blocks.
+        """
         self._polls += 1
         if self._polls > POLLS_BEFORE_TIME_PASSES:
             self.sleep_until(self.sim.now_ns + POLL_PAUSE_NS)
+            self._polls = POLLS_BEFORE_TIME_PASSES - POLLS_AFTER_THAT
 
     def sleep_until(self, at_ns: int) -> None:
         """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""

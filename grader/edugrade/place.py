@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 
@@ -10,3 +11,19 @@ class Place(NamedTuple):
 
     file: str
     line: int | None = None
+
+
+def is_engine(file: str) -> bool:
+    """Whether a file is code of edulaunch itself; the launch files that it ships are not."""
+    return is_shipped(file) and not file.startswith(os.path.join(_engine(), 'underlay', 'share'))
+
+
+def is_shipped(file: str) -> bool:
+    """Whether a file came with edulaunch: nothing that a student can change."""
+    return file.startswith(_engine() + os.sep)
+
+
+def _engine() -> str:
+    import edulaunch
+
+    return os.path.dirname(os.path.abspath(edulaunch.__file__))

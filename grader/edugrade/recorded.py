@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING
 
 from .outcome import Outcome
-from .place import Place
+from .place import Place, is_engine
 from .scenario import Scenario
 
 if TYPE_CHECKING:
@@ -39,14 +38,6 @@ def _launch_error(scenario: Scenario, launch: LaunchRecord) -> Outcome:
     """Launch's own text, without its last line, which is the place again."""
     text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
     where = None
-    if launch.error_file is not None and not _is_engine(launch.error_file):
+    if launch.error_file is not None and not is_engine(launch.error_file):
         where = Place(launch.error_file, launch.error_line)
     return Outcome(scenario, 'unusable', text=text, try_=launch.help or _LOOK, where=where)
-
-
-def _is_engine(file: str) -> bool:
-    """Whether a file is code of edulaunch; its shared launch files are not."""
-    import edulaunch
-
-    engine = os.path.dirname(os.path.abspath(edulaunch.__file__))
-    return file.startswith(engine + os.sep) and not file.startswith(os.path.join(engine, 'underlay', 'share'))

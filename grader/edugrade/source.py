@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from .place import Place
+from .place import Place, is_shipped
 
 _GAP = re.compile(r'\s*#\s*TODO\b\s*(\d*)')
 _FUNCTION = re.compile(r'\s*(async\s+)?def\s+generate_launch_description\b')
@@ -49,6 +49,13 @@ class Source:
             if path.endswith(os.sep + name.replace('/', os.sep)):
                 return Place(path, _line_of(re.compile(f'.*(?:{pattern})'), lines) if pattern else None)
         return self.place
+
+    def own(self, origin: tuple[str, int | None] | None, pattern: str = '') -> Place:
+        """A place that the student can change: `origin` when it is one, else the line that `pattern` matches, else `place`."""
+        if origin is not None and not is_shipped(origin[0]):
+            return Place(*origin)
+        line = _line_of(re.compile(f'.*(?:{pattern})'), self._lines) if pattern else None
+        return self.place if line is None else Place(self.file, line)
 
     @property
     def gaps(self) -> list[Gap]:

@@ -107,5 +107,5 @@ def next_step(report: Report) -> str:
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         gap = report.gaps[0]
         file = ShortPaths(report.folder, report.shown, report.package).text(gap.file)
-        return f'Next: fill in line {gap.line} of {file} and grade again. It says: {gap.text}'
+        return f'Next: work on line {gap.line} of {file} and grade again. It says: {gap.text}'
     return f'Next: repair "{first.sentence}" and grade again.'

@@ -72,3 +72,7 @@ def test_csv_is_flat_and_yaml_keeps_the_order_of_fields() -> None:
     assert message_csv(message) == '1.0,0.0,0.0,0.0,0.0,2.0'
     assert list(message_dict(message)) == ['linear', 'angular']
     assert message_yaml(message, EVERYTHING, flow_style=True).startswith('{linear: {x: 1.0, ')
+
+
+def test_letters_are_shown_as_they_are() -> None:
+    assert message_yaml(message_class('std_msgs/msg/String')(data='grüße \N{TURTLE}')) == 'data: grüße \N{TURTLE}\n'

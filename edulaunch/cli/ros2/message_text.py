@@ -20,18 +20,20 @@ class Shortening(NamedTuple):
 
 
 EVERYTHING = Shortening()
+WIDEST = 2**31 - 1
 
 
 def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
     """The message as YAML text, fields in their order, ending with a line end."""
     import yaml
 
-    text: str = yaml.safe_dump(
-        message_dict(message, short),
-        sort_keys=False,
-        width=float('inf'),
-        allow_unicode=True,
-        default_flow_style=flow_style,
+    content = message_dict(message, short)
+    plain = repr(content)
+    simple = plain.isascii() and '\\' not in plain
+    # The C writer is faster, but writes other letters than ASCII in another way than ROS 2 shows them.
+    dumper = getattr(yaml, 'CSafeDumper', yaml.SafeDumper) if simple else yaml.SafeDumper
+    text: str = yaml.dump(
+        content, Dumper=dumper, sort_keys=False, width=WIDEST, allow_unicode=True, default_flow_style=flow_style
     )
     return text
 

@@ -1,6 +1,7 @@
 """Points in time."""
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from rclpy.clock_type import ClockType
@@ -108,9 +109,7 @@ class Time:
 
     def to_msg(self) -> TimeMessage:
         """As builtin_interfaces/Time."""
-        from builtin_interfaces.msg import Time as TimeMessage
-        seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
-        return TimeMessage(sec=seconds, nanosec=nanoseconds)
+        return _message_of(divmod(self._nanoseconds, S_TO_NS))
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
@@ -119,6 +118,18 @@ class Time:
         if not isinstance(msg, TimeMessage):
             raise TypeError('Must pass a builtin_interfaces.msg.Time object')
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)
+
+
+def _message_of(wire: tuple[int, int]) -> Any:
+    """builtin_interfaces/Time from (sec, nanosec): this is asked for with every stamp."""
+    cls = _time_message_class()
+    return cls.from_wire(wire)
+
+
+@cache
+def _time_message_class() -> Any:
+    from builtin_interfaces.msg import Time as TimeMessage
+    return TimeMessage
 
 
 def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:

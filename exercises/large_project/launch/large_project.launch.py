@@ -1,0 +1,39 @@
+"""Everything: two worlds, a follower with its goal, a carrot, and a turtle that copies the follower.
+
+    ros2 launch large_project large_project.launch.py goal:=turtle1
+
+A large launch file is short: it includes small ones, and says what differs. Read them first: world.launch.py,
+follower.launch.py and mimic.launch.py lie beside this file, the parameters of the worlds in ../config/turtlesim.yaml.
+Then fill the three gaps: two here, and one in the file of parameters.
+
+Grade it: edugrade exercises/large_project        A hint: edugrade exercises/large_project --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def include(name, **arguments):
+    """One launch file of this package, with arguments for it."""
+    path = PathJoinSubstitution([FindPackageShare('large_project'), 'launch', name])
+    return IncludeLaunchDescription(PythonLaunchDescriptionSource(path), launch_arguments=arguments.items())
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument(
+            'goal',
+            default_value='carrot1',
+            description='The frame that turtle2 drives to: carrot1 or turtle1.',
+        ),
+        include('world.launch.py'),
+        # TODO 1: include the world once more, in a group that first pushes the namespace turtlesim2
+
+        # TODO 2: give follower.launch.py the value of the launch argument goal as its argument target_frame
+        include('follower.launch.py'),
+        include('mimic.launch.py'),
+        Node(package='turtle_tf2_py', executable='fixed_frame_tf2_broadcaster', name='fixed_broadcaster'),
+    ])

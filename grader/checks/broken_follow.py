@@ -1,0 +1,116 @@
+"""The rubric of broken_follow.launch.py: a chain of three turtles in which three things are broken.
+
+Two runs in which the teacher drives at different speeds. Each fault breaks one link of the chain and has one check; the last
+check looks at the end of the chain.
+"""
+
+from __future__ import annotations
+
+from random import Random
+
+from edugrade import Evidence, Failure, Rubric, Scenario, check
+from edugrade.library.circle_fit import fit_circle
+from edugrade.library.following import require_copy, require_near
+from edugrade.library.frames import require_frame
+from edugrade.library.launched import find_processes, refuse_dead, require_process
+from edugrade.library.movement import turtle_track
+from edugrade.library.node_graph import loose_ends
+from edugrade.library.parameters import require_parameter
+
+TURN = 0.5  # rad/s, of the teacher
+SETTLED_S = 12.0
+BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf2_py', 'turtle_tf2_listener')
+
+
+def scenarios(random: Random) -> list[Scenario]:
+    """A slow teacher and a fast one."""
+    slow, fast = random.randint(40, 70) / 100, random.randint(95, 130) / 100
+    return [Scenario('slow', {'speed': f'{slow:.2f}'}, 18.0), Scenario('fast', {'speed': f'{fast:.2f}'}, 18.0)]
+
+
+@check()
+def no_node_dies(run: Evidence) -> None:
+    """No node dies before the end"""
+    refuse_dead(run)
+
+
+@check(needs=[no_node_dies])
+def teacher_drives(run: Evidence) -> None:
+    """The teacher drives a circle at the speed asked for"""
+    for name, recording in run.items():
+        radius = float(run.scenario(name).arguments['speed']) / TURN
+        circle = fit_circle([(x, y) for t, x, y in turtle_track(recording, '/teacher/turtle1/pose') if t > 2.0])
+        if circle is None or abs(circle.radius - radius) > 0.05 * radius:
+            seen = 'no circle' if circle is None else f'a circle of {circle.radius:.2f} m'
+            raise Failure('the teacher does not drive as it should', expected=f'a circle of {radius:.2f} m', seen=seen,
+                          where=run.source.place, try_="leave the teacher's part of the file as it was: it is not broken")
+
+
+@check(points=3, needs=[teacher_drives])
+def turtle1_copies(run: Evidence) -> None:
+    """turtle1 does what the teacher does"""
+    require_process(run, 'turtlesim', 'mimic')
+    try:
+        require_copy(run, '/teacher/turtle1', '/turtle1', 'read what the Node of mimic is told under remappings',
+                     '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')))
+    except Failure as failure:
+        raise _at(failure, find_processes(run.first, 'turtlesim', 'mimic')[0].origin) from None
+
+
+@check(points=1, needs=[no_node_dies])
+def turtle1_is_on_tf(run: Evidence) -> None:
+    """tf knows where turtle1 is: the frame turtle1 in the frame world"""
+    require_frame(run, 'turtle1', 'world', 'look at the Node of broadcaster1')
+
+
+@check(points=3, needs=[no_node_dies])
+def turtle2_is_on_tf(run: Evidence) -> None:
+    """tf knows where turtle2 is: the frame turtle2 in the frame world"""
+    loose = loose_ends(run.first, *BROADCASTER)
+    try:
+        require_frame(run, 'turtle2', 'world', 'look which turtle each broadcaster is told to listen to, and how the '
+                      'listener calls the turtle that it spawns', '\n'.join(loose))
+    except Failure as failure:
+        raise _at(failure, _deaf_broadcaster(run, loose)) from None
+
+
+@check(points=3, needs=[no_node_dies])
+def target_is_turtle1(run: Evidence) -> None:
+    """The listener's parameter target_frame is turtle1"""
+    require_process(run, *LISTENER)
+    require_parameter(run, *LISTENER, 'target_frame', dict.fromkeys(run, 'turtle1'),
+                      'write the name of a frame that tf knows; view_frames shows them')
+
+
+@check(points=2, needs=[turtle1_copies, turtle1_is_on_tf, turtle2_is_on_tf, target_is_turtle1])
+def turtle2_follows(run: Evidence) -> None:
+    """turtle2 stays close behind turtle1"""
+    for name, recording in run.items():
+        speed = float(run.scenario(name).arguments['speed'])
+        # The listener covers half of the distance in each second: at a speed v it lags 2 v behind.
+        require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S,
+                     'look whether something else than the listener drives turtle2')
+
+
+def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
+    """The same failure, pointing at a Node."""
+    return Failure(failure.rationale, expected=failure.expected, seen=failure.seen, where=where or failure.where,
+                   try_=failure.try_)
+
+
+def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:
+    """Where the broadcaster that hears nobody is written."""
+    recording = run.first
+    for process in find_processes(recording, *BROADCASTER):
+        names = [node.name for node in recording.nodes if node.process == process.name]
+        if any(words.startswith(f'{name} ') for name in names for words in loose):
+            return process.origin
+    return None
+
+
+RUBRIC = Rubric(
+    title='Repair: the teacher, turtle1 and turtle2',
+    scenarios=scenarios,
+    checks=[no_node_dies, teacher_drives, turtle1_copies, turtle1_is_on_tf, turtle2_is_on_tf, target_is_turtle1,
+            turtle2_follows],
+)

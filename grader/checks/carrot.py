@@ -1,0 +1,121 @@
+"""The rubric of carrot.launch.py: one launch file, two carrots, chosen by a launch argument.
+
+Two runs, carrot:=fixed and carrot:=moving. The carrots are told apart by what tf says of the frame carrot1, and by what
+turtle2 does about it.
+"""
+
+from __future__ import annotations
+
+from random import Random
+
+from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
+from edugrade.library.arguments import require_argument
+from edugrade.library.following import require_near, still
+from edugrade.library.frames import frames_at_end, numbers, place_in, require_frame
+from edugrade.library.launched import launched, refuse_dead, require_process
+from edugrade.library.movement import length, turtle_track
+from edugrade.library.parameters import require_parameter
+
+LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
+BROADCASTERS = {'fixed': 'fixed_frame_tf2_broadcaster', 'moving': 'dynamic_frame_tf2_broadcaster'}
+LEFT_M = (0.0, 2.0)  # where the fixed carrot hangs, seen from turtle1
+SETTLED_S = 15.0
+BOUND_M = 0.3
+RESTLESS_M = 8.0  # what turtle2 travels at least in 5 s when its goal swings by 20 m
+CONDITION = "condition=IfCondition(EqualsSubstitution(LaunchConfiguration('carrot'), '{}'))"
+
+
+def scenarios(random: Random) -> list[Scenario]:
+    """Each carrot for about 20 s; how long is not known beforehand."""
+    duration_s = random.randint(38, 46) / 2
+    return [Scenario(name, {'carrot': name}, duration_s) for name in BROADCASTERS]
+
+
+@check(points=2)
+def argument_is_declared(run: Evidence) -> None:
+    """The launch argument carrot is declared; by default the carrot is fixed"""
+    require_argument(run, 'carrot', 'fixed', default='fixed')
+
+
+@check(points=1)
+def turtles_are_there(run: Evidence) -> None:
+    """The launch file brings the two turtles and their frames"""
+    require_process(run, *LISTENER)
+    for turtle in ('turtle1', 'turtle2'):
+        require_frame(run, turtle, 'world', 'include turtle_tf2_demo.launch.py of the package turtle_tf2_py')
+
+
+@check(needs=[turtles_are_there])
+def no_node_dies(run: Evidence) -> None:
+    """No node dies before the end"""
+    refuse_dead(run)
+
+
+@check(points=2, needs=[argument_is_declared, no_node_dies])
+def one_carrot_at_a_time(run: Evidence) -> None:
+    """Each value of carrot starts its own broadcaster, and not the other one"""
+    for name, wanted in BROADCASTERS.items():
+        started = [process.executable for process in launched(run[name]) if process.executable in BROADCASTERS.values()]
+        if started != [wanted]:
+            raise Mismatch(f'the carrot that is started with {run.scenario(name).words}', wanted,
+                           ' and '.join(map(str, started)) or 'no broadcaster of a carrot', where=run.source.place,
+                           try_=f'give the Node of {wanted} {CONDITION.format(name)}')
+
+
+@check(points=1, needs=[one_carrot_at_a_time])
+def fixed_carrot_hangs(run: Evidence) -> None:
+    """carrot:=fixed hangs the frame carrot1 two metres to the left of turtle1"""
+    require_frame(run, 'carrot1', 'turtle1', 'start fixed_frame_tf2_broadcaster of turtle_tf2_py')
+    seen = _carrot(run, 'fixed', 0.0)
+    if max(abs(a - b) for a, b in zip(seen, LEFT_M, strict=True)) > 0.01:
+        raise Mismatch('the place of carrot1', numbers(LEFT_M), numbers(seen), where=run.source.place,
+                       try_='use fixed_frame_tf2_broadcaster of turtle_tf2_py')
+
+
+@check(points=1, needs=[one_carrot_at_a_time])
+def moving_carrot_swings(run: Evidence) -> None:
+    """carrot:=moving lets the frame carrot1 swing from one side of turtle1 to the other"""
+    sides = [_carrot(run, 'moving', ago_s)[1] for ago_s in (0.5, 1.5)]
+    if max(sides) - min(sides) < 5.0:
+        raise Failure('the moving carrot does not move', expected='10 m to the left, then 10 m to the right',
+                      seen=' and '.join(f'{side:.1f} m to the left' for side in sides), where=run.source.place,
+                      try_='use dynamic_frame_tf2_broadcaster of turtle_tf2_py')
+
+
+@check(points=2, needs=[no_node_dies])
+def carrot_is_the_target(run: Evidence) -> None:
+    """The listener's parameter target_frame is carrot1"""
+    require_parameter(run, *LISTENER, 'target_frame', dict.fromkeys(run, 'carrot1'),
+                      "give the include launch_arguments={'target_frame': 'carrot1'}.items()")
+
+
+@check(points=2, needs=[fixed_carrot_hangs, carrot_is_the_target])
+def fixed_carrot_is_reached(run: Evidence) -> None:
+    """turtle2 comes to the fixed carrot, and stays there"""
+    place = place_in(frames_at_end(run, 'fixed'), 'carrot1', 'world')
+    require_near(run, 'fixed', [] if place is None else still(place), '/turtle2', BOUND_M, SETTLED_S,
+                 'let the listener follow the frame carrot1')
+
+
+@check(points=1, needs=[moving_carrot_swings, carrot_is_the_target])
+def moving_carrot_is_chased(run: Evidence) -> None:
+    """turtle2 runs after the moving carrot without ever coming to rest"""
+    track = [sample for sample in turtle_track(run['moving'], '/turtle2/pose') if 10.0 <= sample[0] < 15.0]
+    if length(track) < RESTLESS_M:
+        raise Failure('turtle2 rests', expected=f'more than {RESTLESS_M:g} m in 5 s', seen=f'{length(track):.2f} m',
+                      where=run.source.place, try_='let the listener follow the frame carrot1')
+
+
+def _carrot(run: Evidence, name: str, ago_s: float) -> tuple[float, float]:
+    """Where carrot1 is in its parent, some time before the last whole second of a run."""
+    recording = run[name]
+    frame = recording.frames_at(int(recording.duration_s) - ago_s).get('carrot1')
+    return (0.0, 0.0) if frame is None else frame.translation[:2]
+
+
+RUBRIC = Rubric(
+    title='A fixed carrot and a moving one',
+    scenarios=scenarios,
+    checks=[argument_is_declared, turtles_are_there, no_node_dies, one_carrot_at_a_time, fixed_carrot_hangs,
+            moving_carrot_swings, carrot_is_the_target, fixed_carrot_is_reached, moving_carrot_is_chased],
+)

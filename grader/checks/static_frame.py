@@ -1,0 +1,104 @@
+"""The rubric of static_frame.launch.py: two frames that never move, one of them at a height from outside.
+
+Two runs, with two heights that nobody can know beforehand. What counts is what tf knows, not which program said it.
+"""
+
+from __future__ import annotations
+
+from math import pi
+from random import Random
+from typing import TYPE_CHECKING
+
+from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
+from edugrade.library.arguments import require_argument
+from edugrade.library.frames import frames_at_end, numbers, require_frame, tilt, yaw
+from edugrade.library.launched import refuse_dead
+
+if TYPE_CHECKING:
+    from edulaunch.recording.records import Frame
+
+ARGUMENT = 'height'
+TOLERANCE_M = 0.005
+TOLERANCE_RAD = 0.02
+PUBLISHER = "Node(package='tf2_ros', executable='static_transform_publisher', arguments=[...])"
+
+
+def scenarios(random: Random) -> list[Scenario]:
+    """A low laser and a high one; nothing moves, so the runs are short."""
+    low, high = random.randint(15, 45) / 100, random.randint(80, 150) / 100
+    return [Scenario('low', {ARGUMENT: f'{low:.2f}'}, 5.0), Scenario('high', {ARGUMENT: f'{high:.2f}'}, 5.0)]
+
+
+@check(points=1)
+def argument_is_declared(run: Evidence) -> None:
+    """The launch argument height is declared, with a default"""
+    require_argument(run, ARGUMENT, '0.5')
+
+
+@check(points=1)
+def no_node_dies(run: Evidence) -> None:
+    """No node dies before the end"""
+    refuse_dead(run)
+
+
+@check(points=2, needs=[no_node_dies])
+def laser_is_on_tf(run: Evidence) -> None:
+    """tf knows where the laser is: the frame laser in the frame base_link"""
+    require_frame(run, 'laser', 'base_link', f'start {PUBLISHER} with --frame-id base_link and --child-frame-id laser')
+
+
+@check(points=3, needs=[argument_is_declared, laser_is_on_tf])
+def laser_is_in_its_place(run: Evidence) -> None:
+    """The laser is 0.2 m in front of base_link, and as high as the launch argument says"""
+    for name in run:
+        height = float(run.scenario(name).arguments[ARGUMENT])
+        _require_place(run, name, 'laser', (0.2, 0.0, height),
+                       f"in its arguments, write '--x', '0.2' and give --z the LaunchConfiguration('{ARGUMENT}')")
+
+
+@check(points=2, needs=[no_node_dies])
+def camera_is_on_tf(run: Evidence) -> None:
+    """tf knows where the camera is: the frame camera in the frame laser"""
+    require_frame(run, 'camera', 'laser', f'start {PUBLISHER} with --frame-id laser and --child-frame-id camera')
+
+
+@check(points=2, needs=[camera_is_on_tf])
+def camera_is_in_its_place(run: Evidence) -> None:
+    """The camera is 0.1 m above the laser and looks to the left"""
+    for name in run:
+        _require_place(run, name, 'camera', (0.0, 0.0, 0.1), "in its arguments, write '--z', '0.1'")
+        _require_turn(run, frames_at_end(run, name)['camera'])
+
+
+@check(points=1, needs=[laser_is_on_tf, camera_is_on_tf])
+def frames_are_static(run: Evidence) -> None:
+    """Both frames are static: said once, known for ever"""
+    for name in run:
+        frames = frames_at_end(run, name)
+        moving = [child for child in ('laser', 'camera') if not frames[child].is_static]
+        if moving:
+            raise Failure(f'{" and ".join(moving)} comes again and again', expected='sent once, on /tf_static',
+                          seen='sent on /tf', where=run.source.place, try_=f'use {PUBLISHER}')
+
+
+def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, float, float], try_: str) -> None:
+    frame = frames_at_end(run, name)[child]
+    if max(abs(seen - asked) for seen, asked in zip(frame.translation, wanted, strict=True)) > TOLERANCE_M:
+        raise Mismatch(f'the place of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
+                       f'(x, y, z) = {numbers(wanted)}', numbers(frame.translation), where=run.source.place, try_=try_)
+
+
+def _require_turn(run: Evidence, frame: Frame) -> None:
+    if abs(yaw(frame) - pi / 2) > TOLERANCE_RAD or tilt(frame) > TOLERANCE_RAD:
+        lean = f', leaning by {tilt(frame):.2f} rad' if tilt(frame) > TOLERANCE_RAD else ''
+        raise Mismatch('the direction of the camera', 'a yaw of 1.57 rad, a quarter turn to the left',
+                       f'a yaw of {yaw(frame):.2f} rad{lean}', where=run.source.place,
+                       try_="write '--yaw', '1.5708'; angles are in radians, and to the left is positive")
+
+
+RUBRIC = Rubric(
+    title='A laser and a camera on a mast',
+    scenarios=scenarios,
+    checks=[argument_is_declared, no_node_dies, laser_is_on_tf, laser_is_in_its_place, camera_is_on_tf,
+            camera_is_in_its_place, frames_are_static],
+)

@@ -1,0 +1,47 @@
+"""Who publishes and who listens: what a rubric says about nodes and topics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..evidence import Evidence
+from ..failure import Missing
+from .launched import find_processes
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import NodeRecord
+
+ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
+
+
+def require_node(run: Evidence, name: str, try_: str) -> None:
+    """Every run has a node of this fully qualified name.
+
+    :raises Missing: naming the nodes that are there.
+    """
+    for recording in run.values():
+        names = [node.name for node in recording.nodes]
+        if name not in names:
+            raise Missing(f'the node {name}', name=name, among=names, where=run.source.place, try_=try_)
+
+
+def loose_ends(recording: Recording, package: str, executable: str) -> list[str]:
+    """In words: topics on which the nodes of an executable talk to nobody, or listen to nobody."""
+    launched = {process.name for process in find_processes(recording, package, executable)}
+    words: list[str] = []
+    for node in recording.nodes:
+        if node.process in launched:
+            words += _loose(node, recording)
+    return words
+
+
+def _loose(node: NodeRecord, recording: Recording) -> list[str]:
+    words = []
+    for topic, _ in node.publishers:
+        if topic not in ALWAYS_THERE and not recording.topics[topic].subscriptions:
+            words.append(f'{node.name} publishes {topic}, to which nobody listens')
+    for topic, _ in node.subscriptions:
+        if topic not in ALWAYS_THERE and not recording.topics[topic].publishers:
+            words.append(f'{node.name} listens to {topic}, which nobody publishes')
+    return words
