@@ -39,7 +39,8 @@ def run_launch_test(test: LaunchTest, *, workspaces: Sequence[str] | None = None
         _Runner(session, process).run()
         if process.returncode is None:
             test.error = UnusableInput(
-                f'{os.path.basename(test.path)}: the launch test was still waiting after {session.sim.elapsed_s:.1f} s of simulated time.',
+                f'{os.path.basename(test.path)}: the launch test was still waiting '
+                f'after {session.sim.elapsed_s:.1f} s of simulated time.',
                 help='give waits a timeout, such as event.wait(timeout=10)')
         return 1 if process.returncode is None else process.returncode
 
@@ -105,7 +106,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
     parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
     add_arguments(parser)
-    parser.add_argument('--workspace', action='append', metavar='DIR', help='folder with packages; default: the test file\'s own')
+    parser.add_argument('--workspace', action='append', metavar='DIR',
+                        help="folder with packages; default: the test file's own")
     given = parser.parse_args(argv)
     if not os.path.isfile(given.test_file):
         parser.error(f"Test file '{given.test_file}' does not exist")

@@ -109,7 +109,7 @@ class LaunchTestItem(pytest.Item):
 
 def _skip_if_skipped(test: Any) -> None:
     import unittest
-    if isinstance(test.error, unittest.SkipTest):
+    if isinstance(test.error, (unittest.SkipTest, pytest.skip.Exception)):
         pytest.skip(str(test.error))
     reasons = [reason for result in test.results.values() for _, reason in result.skipped if not result.testsRun]
     if reasons and len(reasons) == len(test.results):
@@ -119,8 +119,8 @@ def _skip_if_skipped(test: Any) -> None:
 def _told(test: Any) -> str:
     """Each failed test with its text, or why the file could not be run."""
     if test.error is not None:
-        from edulaunch.processes.traceback_text import student_traceback
-        return student_traceback(test.error)[0] if test.error.__traceback__ else f'{type(test.error).__name__}: {test.error}'
+        text: str = test.error_text()
+        return text
     lines = []
     for run, result in test.results.items():
         lines += [f'{what}: {name} [{run}]\n{text}' for what, name, text in result.problems()]

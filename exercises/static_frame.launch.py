@@ -11,15 +11,13 @@ Grade it: edugrade exercises/static_frame.launch.py        A hint: edugrade exer
 """
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
-from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    height = LaunchConfiguration('height')  # use this in TODO 1
     return LaunchDescription([
         DeclareLaunchArgument('height', default_value='0.5', description='Height of the laser (in meters).'),
-        # TODO 1: the frame laser in the frame base_link: 0.2 m in front of it (x), and `height` above it (z)
+        # TODO 1: the frame laser in the frame base_link: 0.2 m in front (x), and as high (z) as the launch argument says
 
         # TODO 2: the frame camera in the frame laser: 0.1 m above it, turned a quarter to the left (a yaw of 1.5708)
 

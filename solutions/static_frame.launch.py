@@ -9,14 +9,16 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    height = LaunchConfiguration('height')
     return LaunchDescription([
         DeclareLaunchArgument('height', default_value='0.5', description='Height of the laser (in meters).'),
         Node(
             package='tf2_ros',
             executable='static_transform_publisher',
             name='laser_frame',
-            arguments=['--x', '0.2', '--z', height, '--frame-id', 'base_link', '--child-frame-id', 'laser'],
+            arguments=[
+                '--x', '0.2', '--z', LaunchConfiguration('height'),
+                '--frame-id', 'base_link', '--child-frame-id', 'laser',
+            ],
         ),
         Node(
             package='tf2_ros',

@@ -1,6 +1,7 @@
 """tf frames put where they are in their tree's root frame."""
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from edulaunch.recording.records import Frame
@@ -58,6 +59,12 @@ def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
     bx, by, bz, bw = b
     return (aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
             aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz)
+
+
+def heading(turn: Quaternion) -> float:
+    """Where the turned x axis points to when seen from above, in radians."""
+    x, y, z, w = turn
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 
 def _add(a: Vector, b: Vector) -> Vector:

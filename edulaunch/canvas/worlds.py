@@ -18,6 +18,8 @@ ROBOT_TRAIL: Colour = (196, 78, 10)
 BACKGROUND = (69, 86, 255)
 GAP_S = 0.1
 """A turtle whose pose is not published for so long is no longer there."""
+START_S = 0.05
+"""How long before its first pose a turtle is taken to be there."""
 
 Row = tuple[float, ...]
 
@@ -39,8 +41,10 @@ class Track(NamedTuple):
     pens: list[Pen]
 
     def row_at(self, time_s: float) -> Row | None:
-        """Where it was; None when it was not there."""
+        """Where it was; None when it was not there. The first pose stands for the moment before it too."""
         position = bisect_right(self.rows, time_s, key=itemgetter(0))
+        if not position and self.rows and self.rows[0][0] - time_s < START_S:
+            return self.rows[0]
         return self.rows[position - 1] if position and time_s - self.rows[position - 1][0] < GAP_S else None
 
 
@@ -48,7 +52,7 @@ class World(NamedTuple):
     """One turtlesim window, or the field of one robot.
 
     `kind` is 'turtlesim' or 'robot'; `limits` is (left, right, bottom, top) in metres; `wipes` are the times when the canvas was
-    cleared.
+    cleared; `frame` is the tf frame in which a robot says where it is ('' for turtles, which do not say).
     """
 
     title: str
@@ -57,6 +61,7 @@ class World(NamedTuple):
     limits: tuple[float, float, float, float]
     wipes: list[float]
     tracks: list[Track]
+    frame: str
 
 
 def read_worlds(recording: Recording) -> list[World]:
@@ -82,7 +87,7 @@ def _turtle_window(recording: Recording, node: str, turtles: list[tuple[str, str
                         zip(('background_r', 'background_g', 'background_b'), BACKGROUND, strict=True))
     tracks = [Track(name.rpartition('/')[2], recording.series(topic, 'x', 'y', 'theta'), _pens(recording, topic.removesuffix('/pose')))
               for name, topic in turtles]
-    return World(node, 'turtlesim', (red, green, blue), (0.0, CANVAS_M, 0.0, CANVAS_M), _wipes(recording, node), tracks)
+    return World(node, 'turtlesim', (red, green, blue), (0.0, CANVAS_M, 0.0, CANVAS_M), _wipes(recording, node), tracks, '')
 
 
 def _wipes(recording: Recording, node: str) -> list[float]:
@@ -112,4 +117,5 @@ def _robot_field(recording: Recording, topic: str) -> World | None:
     half = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 0.6
     x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
     pens = [Pen(-1.0, ROBOT_TRAIL, 3, True)]
-    return World(topic, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], [Track('robot', rows, pens)])
+    frame = recording.messages(topic)[0][1].header.frame_id
+    return World(topic, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], [Track('robot', rows, pens)], frame)

@@ -2,8 +2,9 @@
 
 Reading order: `spec` and `kinds` (what an interface is), `parser` (from text), `layout` (flattened fields),
 `source` and `generator` (the class), `registry` (finds files, makes each class once), `importer` (`import
-geometry_msgs.msg`), `cdr` and `description` (bytes and type hashes, as on a real ROS network), `plain` (wire
-tuples as JSON, without any class).
+geometry_msgs.msg`), `running` (those of a program's workspace), `texts` (kept in recordings), `cdr` and
+`description` (bytes and type hashes, as on a real ROS network), `plain` (wire tuples as JSON, without any
+class).
 """
 
 from __future__ import annotations
@@ -27,11 +28,14 @@ def install(registry: Registry | None = None) -> None:
 
 
 def current_registry() -> Registry:
-    """The registry whose interfaces can be imported at present; the underlay's when none is installed."""
+    """The registry whose interfaces can be imported at present: the running program's workspace over the
+    underlay; outside any program the installed one, or the underlay's.
+    """
     from edulaunch.interfaces.importer import installed_registry
+    from edulaunch.interfaces.running import running_registry
     from edulaunch.interfaces.underlay import underlay_registry
 
-    return installed_registry() or underlay_registry()
+    return running_registry() or installed_registry() or underlay_registry()
 
 
 def message_class(type_name: str) -> type[Message]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.errors import InterfaceError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from edulaunch.interfaces.message import Message
     from edulaunch.interfaces.spec import InterfaceSpec, MessageSpec
@@ -22,11 +22,18 @@ class Registry:
     :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first that has
         a package wins.
     :param base: asked for packages that no root has (a workspace over the underlay); its classes are shared.
+    :param leave: packages that are the base's though a root has them too.
     """
 
-    def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None) -> None:
+    def __init__(
+        self,
+        roots: Sequence[str | os.PathLike[str]],
+        base: Registry | None = None,
+        leave: Iterable[str] = (),
+    ) -> None:
         self.roots = tuple(os.fspath(root) for root in roots)
         self.base = base
+        self._leave = frozenset(leave)
         self._packages: dict[str, dict[str, dict[str, str]]] = {}  # package -> kind -> name -> path
         self._folders: dict[str, str] | None = None
         self._specs: dict[str, InterfaceSpec] = {}
@@ -46,6 +53,10 @@ class Registry:
         if not files and self.base is not None:
             return self.base.has(package, kind)
         return bool(files) if kind is None else kind in files
+
+    def owns(self, package: str) -> bool:
+        """Whether a package's interfaces are this registry's own, not its base's."""
+        return bool(self._files(package))
 
     def names(self, package: str, kind: str) -> list[str]:
         """The interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill',
@@ -143,7 +154,11 @@ class Registry:
             self._folders = {}
             for root in reversed(self.roots):
                 if os.path.isdir(root):
-                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root))
+                    self._folders.update(
+                        (name, os.path.join(root, name))
+                        for name in os.listdir(root)
+                        if name not in self._leave
+                    )
         return self._folders
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:

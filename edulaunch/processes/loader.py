@@ -3,7 +3,8 @@
 Two copies of one node must not share globals, and each must see its own clock, arguments and streams. Modules of a student's
 workspace, the main script and launch files are therefore executed once per process, with `__builtins__` whose `__import__`
 comes here first. Everything else (the standard library, numpy, the ROS faces) is shared; the few standard modules that
-know time, chance, threads or the process itself are replaced by views (`processes/views/`).
+know time, chance, threads or the process itself are replaced by views (`processes/views/`), and a few more are executed
+privately too, so that they use those views.
 """
 from __future__ import annotations
 
@@ -15,7 +16,8 @@ from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.views import make_view
+from edulaunch.processes.finding import Finder, Found, namespace, regular
+from edulaunch.processes.views import PRIVATE_COPIES, finish_copy, make_view
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -26,16 +28,15 @@ _shared_import = builtins.__import__
 class Loader:
     """Finds and executes modules for one process.
 
-    :ivar roots: folders in which private modules are looked for, first match wins.
+    :ivar finder: where private modules are looked for.
     :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
     """
 
     def __init__(self, process: Process) -> None:
         self.process = process
-        self.roots: list[str] = []
+        self.finder = Finder(process)
         self.modules: dict[str, ModuleType] = {}
         self._builtins: dict[str, Any] | None = None
-        self._entry_modules: set[str] = set()
 
     @property
     def builtins(self) -> dict[str, Any]:
@@ -54,7 +55,7 @@ class Loader:
         """
         path = os.path.abspath(path)
         if script:
-            self.roots.insert(0, os.path.dirname(path))
+            self.finder.roots.insert(0, os.path.dirname(path))
         module = ModuleType(module_name)
         module.__file__ = path
         module.__package__ = '' if not script else None
@@ -66,29 +67,31 @@ class Loader:
 
     def load_entry_module(self, name: str) -> ModuleType:
         """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
-        if self._locate(name.partition('.')[0], self.search_path()) is not None:
+        self.finder.own = top = name.partition('.')[0]
+        if self.is_private(top) or self.finder.last:
             return self.import_module(name)
         package = _shared_import(name.rpartition('.')[0], None, None, ['__name__'], 0)
-        found = self._locate(name.rpartition('.')[2], list(package.__path__))
+        found = regular(name.rpartition('.')[2], list(package.__path__))
         if found is None:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
-        return self._load(name, *found)
-
-    def search_path(self) -> list[str]:
-        """Where private modules are looked for now: the roots, and what the program put on its `sys.path`."""
-        view = self.modules.get('sys')
-        return [*self.roots, *view.private_path()] if view is not None else self.roots
+        return self._load(name, found)
 
     def import_(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
                 fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:
         """What `import` statements of this program call."""
         if level:
-            name = self._absolute(name, globals or {}, level)
+            name = absolute_name(name, globals or {}, level)
         top = name.partition('.')[0]
-        private = self._view(name) or self._view(top)
-        if private is None and not self._is_private(top):
-            return _shared_import(name, None, None, fromlist or (), 0)
-        module = private if private is not None and (self._view(name) or not fromlist) else self.import_module(name)
+        view = self._view(name)
+        if view is not None:
+            return view if fromlist or name == top else self._view(top) or _shared_import(top)
+        if not self.is_private(top) and (name == top or self._view(top) is None):
+            try:
+                return _shared_import(name, None, None, fromlist or (), 0)
+            except ModuleNotFoundError as error:
+                if error.name != top or self.finder.last_match(top) is None:
+                    raise
+        module = self.import_module(name)
         if not fromlist:
             return self.modules.get(top, module)
         for item in fromlist:
@@ -97,48 +100,87 @@ class Loader:
         return module
 
     def import_module(self, name: str) -> ModuleType:
-        """Load a private module by its full name, its packages first.
+        """Load a module by its full name, its packages first: privately where the program has it, else the shared one.
 
         :raises ModuleNotFoundError: with Python's own text.
         """
-        module = self.modules.get(name)
+        module = self.modules.get(name) or self._view(name)
         if module is not None:
             return module
         parent_name, _, leaf = name.rpartition('.')
-        path: list[str] = self.search_path()
-        parent = None
-        if parent_name:
-            parent = self.import_module(parent_name)
+        if not parent_name:
+            return self._import_top(name)
+        parent = self.import_module(parent_name)
+        if self.modules.get(parent_name) is not parent:
+            return self._shared(name)
+        made = self._interfaces(name)
+        if made is None:
             path = list(getattr(parent, '__path__', ()))
-        found = self._locate(leaf, path)
+            found = regular(leaf, path) or namespace(leaf, path)
+            if found is None:
+                return self._not_private(name, parent)
+            made = self._load(name, found)
+        setattr(parent, leaf, made)
+        return made
+
+    def is_private(self, top: str) -> bool:
+        """Whether a top-level name is this program's own module (or a view)."""
+        return (top in self.modules or top in PRIVATE_COPIES or self.finder.first_match(top) is not None
+                or top in self.process.overlay.interface_packages)
+
+    def _import_top(self, name: str) -> ModuleType:
+        found = self.finder.first_match(name)
+        if found is None and name in PRIVATE_COPIES:
+            return finish_copy(self._load(name, Found(*PRIVATE_COPIES[name]())), self.process)
+        if found is None and name in self.process.overlay.interface_packages:
+            package = self.modules[name] = ModuleType(name)
+            package.__path__ = []
+            return package
         if found is None:
-            return self._not_private(name, parent)
-        module = self._load(name, *found)
-        if parent is not None:
-            setattr(parent, leaf, module)
+            try:
+                return self._shared(name)
+            except ModuleNotFoundError as error:
+                found = self.finder.last_match(name)
+                if error.name != name or found is None:
+                    raise
+        return self._load(name, found)
+
+    def _shared(self, name: str) -> ModuleType:
+        _shared_import(name, None, None, (), 0)
+        return sys.modules[name]
+
+    def _interfaces(self, name: str) -> ModuleType | None:
+        """`pkg.msg` and what is in it, of a package of the workspace, before any generated files that lie about."""
+        overlay = self.process.overlay
+        if name.partition('.')[0] not in overlay.interface_packages:
+            return None
+        spec = overlay.finder.find_spec(name)
+        module = None if spec is None else overlay.finder.create_module(spec)
+        if module is not None:
+            module.__spec__ = spec
+            module.__dict__.update({'__package__': name, '__path__': []} if name.count('.') == 1 else {})
+            self.modules[name] = module
         return module
 
-    def _not_private(self, name: str, parent: ModuleType | None) -> ModuleType:
-        if parent is None or getattr(parent, '__edulaunch_view__', False):
-            _shared_import(name, None, None, (), 0)
-            return sys.modules[name]
+    def _not_private(self, name: str, parent: ModuleType) -> ModuleType:
+        if getattr(parent, '__edulaunch_view__', False):
+            return self._shared(name)
         if not hasattr(parent, '__path__'):
             raise ModuleNotFoundError(f'No module named {name!r}; {parent.__name__!r} is not a package', name=name)
-        interfaces = self._interface_module(name)
+        interfaces = self._interfaces_of_the_underlay(name)
         if interfaces is None:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
         setattr(parent, name.rpartition('.')[2], interfaces)
         return interfaces
 
-    def _interface_module(self, name: str) -> ModuleType | None:
-        """A package may hold nodes and interfaces: `pkg.msg` is then made from its .msg files."""
+    def _interfaces_of_the_underlay(self, name: str) -> ModuleType | None:
+        """A student's copy of a package such as turtlesim may have modules; its interfaces are the underlay's."""
         if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
             return None
         try:
-            _shared_import(name, None, None, ('__name__',), 0)
+            return self._shared(name)
         except ImportError:
             return None
-        return sys.modules.get(name)
 
     def _import_submodule(self, package: str, item: str) -> None:
         try:
@@ -146,16 +188,6 @@ class Loader:
         except ModuleNotFoundError as error:
             if error.name != f'{package}.{item}':
                 raise
-
-    def _absolute(self, name: str, globals: Mapping[str, Any], level: int) -> str:
-        package = globals.get('__package__')
-        if not package:
-            raise ImportError('attempted relative import with no known parent package')
-        parts = package.split('.')
-        if level > len(parts):
-            raise ImportError('attempted relative import beyond top-level package')
-        base = '.'.join(parts[:len(parts) - level + 1])
-        return f'{base}.{name}' if name else base
 
     def _view(self, name: str) -> ModuleType | None:
         module = self.modules.get(name)
@@ -166,39 +198,31 @@ class Loader:
             self.modules[name] = view
         return view
 
-    def _is_private(self, top: str) -> bool:
-        return top in self.modules or self._locate(top, self.search_path()) is not None
-
-    @staticmethod
-    def _locate(leaf: str, path: list[str]) -> tuple[str, bool] | None:
-        """The file of a module and whether it is a package; a folder without `__init__.py` counts where Python code is in it."""
-        for folder in path:
-            base = os.path.join(folder, leaf)
-            package = os.path.join(base, '__init__.py')
-            if os.path.isfile(package):
-                return package, True
-            if os.path.isfile(base + '.py'):
-                return base + '.py', False
-        for folder in path:
-            base = os.path.join(folder, leaf)
-            if os.path.isdir(base) and any(name.endswith('.py') for name in sorted(os.listdir(base))):
-                return base, True
-        return None
-
-    def _load(self, name: str, path: str, is_package: bool) -> ModuleType:
+    def _load(self, name: str, found: Found) -> ModuleType:
+        path, is_package = found
         module = ModuleType(name)
-        module.__spec__ = ModuleSpec(name, None, origin=path, is_package=is_package)
+        source = None if os.path.isdir(path) else SourceFileLoader(name, path)
+        module.__spec__ = spec = ModuleSpec(name, source, origin=path, is_package=is_package)
+        module.__loader__ = source
         module.__package__ = name if is_package else name.rpartition('.')[0]
         if is_package:
-            module.__path__ = [path if os.path.isdir(path) else os.path.dirname(path)]
+            module.__path__ = [path if source is None else os.path.dirname(path)]
+            spec.submodule_search_locations = module.__path__
         self.modules[name] = module
-        if not os.path.isdir(path):
+        if source is not None:
             module.__file__ = path
             try:
-                self._execute(module, code_of(name, path))
+                self._execute(module, code_of(source))
             except BaseException:
                 del self.modules[name]
                 raise
+        return module
+
+    def reload(self, module: ModuleType) -> ModuleType:
+        """Execute a private module again, in its own namespace, as `importlib.reload`."""
+        file = module.__file__
+        assert file is not None
+        self._execute(module, code_of(SourceFileLoader(module.__name__, file)))
         return module
 
     def _execute(self, module: ModuleType, code: CodeType) -> None:
@@ -215,8 +239,23 @@ class Loader:
                 del sys.modules[module.__name__]
 
 
-def code_of(name: str, path: str) -> CodeType:
+def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
+    """The full name of a relative import.
+
+    :raises ImportError: with Python's texts, outside any package or above the topmost one.
+    """
+    package = globals.get('__package__')
+    if not package:
+        raise ImportError('attempted relative import with no known parent package')
+    parts = package.split('.')
+    if level > len(parts):
+        raise ImportError('attempted relative import beyond top-level package')
+    base = '.'.join(parts[:len(parts) - level + 1])
+    return f'{base}.{name}' if name else base
+
+
+def code_of(source: SourceFileLoader) -> CodeType:
     """The compiled code of a source file, through Python's own cache of compiled files."""
-    code = SourceFileLoader(name, path).get_code(name)
+    code = source.get_code(source.name)
     assert code is not None
     return code

@@ -66,7 +66,8 @@ def goal_is_passed_on(run: Evidence) -> None:
     """The listener's parameter target_frame is the goal that the launch argument names"""
     require_process(run, *LISTENER)
     require_parameter(run, *LISTENER, 'target_frame', {name: run.scenario(name).arguments['goal'] for name in run},
-                      "give the include of follower.launch.py target_frame=LaunchConfiguration('goal')")
+                      "give the include of follower.launch.py target_frame=LaunchConfiguration('goal')",
+                      run.source.place_in(TOP, r"^(?!    ros2 ).*\('follower.launch.py'"))
 
 
 @check(points=2, needs=[first_world_is_there, goal_is_passed_on])

@@ -57,6 +57,14 @@ class Source:
         line = _line_of(re.compile(f'.*(?:{pattern})'), self._lines) if pattern else None
         return self.place if line is None else Place(self.file, line)
 
+    def bodies(self) -> dict[str, list[str]]:
+        """The lines of each file from its launch description on, by the file's name: what a student writes in."""
+        found = {}
+        for path, lines in {self.file: self._lines, **self._others}.items():
+            start = _line_of(_FUNCTION, lines) or 1
+            found[os.path.basename(path)] = lines[start - 1 :]
+        return found
+
     @property
     def gaps(self) -> list[Gap]:
         """What is still to be written, in the order of the numbers after TODO."""

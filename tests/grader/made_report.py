@@ -6,6 +6,7 @@ from edugrade import Scenario
 from edugrade.outcome import Outcome
 from edugrade.place import Place
 from edugrade.results import CheckResult, Report
+from edugrade.source import Gap
 
 FILE = '/home/student/work/a.launch.py'
 PASSED = CheckResult('starts', 'It starts', 'passed', 2)
@@ -29,7 +30,7 @@ RECORDED = Outcome(Scenario('fast', {'speed': '2.0'}), 'recorded')
 
 
 def report(
-    *results: CheckResult, outcome: Outcome = RECORDED, gaps: tuple[tuple[int, str], ...] = ()
+    *results: CheckResult, outcome: Outcome = RECORDED, gaps: tuple[Gap, ...] = (), given: str = 'work/a.launch.py'
 ) -> Report:
     """A report of these results on FILE, as if graded from the folder above it."""
-    return Report(FILE, 'work/a.launch.py', 'f00d', 'a', 'A robot', 7, (outcome,), results, gaps)
+    return Report(FILE, given, FILE.rpartition('/')[0], 'work/', None, 'f00d', 'a', 'A robot', 7, (outcome,), results, gaps)

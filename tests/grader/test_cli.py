@@ -40,7 +40,8 @@ def test_a_file_without_a_rubric_names_the_known_ones(
     file.write_text('')
     code, text = refused(capsys, str(file))
     assert code == 2
-    assert 'there is no rubric for "cirlce"; there are: circle, follow\n  help: did you mean circle?' in text
+    assert 'there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, follow, large_project, static_frame\n'
+    assert '  help: did you mean circle?' in text
 
 
 def test_a_rubric_that_breaks_is_the_graders_fault(

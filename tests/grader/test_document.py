@@ -1,17 +1,16 @@
-"""The JSON report is complete, and written whole or not at all."""
+"""The JSON report is complete."""
 
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.document import document, write_document
+from edugrade.document import document, document_of_all, json_text
 from edugrade.outcome import Outcome
+from edugrade.results import Refusal
+from edugrade.source import Gap
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
-
-from edulaunch.errors import UnusableInput
 
 
 def test_every_field_of_a_failed_check_is_there() -> None:
@@ -52,12 +51,16 @@ def test_a_launch_file_that_cannot_run_is_unusable_input() -> None:
     assert found['scenarios'][0]['text'] == 'error in a.launch.py'
 
 
-def test_the_written_file_is_the_document(tmp_path: Path) -> None:
-    write_document(report(PASSED), str(tmp_path / 'report.json'))
-    assert json.loads((tmp_path / 'report.json').read_text()) == document(report(PASSED))
-    assert [path.name for path in tmp_path.iterdir()] == ['report.json']
+def test_a_gap_says_where_it_is() -> None:
+    assert document(report(FAILED, gaps=(Gap(FILE, 4, '# TODO 1'),)))['gaps'] == [
+        {'file': 'a.launch.py', 'line': 4, 'text': '# TODO 1'}]
 
 
-def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
-    with pytest.raises(UnusableInput, match='cannot be written: No such file or directory'):
-        write_document(report(PASSED), str(tmp_path / 'nowhere' / 'report.json'))
+def test_several_reports_are_one_document() -> None:
+    found = document_of_all([report(PASSED), report(FAILED)], [Refusal('b', 'no such file', 'look')], 2)
+    assert (found['format'], found['exit_code'], len(found['reports'])) == (1, 2, 2)
+    assert found['refused'] == [{'given': 'b', 'reason': 'no such file', 'help': 'look'}]
+
+
+def test_the_text_is_the_document() -> None:
+    assert json.loads(json_text(document(report(PASSED)))) == document(report(PASSED))

@@ -78,8 +78,8 @@ def run(folder: Path, text: str, wall_s: float = 10.0, memory_mib: int = 2048) -
     file = folder / 'circle.launch.py'
     file.write_text(text)
     limits = Limits(wall_s, memory_mib=memory_mib, output_mib=1)
-    with Runner(Submission(str(file)), [Scenario('only')], limits) as runner:
-        return runner.wait()[0]
+    with Runner(limits) as runner:
+        return runner.wait(runner.add(Submission(str(file)), [Scenario('only')]))[0]
 
 
 @pytest.mark.parametrize(('text', 'verdict'), HOSTILE.values(), ids=HOSTILE)

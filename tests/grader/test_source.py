@@ -29,4 +29,4 @@ def test_without_a_function_there_is_only_the_file() -> None:
 
 
 def test_gaps_are_comments_that_start_with_todo() -> None:
-    assert Source('a', TEXT).gaps == [(5, '# TODO 1: declare'), (8, '#TODO 2')]
+    assert Source('a', TEXT).gaps == [('a', 5, '# TODO 1: declare'), ('a', 8, '#TODO 2')]

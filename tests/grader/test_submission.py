@@ -35,7 +35,7 @@ def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> No
 
 def test_a_directory_names_its_launch_files(folder: Path) -> None:
     assert refusal('.') == (
-        '. is a directory; edugrade grades one launch file',
+        '. is a directory; edugrade grades launch files and packages',
         'try one of: ./circle.launch.py',
     )
 

@@ -8,8 +8,9 @@ from typing import Any
 from edugrade import Scenario
 from edugrade.outcome import Outcome
 from edugrade.results import CheckResult
+from edugrade.source import Gap
 from edugrade.terminal import render
-from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
+from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
 
 EXPECTED = """\
 work/a.launch.py: A robot (rubric a, seed 7)
@@ -42,14 +43,14 @@ def test_colour_adds_nothing_but_colour() -> None:
 def test_an_open_gap_is_the_next_step() -> None:
     recording: Any = object()
     outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
-    text = render(report(FAILED, outcome=outcome, gaps=((4, '# TODO 1: drive'),)))
-    line = 'Next: fill in line 4 of work/a.launch.py and grade again. It says: # TODO 1: drive'
+    text = render(report(FAILED, outcome=outcome, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
+    line = 'Next: work on line 4 of work/a.launch.py and grade again. It says: # TODO 1: drive'
     assert text.splitlines()[-1] == line
 
 
 def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
     unusable = Outcome(Scenario('s'), 'unusable')
-    text = render(report(FAILED, outcome=unusable, gaps=((4, '# TODO 1: drive'),)))
+    text = render(report(FAILED, outcome=unusable, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
     assert text.endswith('Next: repair "It drives" and grade again.\n')
 
 

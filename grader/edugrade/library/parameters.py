@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..evidence import Evidence
 from ..failure import Mismatch, Missing
+from ..place import Place
 from .launched import find_processes, node_names
 
 if TYPE_CHECKING:
@@ -29,10 +30,11 @@ def with_origin(parameter: Parameter | None) -> str:
 
 
 def require_parameter(run: Evidence, package: str, executable: str, name: str, wanted: Mapping[str, Any],
-                      try_: str) -> None:
+                      try_: str, where: Place | None = None) -> None:
     """In each run, a parameter of an executable's node has its value.
 
     :param wanted: the value for each run, by the scenario's name.
+    :param where: what to point at; default: the Node.
     :raises Missing: when the launch file gives the node no parameter of this name, but others.
     :raises Mismatch: with the values seen and their origin.
     """
@@ -40,7 +42,8 @@ def require_parameter(run: Evidence, package: str, executable: str, name: str, w
     if all(seen is not None and seen.value == wanted[scenario] for scenario, seen in found.items()):
         return
     process = find_processes(run.first, package, executable)[0]
-    given, where = process.parameter_origins, run.source.own(process.origin, 'IncludeLaunchDescription[(]')
+    given = process.parameter_origins
+    where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
     if given and name not in given:
         raise Missing(f'the parameter {name} of the Node', name=name, among=given, try_=try_, where=where)
     raise Mismatch(f'the parameter {name} of {executable}', _by_run(run, {key: str(value) for key, value in wanted.items()}),

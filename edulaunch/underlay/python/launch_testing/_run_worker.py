@@ -5,9 +5,6 @@ import unittest
 from collections.abc import Sequence
 from typing import Any
 
-from edulaunch.processes.current import current_process
-from edulaunch.sim.sync import Event
-from edulaunch.sim.task import Task
 from launch.actions.include_launch_description import IncludeLaunchDescription
 from launch.actions.register_event_handler import RegisterEventHandler
 from launch.event_handlers.on_process_exit import OnProcessExit
@@ -17,6 +14,10 @@ from launch.launch_description import LaunchDescription
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_service import LaunchService
 from ros2launch.api import parse_launch_arguments
+
+from edulaunch.processes.current import current_process
+from edulaunch.sim.sync import Event
+from edulaunch.sim.task import Task
 
 from .io_handler import ActiveIoHandler
 from .loader import TestRun

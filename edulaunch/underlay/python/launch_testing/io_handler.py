@@ -4,8 +4,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edulaunch.sim.sync import Condition
 from launch.events.process.process_io import ProcessIO
+
+from edulaunch.sim.sync import Condition
 
 from .util.proc_lookup import CmdArgs, NoMatchingProcessException, process_name
 

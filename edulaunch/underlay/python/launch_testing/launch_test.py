@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
+from edulaunch.processes.traceback_text import student_traceback
 
 from .loader import LoadTestsFromPythonModule, TestRun
-from .test_result import TestResult
+from .test_result import TestResult, is_pytest_outcome
 
 if TYPE_CHECKING:
     import argparse
@@ -46,10 +47,19 @@ class LaunchTest:
         from .test_runner import LaunchTestRunner
         try:
             self.results = LaunchTestRunner(self.load(), self.arguments, self.debug).run()
-        except Exception as error:
+        except BaseException as error:
+            if not isinstance(error, Exception) and not is_pytest_outcome(error):
+                raise
             self.error = error
-            raise
+            current_process().stderr.write(self.error_text())
+            return 1
         return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
+
+    def error_text(self) -> str:
+        """What `error` says, with the student's lines of the traceback if there are any."""
+        assert self.error is not None
+        text, place = student_traceback(self.error)
+        return text if place is not None else f'{type(self.error).__name__}: {self.error}\n'
 
     def show_arguments(self) -> int:
         """Print the launch arguments of the (first) description; returns 0."""

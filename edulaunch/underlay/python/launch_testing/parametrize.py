@@ -36,4 +36,4 @@ def _row(names: list[str], value: Any) -> dict[str, Any]:
     values = [value] if plain else list(value)
     if len(values) != len(names):
         raise ValueError(f'parametrize: {len(names)} names {names}, but {len(values)} values {values}')
-    return dict(zip(names, values))
+    return dict(zip(names, values, strict=True))

@@ -4,9 +4,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from edulaunch.sim.sync import Condition
 from launch.events.process.process_exited import ProcessExited
 from launch.events.process.running_process_event import RunningProcessEvent
+
+from edulaunch.sim.sync import Condition
 
 from .util.proc_lookup import CmdArgs, NoMatchingProcessException, process_name, resolveProcesses
 

@@ -72,6 +72,9 @@ class TestResult(unittest.TestResult):
         """Something else broke in it. A test whose process is being ended goes no further."""
         if issubclass(err[0], TaskKilled):
             raise err[1]
+        if is_pytest_outcome(err[1]) and err[0].__name__ == 'Skipped':
+            self.addSkip(test, str(err[1]))
+            return
         self.errors.append((test, _text(err)))
         self._write('ERROR\n')
 
@@ -111,6 +114,11 @@ class TestResult(unittest.TestResult):
             self._write(f'\n{"=" * 70}\n{what}: {name}\n{RULE}\n{text.rstrip()}\n')
         self._write(f'\n{RULE}\nRan {self.testsRun} test{"" if self.testsRun == 1 else "s"} in {seconds:.3f}s\n\n')
         self._write('OK\n' if self.wasSuccessful() else 'FAILED\n')
+
+
+def is_pytest_outcome(error: BaseException) -> bool:
+    """Whether `pytest.skip()` or `pytest.fail()` raised it; these are no Exceptions, and hide where they come from."""
+    return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
 
 
 def title(test: Any) -> str:

@@ -32,8 +32,8 @@ def assertExitCodes(proc_info: ProcInfoHandler, allowable_exit_codes: Sequence[i
     actions = proc_info.processes() if process is None else resolveProcesses(
         proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
     for info in [proc_info[action] for action in actions]:
-        code = getattr(info, 'returncode', None)
-        if code is None:
+        returncode: int | None = getattr(info, 'returncode', None)
+        if returncode is None:
             raise AssertionError(f'Proc {info.process_name} has not ended: it has no exit code yet')
-        if code not in allowable_exit_codes:
-            raise AssertionError(f'Proc {info.process_name} exited with code {code}')
+        if returncode not in allowable_exit_codes:
+            raise AssertionError(f'Proc {info.process_name} exited with code {returncode}')

@@ -79,6 +79,6 @@ def _text_matches(expected: Any, text: str, strict: bool) -> bool:
 def _lines_match(expected: list[Any], actual: list[str], strict: bool) -> bool:
     if strict:
         return len(expected) == len(actual) and all(
-            _text_matches(pattern, line, True) for pattern, line in zip(expected, actual))
+            _text_matches(pattern, line, True) for pattern, line in zip(expected, actual, strict=True))
     rest = iter(actual)
     return all(any(_text_matches(pattern, line, False) for line in rest) for pattern in expected)

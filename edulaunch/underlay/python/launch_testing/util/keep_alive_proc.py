@@ -4,8 +4,9 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from edulaunch.underlay_place import underlay_prefix
 from launch.actions.execute_process import ExecuteProcess
+
+from edulaunch.underlay_place import underlay_prefix
 
 PROGRAM = os.path.join(underlay_prefix(), 'lib', 'launch_testing', 'keep_alive_proc')
 

@@ -1,0 +1,25 @@
+"""``check('circle')``: grades an exercise from a notebook, with the rubric that `edugrade` uses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edugrade.notebook import CheckReport, Note
+
+
+def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
+    """Grade your launch file and show the report; write how far you are into ``my_progress.toml`` beside the notebook.
+
+    ::
+
+        from edulaunch import check
+        check('circle')             # exercises/circle.launch.py, here or in a folder above
+        check('circle', hint=1)     # a question; 2 says where to look, 3 is almost the answer
+
+    :param exercise: the name of an exercise, or the path of a launch file or of a package's folder.
+    :param hint: the level of a hint to open (1 to 3); nothing is graded then.
+    """
+    from edugrade.notebook import check as check_in_notebook
+
+    return check_in_notebook(exercise, hint=hint)

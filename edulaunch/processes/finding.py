@@ -1,0 +1,81 @@
+"""Where one program's own modules are: its script's folder, its package, the workspace, and what it put on `sys.path`."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+class Found(NamedTuple):
+    """The file of a module, or the folder of a package without `__init__.py`."""
+
+    path: str
+    is_package: bool
+
+
+class Finder:
+    """Looks for private modules, in Python's order.
+
+    :ivar roots: folders that come first, such as the folder of a script.
+    :ivar last: folders that are searched after everything shared: the program's package folder, of which strictly only what
+        its build file names is installed.
+    :ivar own: the top-level module of the program's entry point, which its own folders decide.
+    """
+
+    def __init__(self, process: Process) -> None:
+        self._process = process
+        self.roots: list[str] = []
+        self.last: list[str] = []
+        self.own = ''
+
+    def first_match(self, top: str) -> Found | None:
+        """A top-level module that comes before the shared ones."""
+        before, _ = self._program_path()
+        found = regular(top, [*before, *self.roots])
+        if found is None and top == self.own:
+            found = regular(top, self.last) or namespace(top, self.last)
+        if found is None:
+            place = self._process.overlay.modules.get(top)
+            found = None if place is None else _at(place)
+        return found
+
+    def last_match(self, top: str) -> Found | None:
+        """A top-level module for a name that nothing shared has."""
+        _, after = self._program_path()
+        path = [*after, *self.roots, *self.last]
+        return regular(top, path) or namespace(top, path)
+
+    def _program_path(self) -> tuple[list[str], list[str]]:
+        """Folders that the program put on its `sys.path`, before and after the shared ones."""
+        view = self._process.loader.modules.get('sys')
+        return ([], []) if view is None else view.private_path()
+
+
+def regular(leaf: str, path: list[str]) -> Found | None:
+    """A package with `__init__.py`, or a module, in the first folder that has one."""
+    for folder in path:
+        base = os.path.join(folder, leaf)
+        package = os.path.join(base, '__init__.py')
+        if os.path.isfile(package):
+            return Found(package, True)
+        if os.path.isfile(base + '.py'):
+            return Found(base + '.py', False)
+    return None
+
+
+def namespace(leaf: str, path: list[str]) -> Found | None:
+    """A folder without `__init__.py` that has Python code in it."""
+    for folder in path:
+        base = os.path.join(folder, leaf)
+        if os.path.isdir(base) and any(name.endswith('.py') for name in sorted(os.listdir(base))):
+            return Found(base, True)
+    return None
+
+
+def _at(place: str) -> Found | None:
+    if os.path.isfile(place):
+        return Found(place, False)
+    package = os.path.join(place, '__init__.py')
+    return Found(package, True) if os.path.isfile(package) else Found(place, True) if os.path.isdir(place) else None

@@ -1,0 +1,118 @@
+"""Messages that wait until tf knows where their frame was."""
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+from message_filters.simple_filter import SimpleFilter
+from rclpy.duration import Duration
+from rclpy.time import Time
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+    from tf2_ros import Buffer
+
+
+class FilterFailureReason(IntEnum):
+    """Why a message did not pass, numbered as in tf2_ros."""
+
+    Unknown = 0
+    OutTheBack = 1
+    EmptyFrameID = 2
+    NoTransformFound = 3
+    QueueFull = 4
+
+
+_WORDS = {
+    FilterFailureReason.OutTheBack: 'the timestamp on the message is earlier than all the data in the transform cache',
+    FilterFailureReason.EmptyFrameID: 'the frame id of the message is empty',
+    FilterFailureReason.QueueFull: 'discarding message because the queue is full',
+}
+
+
+class MessageFilter(SimpleFilter):
+    """Lets a stamped message pass once it can be transformed; what `tf2_ros::MessageFilter` is in C++.
+
+    :param buffer: a `tf2_ros.Buffer` that a listener fills.
+    :param target_frame: one frame or several; all must be reachable.
+    :param queue_size: how many messages wait; the oldest is dropped. 0 is no limit.
+    :param node: whose logger names the dropped messages.
+    :param f: the filter (mostly a Subscriber) whose messages are taken.
+    """
+
+    def __init__(self, buffer: Buffer, target_frame: str | Sequence[str], queue_size: int, node: Node,
+                 f: SimpleFilter | None = None) -> None:
+        super().__init__()
+        self.buffer = buffer
+        self.queue_size = queue_size
+        self.node = node
+        self._waiting: list[Any] = []
+        self._failure_callbacks: list[Callable[[Any, FilterFailureReason], Any]] = []
+        self._tolerance_ns = 0
+        self.setTargetFrame(target_frame)
+        buffer._new_data_callbacks.append(self._look_again)
+        if f is not None:
+            self.connectInput(f)
+
+    def connectInput(self, f: SimpleFilter) -> None:
+        """Take the messages that pass another filter."""
+        f.registerCallback(self.add)
+
+    def setTargetFrame(self, target_frame: str | Sequence[str]) -> None:
+        """Say which frames must be reachable."""
+        self.target_frames = [target_frame] if isinstance(target_frame, str) else list(target_frame)
+
+    def setTolerance(self, tolerance: Duration) -> None:
+        """Ask for transforms at the stamp and also this much later."""
+        self._tolerance_ns = tolerance.nanoseconds
+
+    def registerFailureCallback(self, cb: Callable[[Any, FilterFailureReason], Any]) -> None:
+        """Call `cb(message, reason)` for each message that is dropped."""
+        self._failure_callbacks.append(cb)
+
+    def add(self, msg: Any) -> None:
+        """Let a message pass, or wait."""
+        if not msg.header.frame_id:
+            self._drop(msg, FilterFailureReason.EmptyFrameID)
+        else:
+            self._pass_wait_or_drop(msg)
+            if self.queue_size and len(self._waiting) > self.queue_size:
+                self._drop(self._waiting.pop(0), FilterFailureReason.QueueFull)
+
+    def clear(self) -> None:
+        """Forget what waits."""
+        self._waiting.clear()
+
+    def _look_again(self) -> None:
+        waiting, self._waiting = self._waiting, []
+        for msg in waiting:
+            self._pass_wait_or_drop(msg)
+
+    def _pass_wait_or_drop(self, msg: Any) -> None:
+        problem = self._problem(msg)
+        if problem is None:
+            self.signalMessage(msg)
+        elif 'extrapolation into the past' in problem:
+            self._drop(msg, FilterFailureReason.OutTheBack)
+        else:
+            self._waiting.append(msg)
+
+    def _problem(self, msg: Any) -> str | None:
+        """Why the message cannot be transformed, in tf2's words, or None."""
+        stamp = Time.from_msg(msg.header.stamp)
+        times = [stamp, stamp + Duration(nanoseconds=self._tolerance_ns)] if self._tolerance_ns else [stamp]
+        for frame in self.target_frames:
+            for time in times:
+                possible, reason = self.buffer.can_transform(frame, msg.header.frame_id, time, return_debug_tuple=True)
+                if not possible:
+                    return str(reason)
+        return None
+
+    def _drop(self, msg: Any, reason: FilterFailureReason) -> None:
+        stamp = msg.header.stamp
+        self.node.get_logger().info(
+            f"Message Filter dropping message: frame '{msg.header.frame_id}' at time {stamp.sec + stamp.nanosec / 1e9:.3f} "
+            f"for reason '{_WORDS[reason]}'")
+        for callback in list(self._failure_callbacks):
+            callback(msg, reason)

@@ -1,0 +1,85 @@
+"""The manifest of the course, course.toml: which exercises there are, in which order, with which hints."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Any, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from .submission import exercise_of
+
+LEVELS = 3
+MANIFEST = 'course.toml'
+HIGHEST = 6  # folders above a submission in which the manifest is looked for
+_HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+class Exercise(NamedTuple):
+    """An entry of the manifest.
+
+    :param file: the launch file, relative to exercises/ and to solutions/; in a folder: the package there.
+    :param lesson: the notebook, without its ending, after which the exercise can be done.
+    :param points: all of them.
+    :param hints: LEVELS texts: a question, where to look, almost the answer.
+    """
+
+    file: str
+    title: str
+    lesson: str
+    points: int
+    hints: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The exercise's name, which is also that of its rubric: ``circle``."""
+        return exercise_of(os.path.basename(self.file))
+
+    @property
+    def path(self) -> str:
+        """What a student is given, relative to exercises/: the launch file, or the package's folder."""
+        return self.file.split('/')[0]
+
+
+def read_toml(path: str) -> dict[str, Any]:
+    """The tables of a TOML file. Raises OSError or ValueError as the reader does."""
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    with open(path, 'rb') as file:
+        tables: dict[str, Any] = tomllib.load(file)
+    return tables
+
+
+def read_course(path: str) -> list[Exercise]:
+    """The exercises of a manifest, in the order of the course.
+
+    :raises UnusableInput: when the manifest cannot be read or lacks something; it is named.
+    """
+    try:
+        entries = read_toml(path)['exercise']
+        return [Exercise(entry['file'], entry['title'], entry['lesson'], entry['points'], tuple(entry['hints']))
+                for entry in entries]
+    except KeyError as error:
+        raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None
+    except (OSError, ValueError, TypeError) as error:
+        raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
+
+
+def find_course(folder: str) -> str:
+    """The manifest: in this folder or above it, else the one that came with edugrade.
+
+    :raises UnusableInput: when there is none.
+    """
+    above = os.path.abspath(folder)
+    places = []
+    for _ in range(HIGHEST):
+        places += [above, os.path.join(above, 'exercises')]
+        above = os.path.dirname(above)
+    for place in (*places, _HERE, os.path.join(_HERE, '..', '..', 'exercises')):
+        path = os.path.join(place, MANIFEST)
+        if os.path.isfile(path):
+            return path
+    raise UnusableInput(f'there is no {MANIFEST}', help='it comes with the files of the folder exercises/')

@@ -1,0 +1,130 @@
+"""``python -m edugrade.course_check [FOLDER]``: exercises, solutions, rubrics and manifest belong together.
+
+FOLDER (default: the current one) has the folders exercises/ and solutions/, and lessons/ if there are any. The program
+prints what is wrong, one line each, and ends with exit code 1 then. With --quick nothing is launched.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+
+from edulaunch.errors import UnusableInput
+
+from .catalogue import exercises as rubric_names
+from .catalogue import find_rubric
+from .course import LEVELS, MANIFEST, Exercise, read_course
+from .grading import grade, plan_work
+from .submission import Submission
+
+STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
+SHORTEST_HINT = 40
+MOST_GAPS = 3
+LONGEST_GAP = 10  # lines that a solution adds or changes, on average for each gap
+_BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml')
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Check the course in a folder. Returns the exit code."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    quick = '--quick' in words
+    folder = next((word for word in words if not word.startswith('-')), '.')
+    try:
+        course = read_course(os.path.join(folder, STUBS, MANIFEST))
+        problems = [*check_files(folder, course), *check_entries(folder, course)]
+        if not quick and not problems:
+            problems = list(check_runs(folder, course))
+    except UnusableInput as error:
+        problems, course = [str(error)], []
+    for problem in problems:
+        print(f'course: {problem}')
+    if not problems:
+        print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points: in order')
+    return 1 if problems else 0
+
+
+def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
+    """Stubs and solutions have the same relative paths, each of them belongs to an exercise; so do the rubrics."""
+    stubs, solutions = (_files(os.path.join(folder, name)) for name in (STUBS, SOLUTIONS))
+    yield from (f'{SOLUTIONS}/{name} is missing' for name in stubs if name not in solutions)
+    yield from (f'{STUBS}/{name} is missing' for name in solutions if name not in stubs)
+    paths = [item.path for item in course]
+    yield from (f'{STUBS}/{name} belongs to no exercise of {MANIFEST}' for name in stubs
+                if name.split('/')[0] not in paths)
+    yield from (f'{STUBS}/{item.file} is missing' for item in course if item.file not in stubs)
+    names = [item.name for item in course]
+    yield from (f'the rubric of {name} is missing' for name in names if name not in rubric_names())
+    yield from (f'the rubric {name} has no exercise in {MANIFEST}' for name in rubric_names() if name not in names)
+
+
+def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
+    """Titles, points, hints, lessons and gaps are as they should be."""
+    for item in course:
+        if item.name in rubric_names():
+            yield from _against_the_rubric(item)
+        if len(item.hints) != LEVELS or any(len(hint) < SHORTEST_HINT for hint in item.hints):
+            yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
+        lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
+        if os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
+            yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
+        yield from _gaps(folder, item)
+
+
+def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
+    """Stubs run, and fail with a report that names a gap; solutions pass everything."""
+    paths = [os.path.join(folder, kind, item.path) for kind in (STUBS, SOLUTIONS) for item in course]
+    for report in grade([plan_work(Submission(path)) for path in paths]):
+        wanted = 1 if report.gaps else 0
+        if report.exit_code != wanted:
+            bad = next((result for result in report.results if result.status != 'passed'), None)
+            yield f'{report.given}: {report.verdict}' + (f': {bad.sentence}: {bad.reason}' if bad else '')
+        if wanted and report.results[0].status != 'passed':
+            yield f'{report.given}: a stub must run: {report.results[0].reason}'
+
+
+def _files(folder: str) -> list[str]:
+    found = []
+    for place, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name not in _BY_THE_WAY)
+        found += [os.path.relpath(os.path.join(place, name), folder).replace(os.sep, '/') for name in names
+                  if name not in (*_BY_THE_WAY, MANIFEST)]
+    return sorted(found)
+
+
+def _against_the_rubric(item: Exercise) -> Iterator[str]:
+    rubric = find_rubric(item.name)[1]
+    points = sum(check.points for check in rubric.checks)
+    if item.title != rubric.title:
+        yield f'{item.name} is called {item.title!r} in {MANIFEST} and {rubric.title!r} in its rubric'
+    if item.points != points:
+        yield f'{item.name} has {item.points} points in {MANIFEST}, but its checks add up to {points}'
+    if len(rubric.scenarios(0)) < 2:
+        yield f'{item.name} is run only once: one set of arguments is easily guessed'
+
+
+def _gaps(folder: str, item: Exercise) -> Iterator[str]:
+    stub, solution = (Submission(os.path.join(folder, kind, item.path)) for kind in (STUBS, SOLUTIONS))
+    count = len(stub.source.gaps)
+    if not 1 <= count <= MOST_GAPS:
+        yield f'{stub.given} has {count} comments # TODO; 1 to {MOST_GAPS} are right'
+    elif _changed(stub, solution) > LONGEST_GAP * count:
+        yield f'{solution.given} differs from its stub by {_changed(stub, solution)} lines; {LONGEST_GAP} a gap are enough'
+    yield from (f'{gap.file}:{gap.line}: a solution has no gaps' for gap in solution.source.gaps)
+
+
+def _changed(stub: Submission, solution: Submission) -> int:
+    """Lines of the solution's texts that the stub's lack, opening texts and imports left out."""
+    from difflib import SequenceMatcher
+
+    known = stub.source.bodies()
+    return sum(
+        b2 - b1
+        for name, lines in solution.source.bodies().items()
+        for kind, _, _, b1, b2 in SequenceMatcher(None, known.get(name, []), lines, autojunk=False).get_opcodes()
+        if kind != 'equal'
+    )
+
+
+if __name__ == '__main__':
+    sys.exit(main())

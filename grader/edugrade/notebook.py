@@ -1,0 +1,128 @@
+"""``check('circle')`` in a cell: the same rubric as the command, shown where the student works."""
+
+from __future__ import annotations
+
+import os
+
+from edulaunch.errors import UnusableInput
+
+from .course import HIGHEST, find_course, read_course
+from .grading import grade, plan_work
+from .hints import find_hint
+from .markup import element, joined
+from .progress_file import ProgressFile
+from .report_html import report_html
+from .results import ALL_PASSED, Report
+from .submission import ENDINGS, Submission
+from .terminal import render
+
+_BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em'
+
+
+class CheckReport:
+    """What :func:`check` shows: HTML in a notebook, the same in plain text elsewhere."""
+
+    def __init__(self, report: Report, word: str = '') -> None:
+        self.report = report
+        self.word = word
+
+    @property
+    def passed(self) -> bool:
+        """Whether all checks passed."""
+        return self.report.exit_code == ALL_PASSED
+
+    @property
+    def headline(self) -> str:
+        """The result in one line."""
+        report = self.report
+        mark = 'no mark' if report.earned is None else f'{report.earned} of {report.possible} points'
+        return f'{report.rubric}: {report.verdict}, {mark}'
+
+    def __repr__(self) -> str:
+        words = f'\n{self.word}\n' if self.word else ''
+        return f'{self.headline}\n{words}\n{render(self.report)}'.rstrip('\n')
+
+    def _repr_html_(self) -> str:
+        head = element('p', element('b', self.headline), f' {self.report.given}', style='margin:.2em 0 .6em')
+        word = [element('p', self.word)] if self.word else []
+        return element('div', joined(head, *word, report_html(self.report)), style=_BOX)
+
+
+class Note:
+    """A few words: a hint, or why nothing was checked."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return element('div', self.text, style=f'{_BOX};white-space:pre-wrap')
+
+
+def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
+    """Grade an exercise, or open one of its hints; note it in the progress file of the current folder.
+
+    :param exercise: the exercise's name, or the path of a launch file or package.
+    :param hint: open the hint of this level (1 to 3) instead.
+    """
+    try:
+        submission = Submission(find_exercise(os.fspath(exercise)))
+        return _graded(submission) if hint is None else _hint(submission, hint)
+    except UnusableInput as error:
+        return Note(f'{error}')
+
+
+def find_exercise(name: str) -> str:
+    """The path, relative where it can be, of a student's file: searched in this folder and in those above it.
+
+    :raises UnusableInput: when there is no exercise of that name, or no such file; names the nearest.
+    """
+    known = {entry.name: entry for entry in read_course(find_course(os.getcwd()))}
+    if name not in known:
+        if os.sep in name or name.endswith(ENDINGS) or os.path.exists(name):
+            return name
+        raise _unknown(name, list(known))
+    entry = known[name]
+    folder = '.'
+    for _ in range(HIGHEST):
+        for place in (os.path.join(folder, 'exercises', entry.path), os.path.join(folder, entry.path)):
+            if os.path.exists(place):
+                return os.path.normpath(place)
+        folder = os.path.join(folder, os.pardir)
+    raise UnusableInput(
+        f'there is no exercises/{entry.path} here or in a folder above',
+        help=f'you are in {os.getcwd()}; give the path: check("some/folder/{entry.path}")')
+
+
+def _unknown(name: str, known: list[str]) -> UnusableInput:
+    from edulaunch.packages.nearest import nearest
+
+    close = nearest(name, known)
+    question = f'did you mean check("{close}")? ' if close else ''
+    return UnusableInput(f'there is no exercise "{name}"', help=f'{question}There are: {", ".join(known)}')
+
+
+def _graded(submission: Submission) -> CheckReport:
+    (report,) = grade([plan_work(submission)])
+    progress = ProgressFile(os.getcwd())
+    if report.earned is not None:
+        progress.of(submission.exercise).attempt(report.earned, report.possible, report.exit_code == ALL_PASSED)
+    return CheckReport(report, _saved(progress))
+
+
+def _hint(submission: Submission, level: int) -> Note:
+    text = find_hint(submission, level)
+    progress = ProgressFile(os.getcwd())
+    progress.of(submission.exercise).open_hint(level)
+    return Note('\n\n'.join(filter(None, (text, _saved(progress)))))
+
+
+def _saved(progress: ProgressFile) -> str:
+    """Save; gives what the student must be told about the file. A file that cannot be written costs no report."""
+    try:
+        progress.save()
+    except UnusableInput as error:
+        return f'Your progress is not kept: {error.message}.'
+    return progress.word

@@ -1,0 +1,103 @@
+"""What a student has done so far: a small readable file of the student's own, beside the notebook."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from .course import read_toml
+from .whole_file import write_whole
+
+NAME = 'my_progress.toml'
+HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.\n'
+_BARE = re.compile(r'[A-Za-z0-9_-]+')
+
+
+@dataclass
+class Progress:
+    """How far one exercise has come."""
+
+    done: bool = False
+    attempts: int = 0
+    hints: list[int] = field(default_factory=list)
+    best_points: int = 0
+    points: int = 0
+
+    def attempt(self, earned: int, possible: int, passed: bool) -> None:
+        """Note a graded try; what was reached once is kept."""
+        self.attempts += 1
+        self.done = self.done or passed
+        self.best_points = max(self.best_points, earned)
+        self.points = possible
+
+    def open_hint(self, level: int) -> None:
+        """Note that a hint was read."""
+        if level not in self.hints:
+            self.hints = sorted([*self.hints, level])
+
+
+class ProgressFile:
+    """The progress of all exercises.
+
+    :param folder: where the file is, or will be.
+
+    :ivar word: what the student must be told about the file, if anything.
+    """
+
+    def __init__(self, folder: str) -> None:
+        self.path = os.path.join(folder, NAME)
+        self.word = ''
+        self.exercises: dict[str, Progress] = self._read()
+
+    def of(self, exercise: str) -> Progress:
+        """The progress of one exercise, to be changed and saved."""
+        return self.exercises.setdefault(exercise, Progress())
+
+    def save(self) -> None:
+        """Write the file whole: a crash leaves either the old one or the new one.
+
+        :raises UnusableInput: when it cannot be written there.
+        """
+        write_whole(self.path, HEADER + ''.join(_table(name, item) for name, item in self.exercises.items()))
+
+    def _read(self) -> dict[str, Progress]:
+        try:
+            return {name: _progress(table) for name, table in read_toml(self.path).items()}
+        except FileNotFoundError:
+            return {}
+        except (ValueError, TypeError) as error:
+            self._put_aside(error)
+            return {}
+
+    def _put_aside(self, error: Exception) -> None:
+        """Keep a file that cannot be understood, under another name."""
+        kept = f'{self.path}.bak'
+        number = 1
+        while os.path.exists(kept):
+            number += 1
+            kept = f'{self.path}.bak{number}'
+        os.replace(self.path, kept)
+        self.word = (f'{NAME} could not be understood ({error}). It is kept as {os.path.basename(kept)}, and a new one '
+                     'is begun; to have the old one back, mend it and rename it.')
+
+
+def _progress(table: Any) -> Progress:
+    """An exercise's table, as it must be."""
+    found = Progress(**table)
+    kinds = {'done': bool, 'attempts': int, 'hints': list, 'best_points': int, 'points': int}
+    for name, kind in kinds.items():
+        if type(getattr(found, name)) is not kind:
+            raise ValueError(f'{name} = {getattr(found, name)!r} is not of the right kind')
+    if any(type(level) is not int for level in found.hints):
+        raise ValueError(f'hints = {found.hints!r} is not a list of levels')
+    return found
+
+
+def _table(name: str, item: Progress) -> str:
+    key = name if _BARE.fullmatch(name) else json.dumps(name)
+    done = 'true' if item.done else 'false'
+    return (f'\n[{key}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
+            f'best_points = {item.best_points}\npoints = {item.points}\n')

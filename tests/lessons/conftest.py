@@ -1,0 +1,25 @@
+"""Every test of this folder runs once for each lesson, or walks through one."""
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.lessons.notebook import LESSONS, ORDER, Lesson, Walk
+
+
+@pytest.fixture(params=ORDER, scope='module')
+def lesson(request: pytest.FixtureRequest) -> Lesson:
+    """Each lesson."""
+    return Lesson(request.param)
+
+
+@pytest.fixture
+def walk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Walk]:
+    """Begin a walk through a lesson in a fresh folder: walk('04_carrots')."""
+    def begin(name: str) -> Walk:
+        monkeypatch.setenv('USER', 'student')
+        shutil.copytree(LESSONS / 'checkpoints', tmp_path / 'checkpoints')
+        return Walk(Lesson(name), tmp_path)
+    return begin

@@ -1,0 +1,136 @@
+"""The form that all lessons share."""
+from __future__ import annotations
+
+import ast
+import re
+import statistics
+
+import pytest
+import yaml
+from tests.lessons.notebook import LESSONS, ORDER, Cell, Lesson
+
+FIRST_USES = {
+    '01_first_launch': ['launch file', 'package', 'recording', 'node', 'namespace', 'launch actions', 'topics', 'publishes', 'subscribe',
+                        'message', 'parameter', 'launch argument', 'condition', 'remapping'],
+    '02_static_broadcaster': ['frame', 'transform', 'tf tree', 'roll', 'pitch', 'yaw', 'quaternion', 'workspace', 'entry points', 'spin',
+                              'broadcaster', 'static'],
+    '03_broadcaster_and_listener': ['callback', 'service', 'client', 'future', 'timer'],
+    '05_large_project': ['bringup', 'wildcard', 'environment variable'],
+}
+PATHS_AND_SUCH = re.compile(r'(?<![\w.])/(home|root|tmp|work|Users|usr|opt|mnt|var)/|\b0x[0-9a-f]{6,}|site-packages|ipykernel|\d ms\b')
+
+
+def written(lesson: Lesson) -> list[Cell]:
+    return [cell for cell in lesson.code if cell.file is not None]
+
+
+def test_the_lessons_are_these_five() -> None:
+    assert sorted(path.stem for path in LESSONS.glob('*.ipynb')) == ORDER
+
+
+def test_a_kernel_is_named_so_that_jupyter_does_not_ask(lesson: Lesson) -> None:
+    assert lesson.raw['metadata'] == {
+        'kernelspec': {'display_name': 'Python 3 (ipykernel)', 'language': 'python', 'name': 'python3'}, 'language_info': {'name': 'python'}}
+
+
+def test_cell_ids_are_words_that_stay(lesson: Lesson) -> None:
+    ids = [cell.id for cell in lesson.cells]
+    assert len(set(ids)) == len(ids)
+    assert all(re.fullmatch(r'[a-z][a-z0-9]*(-[a-z0-9]+)*', ident) for ident in ids)
+
+
+def test_a_lesson_is_short(lesson: Lesson) -> None:
+    assert len(lesson.cells) <= 45
+    assert max(len(cell.lines) for cell in lesson.code) <= 25
+    assert statistics.median(len(cell.lines) for cell in lesson.code if cell.file is None) <= 5
+
+
+def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
+    for cell in lesson.code:
+        assert max(map(len, cell.lines)) <= 112, cell.id
+
+
+def test_outputs_are_stored_of_one_clean_run(lesson: Lesson) -> None:
+    assert [cell.count for cell in lesson.code] == list(range(1, len(lesson.code) + 1))
+    assert all('execution' not in row['metadata'] for row in lesson.raw['cells'])
+
+
+def test_a_cell_has_one_output_and_no_error(lesson: Lesson) -> None:
+    for cell in lesson.code:
+        assert len(cell.outputs) <= 1, cell.id
+        assert all(output['output_type'] != 'error' for output in cell.outputs), cell.id
+
+
+def test_a_picture_says_in_text_what_it_shows(lesson: Lesson) -> None:
+    pictures = [cell for cell in lesson.code for output in cell.outputs if 'image/png' in output.get('data', {})]
+    assert len(pictures) >= 3
+    assert all(re.search(r'\[scene [0-9a-f]{8}\]', cell.text) for cell in pictures)
+
+
+def test_outputs_are_equal_on_every_machine(lesson: Lesson) -> None:
+    for cell in lesson.code:
+        assert not PATHS_AND_SUCH.search(cell.text), cell.id
+
+
+def test_only_writing_a_file_is_not_compared(lesson: Lesson) -> None:
+    for cell in lesson.code:
+        assert cell.tags == (['nbval-ignore-output'] if cell.file is not None else []), cell.id
+
+
+def test_files_are_written_only_where_git_does_not_look(lesson: Lesson) -> None:
+    assert all(path.startswith(('my_launch/', 'my_ws/src/')) for path in lesson.files())
+
+
+def test_every_written_file_can_be_read(lesson: Lesson) -> None:
+    for cell in written(lesson):
+        path, text = cell.file or ('', '')
+        if path.endswith('.py'):
+            ast.parse(text, path)
+        elif path.endswith('.yaml'):
+            yaml.safe_load(text)
+
+
+@pytest.mark.parametrize('part', [
+    r'^# \d\. ', r'After this lesson \(about (30|35|40|45) minutes\) you can\n\n- ', r'\*\*Predict', r'\*\*Explain', r'^## \d\.\d+ Your turn$',
+    r'hen something is wrong', r'^## \d\.\d+ The exercises?$', r'^## On a real robot$', r'^## Roads not taken\n\n- '])
+def test_a_lesson_has_every_part(lesson: Lesson, part: str) -> None:
+    assert re.search(part, lesson.prose, re.MULTILINE)
+
+
+def test_parts_are_numbered_in_order(lesson: Lesson) -> None:
+    number = lesson.name[1]
+    headings = re.findall(r'^## (\d+)\.(\d+) ', lesson.prose, re.MULTILINE)
+    assert headings == [(number, str(index + 1)) for index in range(len(headings))]
+
+
+def test_hints_have_three_levels_and_say_something(lesson: Lesson) -> None:
+    hints = re.findall(r'<details><summary>Hint (\d): ([^<]+)</summary>(.*?)</details>', lesson.prose, re.DOTALL)
+    assert [(number, title) for number, title, _ in hints] == [
+        ('1', 'a question'), ('2', 'where to look'), ('3', 'almost the answer')]
+    assert all(len(text.split()) >= 8 for _, _, text in hints)
+
+
+def test_the_shipped_turn_says_what_is_missing(lesson: Lesson) -> None:
+    assert 'not yet' in lesson['your-turn-check'].text
+
+
+def test_every_exercise_of_a_lesson_is_checked_in_it(lesson: Lesson) -> None:
+    course = (LESSONS.parent / 'exercises' / 'course.toml').read_text(encoding='utf-8')
+    mine = re.findall(r"file = '(?:.*/)?(\w+)\.launch\.py'\ntitle = .*\nlesson = '" + lesson.name + "'", course)
+    assert mine == re.findall(r"^check\('(\w+)'\)$", '\n'.join(cell.source for cell in lesson.code), re.MULTILINE)
+
+
+@pytest.mark.parametrize(('name', 'term'), [(name, term) for name, terms in FIRST_USES.items() for term in terms])
+def test_a_term_stands_out_where_it_is_explained(name: str, term: str) -> None:
+    prose = Lesson(name).prose
+    assert re.search(rf'\*{{1,2}}{term}\w*\*{{1,2}}', prose, re.IGNORECASE), f'{term} is never in italics in {name}'
+
+
+@pytest.mark.parametrize(('checkpoint', 'lessons'), [('after_lesson_2', ORDER[1:2]), ('after_lesson_3', ORDER[1:3])])
+def test_a_checkpoint_is_what_the_lessons_before_write(checkpoint: str, lessons: list[str]) -> None:
+    inside = 'my_ws/src/learning_tf2_py/'
+    expected = {'learning_tf2_py/__init__.py': '', 'resource/learning_tf2_py': ''}
+    for name in lessons:
+        expected.update({path.removeprefix(inside): text for path, text in Lesson(name).files().items()})
+    root = LESSONS / 'checkpoints' / checkpoint
+    assert {str(path.relative_to(root)): path.read_text(encoding='utf-8') for path in root.rglob('*') if path.is_file()} == expected
