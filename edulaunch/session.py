@@ -9,6 +9,7 @@ from edulaunch.graph.graph import Graph
 from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
+from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.pacing import Pacer
 from edulaunch.sim.simulation import Simulation
@@ -17,6 +18,7 @@ from edulaunch.underlay_place import underlay_prefix
 
 PathLike = str | os.PathLike[str]
 LONGEST_SHUTDOWN_S = 30.0
+TURN_LIMIT_S = 10.0
 
 
 class Session:
@@ -28,10 +30,12 @@ class Session:
     :param env: environment of everything that runs; default: a copy of this program's, with USER set.
     :param stdin: text for programs that read their keyboard, by launch name or executable.
     :param console: called as console(stream, text) with everything that launch prints.
+    :param turn_limit_s: a program that keeps its turn for so many seconds of real time is stopped; 0: none is.
     """
 
     def __init__(self, *, seed: int = 0, workspaces: Sequence[PathLike] = (), env: Mapping[str, str] | None = None,
-                 stdin: Mapping[str, str] | None = None, console: Callable[[str, str], object] | None = None) -> None:
+                 stdin: Mapping[str, str] | None = None, console: Callable[[str, str], object] | None = None,
+                 turn_limit_s: float = TURN_LIMIT_S) -> None:
         source()
         self.sim = Simulation(seed)
         self.recorder = Recorder(self.sim)
@@ -39,6 +43,8 @@ class Session:
         self.index = index_for(workspaces)
         self.console = console
         self.host = Host(self.sim, self.graph, self.index, env=_environment(env), ros2=_ros2_command, stdin=stdin)
+        self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
+        self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []
         self._name_roots([os.path.abspath(os.fspath(path)) for path in workspaces])
 

@@ -3,6 +3,7 @@
 A recording and a time become a *scene* (plain data, `*_scene.py`), a scene becomes a picture (`draw_*.py`). matplotlib is
 loaded when the first picture is drawn.
 """
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -25,11 +26,14 @@ def plot_turtles(recording: Recording, time_s: float | None = None) -> Picture:
     """
     from edulaunch.canvas.turtle_scene import turtle_scene
     from edulaunch.canvas.worlds import read_worlds
+
     scene = turtle_scene(read_worlds(recording), recording.duration_s if time_s is None else time_s)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_turtles import draw_turtles
+
         return draw_turtles(scene)
+
     return Picture(draw, scene.caption(), scene)
 
 
@@ -40,11 +44,14 @@ def plot_frames(recording: Recording, time_s: float | None = None) -> Picture:
     :raises ValueError: when no frame had been broadcast by then.
     """
     from edulaunch.canvas.frames_scene import frames_scene
+
     scene = frames_scene(recording, recording.duration_s if time_s is None else time_s)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_frames import draw_frames
+
         return draw_frames(scene)
+
     return Picture(draw, scene.caption(), scene)
 
 
@@ -55,11 +62,14 @@ def plot_tf_tree(recording: Recording) -> Picture:
     :raises ValueError: when no frame was broadcast.
     """
     from edulaunch.canvas.tree_scene import tree_scene
+
     scene = tree_scene(recording)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_tree import draw_tree
+
         return draw_tree(scene)
+
     return Picture(draw, scene.caption(), scene)
 
 
@@ -70,11 +80,14 @@ def plot_graph(recording: Recording, *, unused: bool = False, services: bool = F
     :param services: also show services that a node calls.
     """
     from edulaunch.canvas.graph_scene import graph_scene
+
     scene = graph_scene(recording, unused=unused, services=services)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_graph import draw_graph
+
         return draw_graph(scene)
+
     return Picture(draw, scene.caption(), scene)
 
 
@@ -86,11 +99,14 @@ def plot_distance(recording: Recording, first: str, second: str, close_m: float 
     :raises ValueError: when the two were never there at the same time.
     """
     from edulaunch.canvas.distance_scene import distance_scene
+
     scene = distance_scene(recording, first, second, close_m)
 
     def draw() -> bytes:
         from edulaunch.canvas.draw_distance import draw_distance
+
         return draw_distance(scene)
+
     return Picture(draw, scene.caption(), scene)
 
 
@@ -102,6 +118,7 @@ def parameter_table(recording: Recording, node: str | None = None, *, every: boo
     :raises KeyError: when there was no such node.
     """
     from edulaunch.canvas.table import Table, table_rows
+
     return Table(table_rows(recording, node, every))
 
 
@@ -111,4 +128,5 @@ def replay(recording: Recording) -> Replay:
     :raises ValueError: when nothing moved in the recording.
     """
     from edulaunch.canvas.player import Replay
+
     return Replay(recording)

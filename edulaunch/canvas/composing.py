@@ -1,4 +1,5 @@
 """tf frames put where they are in their tree's root frame."""
+
 from __future__ import annotations
 
 import math
@@ -40,8 +41,11 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
         else:
             parent = _place(frame.parent, frames, found, [*way, name])
             if name not in found:  # a loop may have made it a root meanwhile
-                found[name] = Placed(parent.root, _add(parent.position, rotated(parent.turn, frame.translation)),
-                                     multiplied(parent.turn, frame.rotation))
+                found[name] = Placed(
+                    parent.root,
+                    _add(parent.position, rotated(parent.turn, frame.translation)),
+                    multiplied(parent.turn, frame.rotation),
+                )
     return found[name]
 
 
@@ -57,8 +61,12 @@ def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
     """First `b`, then `a`, as one turn."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
-    return (aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
-            aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz)
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
 
 
 def heading(turn: Quaternion) -> float:

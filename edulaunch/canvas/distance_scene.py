@@ -1,4 +1,5 @@
 """How far one thing is from another over time, as plain data."""
+
 from __future__ import annotations
 
 import math
@@ -17,7 +18,7 @@ Place = tuple[float, float, float]
 
 
 class DistanceScene(NamedTuple):
-    """Points of (time, distance), how near counts as close (metres), and since when it stayed close for good (None: it is not)."""
+    """Points of (time, distance), how near counts as close (metres), since when it stayed close for good (None: it did not)."""
 
     first: str
     second: str
@@ -28,9 +29,13 @@ class DistanceScene(NamedTuple):
 
     def caption(self) -> str:
         """One line that says what is to be seen."""
-        since = 'not close at the end' if self.close_since_s is None else f'closer than {self.close_m:g} m from t={self.close_since_s:.2f} s on'
-        return (f'{self.first} to {self.second}: {self.points[0][1]:.3f} m at t={self.points[0][0]:.2f} s, '
-                f'{self.points[-1][1]:.3f} m at t={self.points[-1][0]:.2f} s, {since}')
+        since = 'not close at the end'
+        if self.close_since_s is not None:
+            since = f'at most {self.close_m:g} m from t={self.close_since_s:.2f} s on'
+        return (
+            f'{self.first} to {self.second}: {self.points[0][1]:.3f} m at t={self.points[0][0]:.2f} s, '
+            f'{self.points[-1][1]:.3f} m at t={self.points[-1][0]:.2f} s, {since}'
+        )
 
 
 def distance_scene(recording: Recording, first: str, second: str, close_m: float) -> DistanceScene:
@@ -60,6 +65,7 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 def places_of(recording: Recording, name: str) -> list[Place]:
     """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
     from edulaunch.recording.trajectory import moving_things
+
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:
         track = recording.trajectory(name)
@@ -73,6 +79,7 @@ def places_of(recording: Recording, name: str) -> list[Place]:
 def _frame_places(recording: Recording, name: str) -> list[Place]:
     """The frame in its root, twenty times a second."""
     from edulaunch.canvas.frame_tracks import FrameTracks
+
     tracks = FrameTracks(recording)
     times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
     found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]

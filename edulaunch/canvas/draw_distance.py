@@ -1,4 +1,5 @@
 """Distance over time as an image."""
+
 from __future__ import annotations
 
 from edulaunch.canvas.distance_scene import DistanceScene
@@ -15,7 +16,9 @@ def draw_distance(scene: DistanceScene) -> bytes:
     """PNG bytes: the distance as a line, the band that counts as close as a tinted ground with its border dashed."""
     paper = Paper(WIDTH, HEIGHT)
     highest = max(*(distance for _, distance in scene.points), scene.close_m) * 1.1
-    panel = Panel(paper, Box(LEFT, BELOW, WIDTH - RIGHT, HEIGHT - ABOVE), (0.0, max(scene.duration_s, 1e-3), 0.0, max(highest, 1e-3)))
+    panel = Panel(
+        paper, Box(LEFT, BELOW, WIDTH - RIGHT, HEIGHT - ABOVE), (0.0, max(scene.duration_s, 1e-3), 0.0, max(highest, 1e-3))
+    )
     panel.ground(PAPER, grid=False)
     _draw_band(panel, scene)
     for value in ticks(*panel.limits[2:])[1:]:
@@ -38,7 +41,9 @@ def _draw_band(panel: Panel, scene: DistanceScene) -> None:
     panel.paper.box(left, panel.box.bottom, right - left, y - panel.box.bottom, fill=GREEN_TINT)
     panel.paper.line([(left, y), (right, y)], colour=GREEN, width=1.2, dash=(5, 3))
     since = '' if scene.close_since_s is None else f', for good from t = {scene.close_since_s:.2f} s on'
-    panel.paper.text(right - 6, y + 5, f'close: below {scene.close_m:g} m{since}', size=SMALL, colour=GREEN, align='right', halo=PAPER)
+    panel.paper.text(
+        right - 6, y + 5, f'close: below {scene.close_m:g} m{since}', size=SMALL, colour=GREEN, align='right', halo=PAPER
+    )
 
 
 def _stretches(points: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:

@@ -1,14 +1,31 @@
-"""The node graph as an image: nodes are ovals, topics are boxes, services have a double border; dashed where an end is missing."""
+"""The node graph as an image: nodes are ovals, topics are boxes, services have a double border; dashed: an end is missing."""
+
 from __future__ import annotations
 
 from edulaunch.canvas.graph_scene import Box, GraphScene, label_lines
 from edulaunch.canvas.paper import Paper
 from edulaunch.canvas.routes import draw_route
 from edulaunch.canvas.style import (
-    BLUE, BLUE_TINT, GREEN, GREEN_TINT, INK, MUTED, PAPER, RED, RED_TINT, SAND, SAND_TINT, SMALL, Colour)
+    BLUE,
+    BLUE_TINT,
+    GREEN,
+    GREEN_TINT,
+    INK,
+    MUTED,
+    PAPER,
+    RED,
+    RED_TINT,
+    SAND,
+    SAND_TINT,
+    SMALL,
+    Colour,
+)
 
 LOOKS: dict[str, tuple[Colour, Colour, float]] = {
-    'node': (BLUE_TINT, BLUE, 100.0), 'topic': (SAND_TINT, SAND, 3.0), 'service': (GREEN_TINT, GREEN, 3.0)}
+    'node': (BLUE_TINT, BLUE, 100.0),
+    'topic': (SAND_TINT, SAND, 3.0),
+    'service': (GREEN_TINT, GREEN, 3.0),
+}
 """Fill, edge, and radius of the corners."""
 LEGEND = 'oval: node   box: topic'
 DASHES = (4.0, 2.5)
@@ -33,8 +50,17 @@ def _draw_box(paper: Paper, box: Box) -> None:
     top = paper.height - box.top
     if box.mark:
         fill, edge = (RED_TINT, RED) if 'fit' in box.mark else (PAPER, MUTED)
-    paper.box(box.left, top - box.height, box.width, box.height, radius=radius, fill=fill, edge=edge, line_width=1.3,
-              dash=DASHES if box.mark else ())
+    paper.box(
+        box.left,
+        top - box.height,
+        box.width,
+        box.height,
+        radius=radius,
+        fill=fill,
+        edge=edge,
+        line_width=1.3,
+        dash=DASHES if box.mark else (),
+    )
     if box.kind == 'service':
         paper.box(box.left + 3, top - box.height + 3, box.width - 6, box.height - 6, radius=2, edge=edge, line_width=0.7)
     lines = label_lines(box.kind, box.name, box.mark)

@@ -1,14 +1,17 @@
 """The tf tree as an image."""
+
 from __future__ import annotations
 
 from edulaunch.canvas.paper import Paper
 from edulaunch.canvas.routes import draw_route
-from edulaunch.canvas.style import (
-    BLUE, BLUE_TINT, GREEN, GREEN_TINT, INK, MUTED, PAPER, RED, RED_TINT, SMALL, Colour, shortened)
+from edulaunch.canvas.style import BLUE, BLUE_TINT, GREEN, GREEN_TINT, INK, MUTED, PAPER, RED, RED_TINT, SMALL, Colour, shortened
 from edulaunch.canvas.tree_scene import LINE, FrameBox, TreeScene
 
 LOOKS: dict[str, tuple[Colour, Colour, tuple[float, ...]]] = {
-    'root': (PAPER, INK, ()), 'static': (GREEN_TINT, GREEN, (4, 2.5)), 'dynamic': (BLUE_TINT, BLUE, ())}
+    'root': (PAPER, INK, ()),
+    'static': (GREEN_TINT, GREEN, (4, 2.5)),
+    'dynamic': (BLUE_TINT, BLUE, ()),
+}
 """Fill, edge and dashes of a box; the word in it says the same."""
 
 

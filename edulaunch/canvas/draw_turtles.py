@@ -1,4 +1,5 @@
 """Turtle windows as an image."""
+
 from __future__ import annotations
 
 import math
@@ -60,7 +61,8 @@ def draw_body(panel: Panel, body: Body, parts: list[Part], size: float) -> None:
             panel.paper.line(points, colour=shade(shell, 0.5), width=0.8)
         else:
             fill = {'shell': shell, 'plate': shade(shell)}.get(kind) or LOOKS[kind]
-            panel.paper.polygon(points, fill=fill, edge=None if kind == 'eye' else shade(shell, 0.5) if kind == 'plate' else INK, line_width=0.8)
+            edge = shade(shell, 0.5) if kind == 'plate' else INK
+            panel.paper.polygon(points, fill=fill, edge=edge, line_width=0.8)
 
 
 def _draw_names(panel: Panel, bodies: list[Body], size: float) -> None:
@@ -70,4 +72,6 @@ def _draw_names(panel: Panel, bodies: list[Body], size: float) -> None:
     taken = [Box(x - size * 0.4, y - size * 0.4, x + size * 0.4, y + size * 0.4) for x, y in anchors]
     for body, box in zip(bodies, place_labels(anchors, sizes, panel.box, size * 0.62, taken), strict=True):
         panel.paper.box(box.left, box.bottom, box.right - box.left, height, radius=3, fill=PAPER, opacity=0.85)
-        panel.paper.text((box.left + box.right) / 2, (box.bottom + box.top) / 2, body.name, size=SMALL, align='center', middle=True)
+        panel.paper.text(
+            (box.left + box.right) / 2, (box.bottom + box.top) / 2, body.name, size=SMALL, align='center', middle=True
+        )

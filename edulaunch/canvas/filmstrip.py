@@ -1,4 +1,5 @@
 """A run as a strip of small pictures: what stands in for the replay where scripts do not run."""
+
 from __future__ import annotations
 
 from edulaunch.canvas.draw_turtles import draw_window

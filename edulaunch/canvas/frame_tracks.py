@@ -1,4 +1,5 @@
 """tf frames over time, read once and asked for many times."""
+
 from __future__ import annotations
 
 from bisect import bisect_right
@@ -24,7 +25,13 @@ class FrameTracks:
             for published_s, message in recording.messages(topic):
                 for transform in message.transforms:
                     move, turn = transform.transform.translation, transform.transform.rotation
-                    frame = Frame(transform.header.frame_id, (move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w), is_static, published_s)
+                    frame = Frame(
+                        transform.header.frame_id,
+                        (move.x, move.y, move.z),
+                        (turn.x, turn.y, turn.z, turn.w),
+                        is_static,
+                        published_s,
+                    )
                     self._rows.setdefault(transform.child_frame_id, []).append((published_s, frame))
 
     @property

@@ -1,4 +1,5 @@
 """tf frames from above, as rviz2 shows them, as plain data: one view per tree of frames."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -39,8 +40,11 @@ class FramesScene(NamedTuple):
 
     def caption(self) -> str:
         """One line that says what is to be seen."""
-        views = [f'in {view.root}: ' + ', '.join(f'{mark.name} at ({mark.x + 0.0:.3f}, {mark.y + 0.0:.3f})' for mark in view.frames[1:])
-                 for view in self.views]
+        views = [
+            f'in {view.root}: '
+            + ', '.join(f'{mark.name} at ({mark.x + 0.0:.3f}, {mark.y + 0.0:.3f})' for mark in view.frames[1:])
+            for view in self.views
+        ]
         return f't={self.time_s:.3f} s: {"; ".join(views)}'
 
 
@@ -55,7 +59,9 @@ def frames_scene(recording: Recording, time_s: float) -> FramesScene:
     trees: dict[str, list[FrameMark]] = {}
     for name, place in placed(frames).items():
         trees.setdefault(place.root, []).append(_mark(name, place, frames.get(name)))
-    return FramesScene(round(time_s, 9), [View(root, _root_first(root, marks), limits_of(marks)) for root, marks in trees.items()])
+    return FramesScene(
+        round(time_s, 9), [View(root, _root_first(root, marks), limits_of(marks)) for root, marks in trees.items()]
+    )
 
 
 def _who(recording: Recording) -> str:

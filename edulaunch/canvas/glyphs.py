@@ -1,4 +1,5 @@
 """Texts as outlines. Drawing outlines is many times faster than matplotlib's text, and the same on each machine: no hinting."""
+
 from __future__ import annotations
 
 import os
@@ -22,12 +23,17 @@ def _font(name: str) -> Any:
     return font
 
 
+def _no_hinting() -> Any:
+    """The flag that asks for outlines as they were designed; matplotlib moved it in 3.10."""
+    flags = getattr(ft2font, 'LoadFlags', None)
+    return getattr(ft2font, 'LOAD_NO_HINTING') if flags is None else flags.NO_HINTING  # noqa: B009
+
+
 @cache
 def _glyph(name: str, character: str) -> tuple[Any, Any, float]:
     """Vertices and codes of the outline of a character, and how far the next one stands; in parts of the font size."""
     font = _font(name)
-    flags = getattr(ft2font, 'LoadFlags', None)
-    glyph = font.load_char(ord(character), flags=ft2font.LOAD_NO_HINTING if flags is None else flags.NO_HINTING)
+    glyph = font.load_char(ord(character), flags=_no_hinting())
     vertices, codes = font.get_path()
     return np.asarray(vertices, dtype=float).reshape(-1, 2) / EM, codes, glyph.linearHoriAdvance / 65536 / EM
 

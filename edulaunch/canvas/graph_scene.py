@@ -1,7 +1,9 @@
 """Nodes, topics and services of a recording with the arrows between them, laid out on a sheet, as plain data."""
+
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.layout import Point, lay_out
@@ -9,16 +11,24 @@ from edulaunch.canvas.style import SMALL, TEXT, mono_width, shortened
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
+    from edulaunch.recording.records import NodeRecord
 
 HIDDEN = ('/rosout', '/parameter_events')
-PARAMETER_SERVICES = ('describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters',
-                      'set_parameters_atomically', 'get_type_description')
+PARAMETER_SERVICES = (
+    'describe_parameters',
+    'get_parameters',
+    'get_parameter_types',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+    'get_type_description',
+)
 Key = tuple[str, str]
 """Kind ('node', 'topic' or 'service') and name."""
 
 
 class Box(NamedTuple):
-    """A node, topic or service with the upper left corner and size of its box in pixels. `mark` says what is wrong with it, or ''."""
+    """A node, topic or service with the upper left corner and size of its box in pixels. `mark`: what is wrong with it, or ''."""
 
     kind: str
     name: str
@@ -49,12 +59,17 @@ class GraphScene(NamedTuple):
 
 
 def graph_scene(recording: Recording, *, unused: bool = False, services: bool = False) -> GraphScene:
-    """The graph of a run; topics without listeners only if `unused`, services that somebody calls only if `services`."""
-    edges, marks = _topics(recording, unused)
+    """The graph at the end of a run; topics without listeners only if `unused`, services that somebody calls only if `services`.
+
+    Nodes that have ended are gone, as in `rqt_graph`; when all have, the graph shows what there was.
+    """
+    nodes = {node.name: node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')}
+    nodes = {name: node for name, node in nodes.items() if node.ended_s is None} or nodes
+    edges, marks = _topics(recording, nodes, unused)
     if services:
-        calls, unserved = _services(recording)
+        calls, unserved = _services(nodes)
         edges, marks = edges + calls, {**marks, **unserved}
-    keys = list(dict.fromkeys([*(('node', node.name) for node in recording.nodes), *(key for edge in edges for key in edge)]))
+    keys = list(dict.fromkeys([*(('node', name) for name in nodes), *(key for edge in edges for key in edge)]))
     place = {key: number for number, key in enumerate(keys)}
     arrows = list(dict.fromkeys((place[start], place[end]) for start, end in edges))
     sizes = [_size(*key, marks.get(key, '')) for key in keys]
@@ -63,26 +78,30 @@ def graph_scene(recording: Recording, *, unused: bool = False, services: bool = 
     return GraphScene(layout.width, layout.height, boxes, arrows, [route.points for route in layout.routes], layout.direction)
 
 
-def _topics(recording: Recording, unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+def _topics(recording: Recording, nodes: Mapping[str, NodeRecord], unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
     """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
     misfits = _misfits(recording)
     for topic in recording.topics.values():
-        if topic.name in HIDDEN or (not topic.subscriptions and not unused):
+        publishers = [node for node in topic.publishers if node in nodes]
+        subscribers = [node for node in topic.subscriptions if node in nodes]
+        if topic.name in HIDDEN or not (subscribers or (unused and publishers)):
             continue
         key = ('topic', topic.name)
-        edges += [(('node', node), key) for node in topic.publishers] + [(key, ('node', node)) for node in topic.subscriptions]
-        if not topic.publishers:
+        edges += [(('node', node), key) for node in publishers] + [(key, ('node', node)) for node in subscribers]
+        if not publishers:
             marks[key] = 'no publisher'
-        elif not topic.subscriptions:
+        elif not subscribers:
             marks[key] = 'no subscriber'
         elif topic.name in misfits:
             marks[key] = f'{misfits[topic.name]} does not fit'
     return edges, marks
 
 
-MISFIT = re.compile(r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)')
+MISFIT = re.compile(
+    r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)'
+)
 """The recorder's note of two ends that cannot talk."""
 
 
@@ -102,12 +121,12 @@ def _misfits(recording: Recording) -> dict[str, str]:
     return found
 
 
-def _services(recording: Recording) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+def _services(nodes: Mapping[str, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
     """Arrows from clients to services to servers; and which services nobody serves."""
-    servers = {name: node.name for node in recording.nodes for name, _ in node.services}
+    servers = {name: node.name for node in nodes.values() for name, _ in node.services}
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
-    for node in recording.nodes:
+    for node in nodes.values():
         for name, _ in node.clients:
             key = ('service', name)
             if name.rpartition('/')[2] not in PARAMETER_SERVICES:

@@ -1,4 +1,5 @@
 """Names beside points, so that none covers another while there is room."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -24,14 +25,21 @@ class Box(NamedTuple):
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(bounds)
 
 
+COVERING = 300.0
+"""What covering anything costs besides the area: more than the way to the furthest place."""
 DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 
 
-def place_labels(anchors: Sequence[tuple[float, float]], sizes: Sequence[tuple[float, float]], bounds: Box,
-                 distance: float, taken: Iterable[Box] = ()) -> list[Box]:
+def place_labels(
+    anchors: Sequence[tuple[float, float]],
+    sizes: Sequence[tuple[float, float]],
+    bounds: Box,
+    distance: float,
+    taken: Iterable[Box] = (),
+) -> list[Box]:
     """A box for each label: near its anchor, inside `bounds`, clear of the other labels and of what is `taken`.
 
-    Labels are placed in order. A place that covers something is taken only where every free one is far away or outside.
+    Labels are placed in order. A place that covers something is taken only where there is no free one inside.
     """
     placed = list(taken)
     first = len(placed)
@@ -63,15 +71,19 @@ def _places(x: float, y: float, width: float, height: float, distance: float) ->
 def leader(anchor: tuple[float, float], box: Box) -> tuple[float, float] | None:
     """Where a line from the anchor to its label ends, if the label stands so far off that it needs one."""
     x, y = min(max(anchor[0], box.left), box.right), min(max(anchor[1], box.bottom), box.top)
-    return (x, y) if (x - anchor[0]) ** 2 + (y - anchor[1]) ** 2 > 12 ** 2 else None
+    return (x, y) if (x - anchor[0]) ** 2 + (y - anchor[1]) ** 2 > 12**2 else None
 
 
 def _cost(box: Box, placed: Sequence[Box], bounds: Box) -> float:
-    return sum(box.overlap(other) for other in placed) + 4 * box.outside(bounds)
+    covered = sum(box.overlap(other) for other in placed)
+    return (COVERING + covered if covered else 0.0) + 4 * box.outside(bounds)
 
 
 def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.0) -> list[Box]:
     """Small boxes that together cover a line, so that labels keep clear of it."""
     steps = max(1, round(max(abs(end[0] - start[0]), abs(end[1] - start[1])) / (2 * half)))
-    points = [(start[0] + (end[0] - start[0]) * step / steps, start[1] + (end[1] - start[1]) * step / steps) for step in range(steps + 1)]
+    points = [
+        (start[0] + (end[0] - start[0]) * step / steps, start[1] + (end[1] - start[1]) * step / steps)
+        for step in range(steps + 1)
+    ]
     return [Box(x - half, y - half, x + half, y + half) for x, y in points]

@@ -1,8 +1,9 @@
 """Boxes in layers from first to last, arrows between them: which layer each box belongs to, and in which order.
 
-After Sugiyama: loops are opened, layers are given by the longest way, arrows over several layers get a *joint* in each layer between,
-and the order in each layer is improved by placing every box at the mean of its neighbours until arrows cross no less.
+After Sugiyama: loops are opened, layers are given by the longest way, arrows over several layers get a *joint* in each layer
+between, and the order in each layer is improved by placing every box at the mean of its neighbours until arrows cross no less.
 """
+
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -126,5 +127,5 @@ def crossings(layers: list[list[int]], links: list[Edge]) -> int:
     total = 0
     for number in range(len(layers) - 1):
         ends = sorted((place[a], place[b]) for a, b in links if layer_of[a] == number)
-        total += sum(b1 > b2 for position, (_, b1) in enumerate(ends) for _, b2 in ends[position + 1:])
+        total += sum(b1 > b2 for position, (_, b1) in enumerate(ends) for _, b2 in ends[position + 1 :])
     return total

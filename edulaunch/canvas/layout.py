@@ -1,4 +1,5 @@
 """Boxes of given sizes put on a sheet in layers, and ways for the arrows between them that cross no box."""
+
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -53,8 +54,10 @@ def _sheet(sizes: list[Size], edges: list[Edge], direction: str) -> Layout:
     along, across = 0.0, MARGIN
     for items, numbers in _groups(len(sizes), edges):
         own = {item: position for position, item in enumerate(items)}
-        group = _Group([sizes[item] if right else sizes[item][::-1] for item in items],
-                       [(own[edges[number][0]], own[edges[number][1]]) for number in numbers])
+        group = _Group(
+            [sizes[item] if right else sizes[item][::-1] for item in items],
+            [(own[edges[number][0]], own[edges[number][1]]) for number in numbers],
+        )
         for item, (a, c) in zip(items, group.corners, strict=True):
             corners[item] = _turned(a + MARGIN, c + across, right)
         for number, points in zip(numbers, group.routes(), strict=True):
@@ -73,8 +76,13 @@ def _groups(count: int, edges: list[Edge]) -> list[tuple[list[int], list[int]]]:
     for a, b in edges:
         low, high = sorted((group[a], group[b]))
         group = [low if name == high else name for name in group]
-    found = [([item for item in range(count) if group[item] == name],
-              [number for number, (a, _) in enumerate(edges) if group[a] == name]) for name in dict.fromkeys(group)]
+    found = [
+        (
+            [item for item in range(count) if group[item] == name],
+            [number for number, (a, _) in enumerate(edges) if group[a] == name],
+        )
+        for name in dict.fromkeys(group)
+    ]
     return sorted(found, key=lambda parts: -len(parts[0]))
 
 
@@ -130,7 +138,7 @@ class _Group:
         return found
 
     def _ports(self, side: int) -> list[float]:
-        """Where each arrow meets its box: on side 0 those that leave, on side -1 those that come, spread so that they do not cross."""
+        """Where each arrow meets its box: on side 0 those that leave, on side -1 those that come; spread, so as not to cross."""
         chains = self.layers.chains
         ports = [0.0] * len(chains)
         for item in range(self.count):
@@ -140,6 +148,11 @@ class _Group:
             for position, number in enumerate(mine):
                 ports[number] = self.centres[item] + (position - (len(mine) - 1) / 2) * step
         return ports
+
+
+def mean(numbers: list[float]) -> float:
+    """Of at least one number."""
+    return sum(numbers) / len(numbers)
 
 
 def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
@@ -154,8 +167,8 @@ def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
         for item, centre in zip(layer, _apart([0.0] * len(layer), layer, breadths, count), strict=True):
             centres[item] = centre
     for sweep in range(SWEEPS):
-        for layer in (layers.layers if sweep % 2 == 0 else layers.layers[::-1]):
-            wishes = [sum(centres[other] for other in near[item]) / len(near[item]) if near[item] else centres[item] for item in layer]
+        for layer in layers.layers if sweep % 2 == 0 else layers.layers[::-1]:
+            wishes = [mean([centres[other] for other in near[item]] or [centres[item]]) for item in layer]
             for item, centre in zip(layer, _apart(wishes, layer, breadths, count), strict=True):
                 centres[item] = centre
     return centres

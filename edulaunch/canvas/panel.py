@@ -1,4 +1,5 @@
 """A rectangle of the sheet that shows a piece of the world: metres (or other units) to pixels, frame, ticks and grid."""
+
 from __future__ import annotations
 
 import math
@@ -6,15 +7,17 @@ from collections.abc import Iterable
 
 from edulaunch.canvas.labels import Box
 from edulaunch.canvas.paper import Paper
-from edulaunch.canvas.style import GRID, INK, MUTED, SMALL, Colour
+from edulaunch.canvas.style import GRID, MUTED, SMALL, Colour
 
 
 def ticks(low: float, high: float, most: int = 7) -> list[float]:
     """Round numbers between two limits, at most `most` of them, in steps of 1, 2 or 5 times a power of ten."""
-    span = high - low
-    power = 10.0 ** math.floor(math.log10(span / most))
-    step = next(step * power for step in (1, 2, 5, 10, 20) if math.floor(high / (step * power)) - math.ceil(low / (step * power)) < most)
-    return [number * step for number in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
+    power = 10.0 ** math.floor(math.log10((high - low) / most))
+    for step in (power, 2 * power, 5 * power, 10 * power, 20 * power):
+        first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        if last - first < most:
+            break
+    return [number * step for number in range(first, last + 1)]
 
 
 def tick_text(value: float, step: float) -> str:
@@ -56,10 +59,13 @@ class Panel:
         for value in across:
             x = self.at(value, 0)[0]
             self.paper.line([(x, bottom), (x, bottom - 3)], colour=MUTED, width=0.8)
-            text = tick_text(value, across[1] - across[0] if len(across) > 1 else 1)
-            self.paper.text(x, bottom - 13, text + (f' {unit}' if unit and value == across[-1] else ''), size=SMALL - 0.5, colour=INK, align='center')
+            text = tick_text(value, _step(across)) + (f' {unit}' if unit and value == across[-1] else '')
+            self.paper.text(x, bottom - 13, text, size=SMALL - 0.5, align='center')
         for value in along:
             y = self.at(0, value)[1]
             self.paper.line([(left, y), (left - 3, y)], colour=MUTED, width=0.8)
-            self.paper.text(left - 5, y, tick_text(value, along[1] - along[0] if len(along) > 1 else 1),
-                            size=SMALL - 0.5, colour=INK, align='right', middle=True)
+            self.paper.text(left - 5, y, tick_text(value, _step(along)), size=SMALL - 0.5, align='right', middle=True)
+
+
+def _step(values: list[float]) -> float:
+    return values[1] - values[0] if len(values) > 1 else 1.0

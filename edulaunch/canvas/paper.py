@@ -2,6 +2,7 @@
 
 The origin is at the lower left, y goes up, the unit is one layout pixel. What was drawn later covers what was drawn before.
 """
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -25,7 +26,7 @@ class Paper:
 
     def __init__(self, width: float, height: float, scale: float = SCALE) -> None:
         self.width, self.height, self.scale = round(width), round(height), scale
-        self._renderer = RendererAgg(round(self.width * scale), round(self.height * scale), 72)
+        self._renderer: Any = _new_renderer(round(self.width * scale), round(self.height * scale))
         self._transform = Affine2D().scale(scale)
         self._clip: Any = None
         self.box(0, 0, self.width, self.height, fill=PAPER)
@@ -35,8 +36,15 @@ class Paper:
         edges = (x, y, x + (width or 0), y + (height or 0))
         self._clip = None if width is None else Bbox.from_extents(*(edge * self.scale for edge in edges))
 
-    def path(self, path: Path, fill: Sequence[float] | None = None, edge: Colour | None = None, line_width: float = 1.0,
-             dash: Sequence[float] = (), opacity: float = 1.0) -> None:
+    def path(
+        self,
+        path: Path,
+        fill: Colour | None = None,
+        edge: Colour | None = None,
+        line_width: float = 1.0,
+        dash: Sequence[float] = (),
+        opacity: float = 1.0,
+    ) -> None:
         """Fill and stroke an outline. `dash`: lengths of strokes and gaps in pixels."""
         pen = self._renderer.new_gc()
         pen.set_linewidth(line_width * self.scale if edge is not None else 0.0)
@@ -70,8 +78,22 @@ class Paper:
         if r <= 0:
             self.polygon([(x, y), (right, y), (right, top), (x, top)], **look)
             return
-        points = [(x + r, y), (right - r, y), (right, y), (right, y + r), (right, top - r), (right, top), (right - r, top),
-                  (x + r, top), (x, top), (x, top - r), (x, y + r), (x, y), (x + r, y), (x + r, y)]
+        points = [
+            (x + r, y),
+            (right - r, y),
+            (right, y),
+            (right, y + r),
+            (right, top - r),
+            (right, top),
+            (right - r, top),
+            (x + r, top),
+            (x, top),
+            (x, top - r),
+            (x, y + r),
+            (x, y),
+            (x + r, y),
+            (x + r, y),
+        ]
         codes = [Path.MOVETO, *[Path.LINETO, Path.CURVE3, Path.CURVE3] * 4, Path.CLOSEPOLY]
         self.path(Path(points, codes), **look)
 
@@ -86,8 +108,18 @@ class Paper:
         back = (tip[0] - dx, tip[1] - dy)
         self.polygon([tip, (back[0] - dy * 0.42, back[1] + dx * 0.42), (back[0] + dy * 0.42, back[1] - dx * 0.42)], fill=colour)
 
-    def text(self, x: float, y: float, text: str, size: float = TEXT, font: str = 'sans', colour: Colour = INK,
-             align: str = 'left', middle: bool = False, halo: Colour | None = None) -> float:
+    def text(
+        self,
+        x: float,
+        y: float,
+        text: str,
+        size: float = TEXT,
+        font: str = 'sans',
+        colour: Colour = INK,
+        align: str = 'left',
+        middle: bool = False,
+        halo: Colour | None = None,
+    ) -> float:
         """A line of text with its baseline (with `middle`: half the height of its capitals) at y. Returns its width.
 
         :param font: 'sans', 'bold' or 'mono'.
@@ -106,5 +138,11 @@ class Paper:
         return encode(np.asarray(self._renderer.buffer_rgba()))
 
 
-def _unit(colour: Sequence[float]) -> tuple[float, ...]:
-    return tuple(part / 255 for part in colour)
+def _new_renderer(width: int, height: int) -> Any:
+    make: Any = RendererAgg
+    return make(width, height, 72)
+
+
+def _unit(colour: Colour) -> tuple[float, float, float]:
+    red, green, blue = colour
+    return (red / 255, green / 255, blue / 255)

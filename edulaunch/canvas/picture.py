@@ -1,4 +1,5 @@
 """A picture: what a notebook shows, with a line of text that says the same."""
+
 from __future__ import annotations
 
 import hashlib
@@ -49,6 +50,7 @@ class Picture:
 def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:
     """What a notebook needs to know of an image: its size on the screen, and the text that says the same."""
     from edulaunch.canvas.png import size
+
     width, height = size(png)
     return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
 

@@ -1,4 +1,5 @@
 """The replay of a run: a small player over state data, in a frame of its own that asks nothing of any other machine."""
+
 from __future__ import annotations
 
 import html
@@ -36,8 +37,10 @@ class Replay:
     @property
     def caption(self) -> str:
         """One line that says what is to be seen."""
-        worlds = [f'{world["title"]} with {", ".join(dict.fromkeys(life["name"] for life in world["lives"])) or "nobody"}'
-                  for world in self.data['worlds']]
+        worlds = [
+            f'{world["title"]} with {", ".join(dict.fromkeys(life["name"] for life in world["lives"])) or "nobody"}'
+            for world in self.data['worlds']
+        ]
         return f'replay of {self.duration_s:.2f} s: {"; ".join(worlds)}'
 
     def __repr__(self) -> str:
@@ -46,6 +49,7 @@ class Replay:
     @cached_property
     def _filmstrip(self) -> bytes:
         from edulaunch.canvas.filmstrip import draw_filmstrip
+
         return draw_filmstrip(self._worlds, self.duration_s)
 
     def png(self) -> bytes:
@@ -55,9 +59,14 @@ class Replay:
     def page(self) -> str:
         """The player as an HTML page that needs no other file."""
         drawing = {
-            'side': self._side(), 'shells': SHELLS, 'looks': LOOKS,
-            'shapes': {kind: [[part, [value for corner in corners for value in corner]] for part, corners in shape()]
-                       for kind, shape in (('turtlesim', turtle), ('robot', robot))}}
+            'side': self._side(),
+            'shells': SHELLS,
+            'looks': LOOKS,
+            'shapes': {
+                kind: [[part, [value for corner in corners for value in corner]] for part, corners in shape()]
+                for kind, shape in (('turtlesim', turtle), ('robot', robot))
+            },
+        }
         text = json.dumps({**self.data, **drawing}, separators=(',', ':')).replace('</', '<\\/')
         template = Path(__file__).with_name('player.html').read_text(encoding='utf-8')
         return template.replace('{{data}}', text)
@@ -66,21 +75,26 @@ class Replay:
         return ONE if len(self.data['worlds']) == 1 else SEVERAL
 
     def html(self) -> str:
-        """What a notebook shows: the player in an isolated frame, above a picture that is seen where frames or scripts are taken out."""
+        """What a notebook shows: the player in an isolated frame, over a picture for places that allow no frames or scripts."""
         from edulaunch.canvas.filmstrip import SCALE
+
         worlds, side = len(self.data['worlds']), self._side()
         width = max(min(worlds, 2) * (side + 12) + 8, 448)
         height = -(-worlds // 2) * (side + CAPTION) + CONTROLS
         alternative, picture = html.escape(self.caption), b64encode(self.png()).decode()
         size = png_metadata(self.png(), '', SCALE)
-        return (f'<div style="position:relative;max-width:{width}px;height:{height}px;overflow:hidden">'
-                f'<img alt="{alternative}" width="{size["width"]}" style="max-width:100%;max-height:100%;object-fit:contain" '
-                f'src="data:image/png;base64,{picture}">'
-                f'<iframe title="{alternative}" sandbox="allow-scripts" style="position:absolute;inset:0;width:100%;height:100%;border:0" '
-                f'srcdoc="{html.escape(self.page())}"></iframe></div>')
+        return (
+            f'<div style="position:relative;max-width:{width}px;height:{height}px;overflow:hidden">'
+            f'<img alt="{alternative}" width="{size["width"]}" style="max-width:100%;max-height:100%;object-fit:contain" '
+            f'src="data:image/png;base64,{picture}">'
+            f'<iframe title="{alternative}" sandbox="allow-scripts" '
+            f'style="position:absolute;inset:0;width:100%;height:100%;border:0" '
+            f'srcdoc="{html.escape(self.page())}"></iframe></div>'
+        )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
         from edulaunch.canvas.filmstrip import SCALE
+
         bundle = {'text/plain': repr(self), 'text/html': self.html(), 'image/png': self.png()}
         return bundle, {'image/png': png_metadata(self.png(), self.caption, SCALE)}
 

@@ -1,4 +1,5 @@
 """PNG bytes of an array of pixels: the same bytes for the same pixels, with nothing else in them."""
+
 from __future__ import annotations
 
 import struct
@@ -13,6 +14,7 @@ LEVEL = 4
 def encode(pixels: Any) -> bytes:
     """PNG of an array of shape (height, width, 3 or more) with bytes red, green, blue; further channels are left out."""
     import numpy as np
+
     height, width = pixels.shape[:2]
     rows = np.zeros((height, 1 + 3 * width), dtype=np.uint8)  # each row begins with its filter: 0, none
     rows[:, 1:] = pixels[:, :, :3].reshape(height, 3 * width)

@@ -1,8 +1,9 @@
 """A run as small plain data for the replay: whole numbers, sampled twenty times a second.
 
-Lengths are in millimetres, angles in milliradians, times in samples. A *column* is a list whose first number is a value and whose others
-are steps from the value before; steps of 0 at the end are left out.
+Lengths are in millimetres, angles in milliradians, times in samples. A *column* is a list whose first number is a value and
+whose others are steps from the value before; steps of 0 at the end are left out.
 """
+
 from __future__ import annotations
 
 import math
@@ -34,15 +35,26 @@ def replay_data(recording: Recording, worlds: list[World]) -> dict[str, Any]:
 
 def _world(world: World, count: int) -> dict[str, Any]:
     lives = [life for number, track in enumerate(world.tracks) for life in _lives(track, number, count)]
-    return {'title': world.title, 'kind': world.kind, 'background': world.background, 'limits': [_milli(limit) for limit in world.limits],
-            'wipes': [math.ceil(wipe * RATE_HZ) for wipe in world.wipes], 'lives': lives, 'frame': world.frame, 'frames': []}
+    return {
+        'title': world.title,
+        'kind': world.kind,
+        'background': world.background,
+        'limits': [_milli(limit) for limit in world.limits],
+        'wipes': [math.ceil(wipe * RATE_HZ) for wipe in world.wipes],
+        'lives': lives,
+        'frame': world.frame,
+        'frames': [],
+    }
 
 
 def _lives(track: Track, number: int, count: int) -> list[dict[str, Any]]:
     """The times without a gap in which a turtle was there, with its pens as [from sample, red, green, blue, width or 0]."""
     samples = _sampled(track.rows, count)
     pens = [[max(0, math.floor(pen.from_s * RATE_HZ)), *pen.colour, pen.width if pen.draws else 0] for pen in track.pens]
-    return [{'name': track.name, 'number': number, 'first': first, **_columns(values), 'pens': pens} for first, values in _unbroken(samples)]
+    return [
+        {'name': track.name, 'number': number, 'first': first, **_columns(values), 'pens': pens}
+        for first, values in _unbroken(samples)
+    ]
 
 
 def _unbroken(samples: list[Sample | None]) -> list[tuple[int, list[Sample]]]:
@@ -88,7 +100,12 @@ def _columns(values: list[Sample]) -> dict[str, Any]:
     headings = [values[0][2]]
     for before, after in zip(values, values[1:], strict=False):
         headings.append(headings[-1] + math.remainder(after[2] - before[2], math.tau))
-    return {'count': len(values), 'x': column([value[0] for value in values]), 'y': column([value[1] for value in values]), 'a': column(headings)}
+    return {
+        'count': len(values),
+        'x': column([value[0] for value in values]),
+        'y': column([value[1] for value in values]),
+        'a': column(headings),
+    }
 
 
 def column(values: list[float]) -> list[int]:
@@ -120,10 +137,12 @@ def _add_frames(worlds: list[dict[str, Any]], tracks: FrameTracks, count: int) -
     for name, samples in rows.items():
         root, parent = owner[name]
         tree = {other for other, (top, _) in owner.items() if top == root}
-        world = next((world for world in worlds if world['frame'] in tree or any(life['name'] in tree for life in world['lives'])), None)
+        world = next((world for world in worlds if {world['frame'], *(life['name'] for life in world['lives'])} & tree), None)
         if world is not None:
-            world['frames'] += [{'name': name, 'parent': parent, 'first': first, **_columns(values)}
-                                for first, values in _unbroken(samples + [None] * (count - len(samples)))]
+            world['frames'] += [
+                {'name': name, 'parent': parent, 'first': first, **_columns(values)}
+                for first, values in _unbroken(samples + [None] * (count - len(samples)))
+            ]
 
 
 def pose_at(life: dict[str, Any], sample: int) -> tuple[float, float, float] | None:
@@ -131,5 +150,5 @@ def pose_at(life: dict[str, Any], sample: int) -> tuple[float, float, float] | N
     number = sample - life['first']
     if not 0 <= number < life['count']:
         return None
-    x, y, a = (sum(life[key][:number + 1]) / 1000 for key in 'xya')
+    x, y, a = (sum(life[key][: number + 1]) / 1000 for key in 'xya')
     return (x, y, a)

@@ -1,4 +1,5 @@
 """Ways of arrows, as `edulaunch.canvas.layout` finds them, drawn as lines with a head."""
+
 from __future__ import annotations
 
 from edulaunch.canvas.paper import Paper
@@ -30,7 +31,11 @@ def _direction(points: list[Point], direction: str) -> Point:
 
 
 def _straight(start: Point, end: Point) -> list[Point]:
-    return [((2 * start[0] + end[0]) / 3, (2 * start[1] + end[1]) / 3), ((start[0] + 2 * end[0]) / 3, (start[1] + 2 * end[1]) / 3), end]
+    return [
+        ((2 * start[0] + end[0]) / 3, (2 * start[1] + end[1]) / 3),
+        ((start[0] + 2 * end[0]) / 3, (start[1] + 2 * end[1]) / 3),
+        end,
+    ]
 
 
 def _bent(start: Point, end: Point, direction: str) -> list[Point]:

@@ -2,6 +2,7 @@
 
 Each part is (what it is, corners). The same parts are drawn in still pictures and by the replay.
 """
+
 from __future__ import annotations
 
 import math
@@ -17,8 +18,10 @@ def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int
     """Points of an ellipse around (x, y), turned counter-clockwise."""
     angles = [math.tau * step / steps for step in range(steps)]
     c, s = math.cos(turn), math.sin(turn)
-    return [(round(x + c * rx * math.cos(a) - s * ry * math.sin(a), 3), round(y + s * rx * math.cos(a) + c * ry * math.sin(a), 3))
-            for a in angles]
+    return [
+        (round(x + c * rx * math.cos(a) - s * ry * math.sin(a), 3), round(y + s * rx * math.cos(a) + c * ry * math.sin(a), 3))
+        for a in angles
+    ]
 
 
 def turtle() -> list[Part]:
@@ -36,13 +39,20 @@ def turtle() -> list[Part]:
 
 def robot() -> list[Part]:
     """A round robot with two wheels and an arrow that shows where it looks."""
-    parts: list[Part] = [('wheel', [(-0.2, side * 0.30), (0.2, side * 0.30), (0.2, side * 0.44), (-0.2, side * 0.44)]) for side in (1, -1)]
+    parts: list[Part] = [
+        ('wheel', [(-0.2, side * 0.30), (0.2, side * 0.30), (0.2, side * 0.44), (-0.2, side * 0.44)]) for side in (1, -1)
+    ]
     parts += [('body', oval(0.0, 0.0, 0.40, 0.36, steps=24)), ('nose', [(-0.08, 0.2), (0.32, 0.0), (-0.08, -0.2)])]
     return parts
 
 
 LOOKS: dict[str, Colour] = {
-    'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146), 'nose': (246, 249, 252)}
+    'skin': (243, 233, 208),
+    'eye': (31, 41, 51),
+    'wheel': (31, 41, 51),
+    'body': (76, 106, 146),
+    'nose': (246, 249, 252),
+}
 """Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
 
 

@@ -1,4 +1,5 @@
 """Sizes, colours and fonts of all pictures. Whatever a colour says, a word, a shape or a line style says too."""
+
 from __future__ import annotations
 
 Colour = tuple[int, int, int]
@@ -32,4 +33,4 @@ def mono_width(text: str, size: float = TEXT) -> float:
 
 def shortened(text: str, most: int = 28) -> str:
     """The text, its end left out where it is longer than `most` characters."""
-    return text if len(text) <= most else text[:most - 1] + '…'
+    return text if len(text) <= most else text[: most - 1] + '…'

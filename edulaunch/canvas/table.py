@@ -1,4 +1,5 @@
 """Parameters with their values and where these came from, as a table."""
+
 from __future__ import annotations
 
 import html
@@ -35,10 +36,11 @@ class Table:
         return f'{len(self.rows)} parameters of {nodes} nodes, {given} of them not at their default [scene {digest(self.rows)}]'
 
     def __str__(self) -> str:
-        lines = [HEADS, *self.rows]
-        widths = [max(len(line[column]) for line in lines) for column in range(len(HEADS))]
-        lines.insert(1, tuple('-' * width for width in widths))
-        return '\n'.join('  '.join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines)
+        widths = [max(len(line[column]) for line in (HEADS, *self.rows)) for column in range(len(HEADS))]
+        lines = [HEADS, tuple('-' * width for width in widths), *self.rows]
+        return '\n'.join(
+            '  '.join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
+        )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         return {'text/plain': f'{self}\n{self!r}', 'text/html': self.html()}
@@ -46,8 +48,10 @@ class Table:
     def html(self) -> str:
         """The rows as an HTML table. A value that somebody gave is bold."""
         head = ''.join(f'<th scope="col" style="text-align:left">{name}</th>' for name in HEADS)
-        return (f'<table><caption style="text-align:left">{html.escape(repr(self))}</caption><thead><tr>{head}</tr></thead>'
-                f'<tbody>{"".join(map(_html_row, self.rows))}</tbody></table>')
+        return (
+            f'<table><caption style="text-align:left">{html.escape(repr(self))}</caption><thead><tr>{head}</tr></thead>'
+            f'<tbody>{"".join(map(_html_row, self.rows))}</tbody></table>'
+        )
 
 
 def _html_row(row: Row) -> str:
@@ -60,9 +64,12 @@ def _html_row(row: Row) -> str:
 def table_rows(recording: Recording, node: str | None, every: bool) -> list[Row]:
     """The rows of one node or of all; `every` adds what each node has anyway."""
     names = list(dict.fromkeys(record.name for record in recording.nodes)) if node is None else [node]
-    return [Row(name, parameter, yaml_text(value), origin) for name in names
-            for parameter, (value, origin) in recording.parameters(name).items()
-            if every or origin != 'default' or not (parameter in ALIKE_EVERYWHERE or parameter.startswith('qos_overrides.'))]
+    return [
+        Row(name, parameter, yaml_text(value), origin)
+        for name in names
+        for parameter, (value, origin) in recording.parameters(name).items()
+        if every or origin != 'default' or not (parameter in ALIKE_EVERYWHERE or parameter.startswith('qos_overrides.'))
+    ]
 
 
 def yaml_text(value: Any) -> str:

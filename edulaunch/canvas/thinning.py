@@ -1,4 +1,5 @@
 """Lines with fewer points."""
+
 from __future__ import annotations
 
 import math

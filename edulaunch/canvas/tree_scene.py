@@ -1,4 +1,5 @@
 """The tf tree of a run as plain data: which frame is whose parent, who broadcasts it, and how often."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -54,6 +55,7 @@ def tree_scene(recording: Recording) -> TreeScene:
     :raises ValueError: when no frame was broadcast.
     """
     from edulaunch.recording.frames import frame_links
+
     found = frame_links(recording)
     if not found:
         raise ValueError('no tf frame was broadcast in this recording: nobody published to /tf or /tf_static')
@@ -65,8 +67,10 @@ def tree_scene(recording: Recording) -> TreeScene:
     layout = lay_out(sizes, links, 'down')
     if layout.width > WIDEST:
         layout = lay_out(sizes, links, 'right')
-    boxes = [FrameBox(name, _kind(found.get(name)), lines, *corner, *size, mark)
-             for name, (lines, mark), corner, size in zip(names, texts, layout.corners, sizes, strict=True)]
+    boxes = [
+        FrameBox(name, _kind(found.get(name)), lines, *corner, *size, mark)
+        for name, (lines, mark), corner, size in zip(names, texts, layout.corners, sizes, strict=True)
+    ]
     return TreeScene(layout.width, layout.height, boxes, links, [route.points for route in layout.routes], layout.direction)
 
 
@@ -80,8 +84,15 @@ def _lines(link: FrameLink | None) -> tuple[list[str], str]:
         return ['root'], ''
     rate = link.rate_hz
     how = 'static' if link.is_static else 'broadcast once' if rate is None else f'{rate:.1f} Hz'
-    mark = ('its own parent' if link.child in link.parents else f'{len(link.parents)} parents' if len(link.parents) > 1
-            else f'{len(link.broadcasters)} broadcasters' if len(link.broadcasters) > 1 else '')
+    mark = (
+        'its own parent'
+        if link.child in link.parents
+        else f'{len(link.parents)} parents'
+        if len(link.parents) > 1
+        else f'{len(link.broadcasters)} broadcasters'
+        if len(link.broadcasters) > 1
+        else ''
+    )
     return [how, *(f'by {node}' for node in link.broadcasters)], mark
 
 

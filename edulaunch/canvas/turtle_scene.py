@@ -1,4 +1,5 @@
 """What the turtle windows of a recording show at a time, as plain data."""
+
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -49,8 +50,11 @@ class TurtleScene(NamedTuple):
     def caption(self) -> str:
         """One line that says what is to be seen."""
         several = len(self.windows) > 1
-        bodies = [f'{window.title + ": " if several else ""}{body.name} at ({body.x + 0.0:.3f}, {body.y + 0.0:.3f})'
-                  for window in self.windows for body in window.bodies]
+        bodies = [
+            f'{window.title + ": " if several else ""}{body.name} at ({body.x + 0.0:.3f}, {body.y + 0.0:.3f})'
+            for window in self.windows
+            for body in window.bodies
+        ]
         return f't={self.time_s:.3f} s: {", ".join(bodies) or "nobody is there"}'
 
 

@@ -1,4 +1,5 @@
 """What moved in a recording: turtle windows and robots, with their poses, pens and wiped canvases over time."""
+
 from __future__ import annotations
 
 from bisect import bisect_right
@@ -83,18 +84,25 @@ def read_worlds(recording: Recording) -> list[World]:
 
 def _turtle_window(recording: Recording, node: str, turtles: list[tuple[str, str]]) -> World:
     parameters = recording.parameters(node)
-    red, green, blue = (int(parameters[name].value) if name in parameters else default for name, default in
-                        zip(('background_r', 'background_g', 'background_b'), BACKGROUND, strict=True))
-    tracks = [Track(name.rpartition('/')[2], recording.series(topic, 'x', 'y', 'theta'), _pens(recording, topic.removesuffix('/pose')))
-              for name, topic in turtles]
+    red, green, blue = (
+        int(parameters[name].value) if name in parameters else default
+        for name, default in zip(('background_r', 'background_g', 'background_b'), BACKGROUND, strict=True)
+    )
+    tracks = [
+        Track(name.rpartition('/')[2], recording.series(topic, 'x', 'y', 'theta'), _pens(recording, topic.removesuffix('/pose')))
+        for name, topic in turtles
+    ]
     return World(node, 'turtlesim', (red, green, blue), (0.0, CANVAS_M, 0.0, CANVAS_M), _wipes(recording, node), tracks, '')
 
 
 def _wipes(recording: Recording, node: str) -> list[float]:
     """When the window was cleared or reset."""
     namespace = node.rpartition('/')[0]
-    return [call.time_s for call in recording.service_calls
-            if call.served and call.service in (f'{namespace}/clear', f'{namespace}/reset')]
+    return [
+        call.time_s
+        for call in recording.service_calls
+        if call.served and call.service in (f'{namespace}/clear', f'{namespace}/reset')
+    ]
 
 
 def _pens(recording: Recording, turtle: str) -> list[Pen]:
@@ -110,7 +118,7 @@ def _pens(recording: Recording, turtle: str) -> list[Pen]:
 def _robot_field(recording: Recording, topic: str) -> World | None:
     """The field of a robot shows its whole way at any time, so that pictures of different times compare."""
     track = recording.trajectory(topic)
-    rows = [(float(t), float(x), float(y), float(a)) for t, x, y, a in zip(*track, strict=True)]
+    rows: list[Row] = [(float(t), float(x), float(y), float(a)) for t, x, y, a in zip(*track, strict=True)]
     if not rows:
         return None
     xs, ys = [row[1] for row in rows], [row[2] for row in rows]
@@ -118,4 +126,6 @@ def _robot_field(recording: Recording, topic: str) -> World | None:
     x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
     pens = [Pen(-1.0, ROBOT_TRAIL, 3, True)]
     frame = recording.messages(topic)[0][1].header.frame_id
-    return World(topic, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], [Track('robot', rows, pens)], frame)
+    return World(
+        topic, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], [Track('robot', rows, pens)], frame
+    )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from edulaunch.graph.graph import Graph
 from edulaunch.graph.tracer import Tracer
 from edulaunch.packages import Index, Program
+from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.spec import ProcessSpec
@@ -16,6 +17,7 @@ from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
     from edulaunch.processes.real import RealProcess
+    from edulaunch.processes.watchdog import Watchdog
 
 FIRST_PID = 1001
 WRAPPERS = ('env', 'gdb', 'gnome-terminal', 'gnome-terminal.wrapper', 'konsole', 'lxterminal', 'nice', 'perf', 'python',
@@ -30,15 +32,15 @@ class CommandRunner(Protocol):
 
 
 class Host:
-    """Owns the processes of one simulation.
+    """Owns the processes of one simulation. `watchdog` stops those that never give their turn back, if one is set.
 
     :param env: the environment that programs inherit.
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
-    :param stdin: text that programs may read, by launch name or executable; others read an empty input.
+    :param stdin: what programs may read, a text or an open text file, by launch name or executable; others read an empty input.
     """
 
     def __init__(self, sim: Simulation, graph: Graph, index: Index, *, env: Mapping[str, str],
-                 ros2: CommandRunner | None = None, stdin: Mapping[str, str] | None = None) -> None:
+                 ros2: CommandRunner | None = None, stdin: Mapping[str, Any] | None = None) -> None:
         self.sim = sim
         self.graph = graph
         self.index = index
@@ -48,7 +50,18 @@ class Host:
         self.real_programs: list[RealProcess] = []
         self._ros2 = ros2
         self._stdin = dict(stdin or {})
+        self.watchdog: Watchdog | None = None
         self._pid = FIRST_PID
+        self._overlays: list[tuple[Index, Overlay]] = []
+
+    def overlay(self, index: Index) -> Overlay:
+        """What the workspaces of an index add to the underlay."""
+        for known, overlay in self._overlays:
+            if known is index:
+                return overlay
+        overlay = Overlay(index)
+        self._overlays.append((index, overlay))
+        return overlay
 
     def next_pid(self) -> int:
         """Process numbers count up from 1001, so that they repeat from run to run."""
@@ -57,10 +70,10 @@ class Host:
         return pid
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
-        """What the program reads: the text given for its launch name or executable, else nothing."""
-        import io
-        text = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
-        return io.StringIO(text)
+        """What the program reads: the text (or file) given for its launch name or executable, else nothing."""
+        from edulaunch.processes.streams import ScriptedInput
+        given = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
+        return ScriptedInput(given) if isinstance(given, str) else given
 
     def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Process | RealProcess:
         """Start a program. Its first turn comes after what is due now.
@@ -83,6 +96,8 @@ class Host:
 
     def adopt(self, process: Process) -> Process:
         """Take charge of a process made elsewhere, and start it."""
+        if self.watchdog is not None:
+            self.watchdog.start()
         self.processes.append(process)
         self.tracer.process_started(process)
         process.task.start()
@@ -117,6 +132,8 @@ class Host:
 
     def close(self) -> None:
         """End everything at once, without more simulated time: tasks are unwound, real programs are killed."""
+        if self.watchdog is not None:
+            self.watchdog.stop()
         for real in list(self.real_programs):
             real.kill()
         for process in list(self.processes):

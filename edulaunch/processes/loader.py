@@ -17,7 +17,7 @@ from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.finding import Finder, Found, namespace, regular
-from edulaunch.processes.views import PRIVATE_COPIES, finish_copy, make_view
+from edulaunch.processes.views import PRIVATE_COPIES, make_view
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -28,13 +28,14 @@ _shared_import = builtins.__import__
 class Loader:
     """Finds and executes modules for one process.
 
-    :ivar finder: where private modules are looked for.
+    :ivar finder: where private modules are looked for; `roots` are the folders that come first.
     :ivar modules: what has been loaded privately, by name (the process's `sys.modules` shows these first).
     """
 
     def __init__(self, process: Process) -> None:
         self.process = process
         self.finder = Finder(process)
+        self.roots = self.finder.roots
         self.modules: dict[str, ModuleType] = {}
         self._builtins: dict[str, Any] | None = None
 
@@ -55,7 +56,7 @@ class Loader:
         """
         path = os.path.abspath(path)
         if script:
-            self.finder.roots.insert(0, os.path.dirname(path))
+            self.roots.insert(0, os.path.dirname(path))
         module = ModuleType(module_name)
         module.__file__ = path
         module.__package__ = '' if not script else None
@@ -68,7 +69,7 @@ class Loader:
     def load_entry_module(self, name: str) -> ModuleType:
         """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
         self.finder.own = top = name.partition('.')[0]
-        if self.is_private(top) or self.finder.last:
+        if self.finder.last:
             return self.import_module(name)
         package = _shared_import(name.rpartition('.')[0], None, None, ['__name__'], 0)
         found = regular(name.rpartition('.')[2], list(package.__path__))
@@ -115,7 +116,7 @@ class Loader:
             return self._shared(name)
         made = self._interfaces(name)
         if made is None:
-            path = list(getattr(parent, '__path__', ()))
+            path = [] if getattr(parent, '__edulaunch_view__', False) else list(getattr(parent, '__path__', ()))
             found = regular(leaf, path) or namespace(leaf, path)
             if found is None:
                 return self._not_private(name, parent)
@@ -131,7 +132,7 @@ class Loader:
     def _import_top(self, name: str) -> ModuleType:
         found = self.finder.first_match(name)
         if found is None and name in PRIVATE_COPIES:
-            return finish_copy(self._load(name, Found(*PRIVATE_COPIES[name]())), self.process)
+            found = Found(*PRIVATE_COPIES[name]())
         if found is None and name in self.process.overlay.interface_packages:
             package = self.modules[name] = ModuleType(name)
             package.__path__ = []

@@ -3,14 +3,18 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
+from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import OutputStream
+from edulaunch.processes.watchdog import RunawayProgram
 from edulaunch.sim.task import Task
 
 if TYPE_CHECKING:
     from edulaunch.processes.host import Host
     from edulaunch.processes.loader import Loader
+    from edulaunch.processes.overlay import Overlay
 
 OnOutput = Callable[[str, str], object]
 OnExit = Callable[[int], object]
@@ -19,8 +23,9 @@ OnExit = Callable[[int], object]
 class Process:
     """One simulated program. `state` is a dict in which the ROS faces keep what would be process-wide globals.
 
-    Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `returncode` (None while it runs;
-    negative for a signal, as in `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdout`, `stderr`, `loader`.
+    Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `cwd` (None: that of the launcher),
+    `returncode` (None while it runs; negative for a signal, as in `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`,
+    `stdin`, `stdout`, `stderr`, `loader`.
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -39,6 +44,9 @@ class Process:
         self.on_exit: OnExit | None = None
         self.signal_handlers: dict[int, Callable[[int], object]] = {}
         self.at_exit: list[Callable[[], object]] = []
+        self.before_join: list[Callable[[], object]] = []
+        self.exit_calls: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any]]] = []
+        self.cwd = spec.cwd
         self.threads: list[Task] = []
         self.stdin: Any = host.stdin_for(spec)
         self.stdout = OutputStream(self, 'stdout')
@@ -64,6 +72,11 @@ class Process:
             self._loader = Loader(self)
         return self._loader
 
+    @property
+    def overlay(self) -> Overlay:
+        """Modules and interfaces of the student's workspaces."""
+        return self.host.overlay(self.index)
+
     def write(self, stream: str, text: str) -> None:
         """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
         self.tracer.output(self, stream, text)
@@ -80,13 +93,22 @@ class Process:
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool) -> Task:
         """A further task of this program. The program does not end before its threads do, unless they are daemons."""
-        task = Task(self.sim, body, name=name, owner=self)
+        task = Task(self.sim, lambda: self._run_thread(body), name=name, owner=self)
         if not daemon:
             self.threads.append(task)
         else:
             self.at_exit.append(task.kill)
         task.start()
         return task
+
+    def _run_thread(self, body: Callable[[], object]) -> object:
+        try:
+            return body()
+        except RunawayProgram as error:
+            self._print_runaway(error)
+            self.returncode = 1
+            self.task.kill()
+            return None
 
     def send_signal(self, signum: int) -> None:
         """Deliver a signal. A handler in `signal_handlers` decides; else SIGINT raises KeyboardInterrupt in the program where
@@ -112,9 +134,12 @@ class Process:
 
     def _run(self) -> None:
         code: int | None = None
+        if self.host.watchdog is not None:
+            self.host.watchdog.thread = get_ident()
         try:
             code = self._main_exit_code()
             self._join_threads()
+            self.run_exit_calls()
         finally:
             if self.returncode is None:
                 self.returncode = code if code is not None else -(self._signal or signal.SIGKILL)
@@ -128,27 +153,40 @@ class Process:
         except KeyboardInterrupt as error:
             self._print_traceback(error)
             return -signal.SIGINT
+        except RunawayProgram as error:
+            self._print_runaway(error)
+            return 1
         except Exception as error:
             self._print_traceback(error)
             return 1
 
     def _print_traceback(self, error: BaseException) -> None:
+        from edulaunch.processes.error_help import error_help
         from edulaunch.processes.traceback_text import student_traceback
         text, place = student_traceback(error)
-        help = self._help(error)
+        help = error_help(self, error)
         self.write('stderr', text if help is None else f'{text}  help: {help}\n')
         self.state['exception'] = {'type': type(error).__name__, 'message': str(error), 'place': place}
 
-    @staticmethod
-    def _help(error: BaseException) -> str | None:
-        """What to try: ROS 2 leaves a misspelt message field at Python's own text."""
-        if not isinstance(error, AttributeError):
-            return None
-        from edulaunch.interfaces import current_registry
-        from edulaunch.interfaces.attribute_help import attribute_help
-        return attribute_help(error, current_registry())
+    def _print_runaway(self, error: RunawayProgram) -> None:
+        from edulaunch.processes.traceback_text import runaway_text
+        text, place = runaway_text(self, error)
+        self.write('stderr', text)
+        self.state['exception'] = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
+
+    def run_exit_calls(self) -> None:
+        """Call what the program registered with `atexit`, the last one first."""
+        while self.exit_calls:
+            function, arguments, options = self.exit_calls.pop()
+            try:
+                function(*arguments, **options)
+            except Exception as error:
+                from edulaunch.processes.traceback_text import student_traceback
+                self.write('stderr', f'Exception ignored in atexit callback:\n{student_traceback(error)[0]}')
 
     def _join_threads(self) -> None:
+        for action in reversed(self.before_join):
+            action()
         for thread in self.threads:
             while not thread.finished:
                 thread.add_done_callback(lambda _: self.task.wake())
@@ -179,50 +217,3 @@ def exit_code(process: Process, value: object) -> int:
 
 def _raise_keyboard_interrupt() -> None:
     raise KeyboardInterrupt
-
-
-class OutputStream:
-    """`sys.stdout` or `sys.stderr` as a simulated program sees it."""
-
-    encoding = 'utf-8'
-    errors = 'replace'
-    closed = False
-    newlines = None
-    line_buffering = True
-
-    def __init__(self, process: Process, name: str) -> None:
-        self._process = process
-        self._stream = name
-        self.name = f'<{name}>'
-
-    def write(self, text: str) -> int:
-        """Hand the text on at once."""
-        if not isinstance(text, str):
-            raise TypeError(f'write() argument must be str, not {type(text).__name__}')
-        if text:
-            self._process.write(self._stream, text)
-        return len(text)
-
-    def writelines(self, lines: list[str]) -> None:
-        """Write all of them."""
-        for line in lines:
-            self.write(line)
-
-    def flush(self) -> None:
-        """Nothing is held back."""
-
-    def isatty(self) -> bool:
-        """A launched program writes to a pipe."""
-        return False
-
-    def writable(self) -> bool:
-        """Yes."""
-        return True
-
-    def readable(self) -> bool:
-        """No."""
-        return False
-
-    def fileno(self) -> int:
-        """The number that the stream has in every program."""
-        return 1 if self._stream == 'stdout' else 2

@@ -1,19 +1,57 @@
 """What runs inside a simulated process: an entry point's function, or a script as `__main__`."""
 from __future__ import annotations
 
-from edulaunch.packages import Program
+import os
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.packages import Program, nearest
 from edulaunch.processes.process import Process
 
 
 def run_program(process: Process, program: Program) -> object:
     """Run `program` with the process's private modules; returns what its main function returned."""
     loader = process.loader
-    loader.roots.extend(program.python_roots)
+    loader.finder.last.extend(program.python_roots)
     if program.kind == 'script':
+        loader.roots.append(os.path.dirname(program.path))
         loader.run_file(program.file, '__main__', script=True)
         return None
-    module = loader.load_entry_module(program.module)
-    function = module
+    return entry_function(process, program)()
+
+
+def entry_function(process: Process, program: Program) -> Callable[[], object]:
+    """The function of an entry point.
+
+    :raises ModuleNotFoundError, AttributeError: with Python's text; when the entry point itself names something that is not
+        there, a hint tells where it is written and what was meant.
+    """
+    try:
+        found: Any = process.loader.load_entry_module(program.module)
+    except ModuleNotFoundError as error:
+        if error.name is not None and f'{program.module}.'.startswith(f'{error.name}.'):
+            _add_hint(process, program, error, 'module', _modules_beside(process, program.module), program.module)
+        raise
     for name in program.function.split('.'):
-        function = getattr(function, name)
-    return function()  # type: ignore[operator]
+        try:
+            found = getattr(found, name)
+        except AttributeError as error:
+            names = [name for name, value in vars(found).items() if callable(value) and not name.startswith('_')]
+            _add_hint(process, program, error, 'function', names, name)
+            raise
+    return found  # type: ignore[no-any-return]
+
+
+def _modules_beside(process: Process, module: str) -> list[str]:
+    """Full names of the modules in the package of `module`."""
+    parent = module.rpartition('.')[0]
+    package = process.loader.modules.get(parent)
+    return [f'{parent}.{entry[:-3]}' for folder in getattr(package, '__path__', ()) for entry in sorted(os.listdir(folder))
+            if entry.endswith('.py') and not entry.startswith('_')]
+
+
+def _add_hint(process: Process, program: Program, error: Any, kind: str, known: list[str], name: str) -> None:
+    near = nearest(name, known)
+    entry = f'{program.executable} = {program.module}:{program.function}'
+    meant = f'did you mean {near!r}?' if near else f'{kind}s there: {", ".join(known)}' if known else f'there is no such {kind}'
+    error.edulaunch_hint = f'the entry point {entry!r} of {program.package} (setup.py) names it: {meant}'

@@ -1,11 +1,13 @@
 """A recording as text: JSON lines, the same bytes for the same run.
 
-The first line is the header, then one line per part, then one line per topic. Messages are wire tuples written as JSON
+The first line is the header, then one line per part, then one line with the texts of the student's own message types if there
+are any, then one line per topic. Messages are wire tuples written as JSON
 lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
 """
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 from edulaunch.errors import RecordingError
@@ -14,6 +16,7 @@ FORMAT = 'edulaunch recording'
 VERSION = 1
 PARTS = ('roots', 'launch', 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output', 'notes')
 HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
+TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
 TOPIC_KEYS = ('topic', 'type', 'times', 'publishers', 'messages')
 
 
@@ -21,6 +24,8 @@ def encode(content: dict[str, Any]) -> bytes:
     """The bytes of a recording's content."""
     header = {'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}}
     lines = [_line(header), *(_line({part: content[part]}) for part in PARTS)]
+    if content.get('interfaces'):
+        lines.append(_line({'interfaces': content['interfaces']}))
     lines += [_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics']]
     return ('\n'.join(lines) + '\n').encode('utf-8')
 
@@ -53,7 +58,7 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
                              help='recordings are written by `edulaunch launch ... --record FILE`')
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
-    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'topics': []}
+    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'interfaces': {}, 'topics': []}
     for number, line in enumerate(lines[1:], 2):
         if line:
             part = _parse(line, name, number)
@@ -83,6 +88,9 @@ def _check(content: dict[str, Any], name: str) -> None:
         expected = dict if part == 'launch' else list
         if not isinstance(content.get(part), expected):
             raise RecordingError(f'{name} is damaged: the part {part!r} is missing or cut off.')
+    texts = content['interfaces']
+    if not isinstance(texts, dict) or not all(TYPE_NAME.fullmatch(name) and isinstance(text, str) for name, text in texts.items()):
+        raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
     for topic in content['topics']:
         columns = [topic['times'], topic['publishers'], topic['messages']]
         if any(not isinstance(column, list) for column in columns) or len({len(column) for column in columns}) != 1:

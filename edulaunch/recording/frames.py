@@ -1,4 +1,5 @@
 """The tf frames of a recording at a time: what a listener that heard everything would know."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -23,7 +24,8 @@ def frames_at(recording: Recording, time_s: float) -> dict[str, Frame]:
                 if known is None or known.is_static or stamp_s >= known.stamp_s:
                     move, turn = transform.transform.translation, transform.transform.rotation
                     found[transform.child_frame_id] = Frame(
-                        transform.header.frame_id, (move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w), is_static, stamp_s)
+                        transform.header.frame_id, (move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w), is_static, stamp_s
+                    )
     return found
 
 
@@ -36,14 +38,14 @@ class FrameLink(NamedTuple):
     parents: list[str]
     is_static: bool
     broadcasters: list[str]
-    count: int
+    messages: int
     first_s: float
     last_s: float
 
     @property
     def rate_hz(self) -> float | None:
         """How often it was broadcast, on average; None for a static frame, or one broadcast once."""
-        return None if self.is_static or self.last_s <= self.first_s else (self.count - 1) / (self.last_s - self.first_s)
+        return None if self.is_static or self.last_s <= self.first_s else (self.messages - 1) / (self.last_s - self.first_s)
 
 
 def frame_links(recording: Recording) -> dict[str, FrameLink]:
@@ -58,7 +60,9 @@ def frame_links(recording: Recording) -> dict[str, FrameLink]:
                 for known, name in ((link.parents, transform.header.frame_id), (link.broadcasters, node)):
                     if name not in known:
                         known.append(name)
-                found[link.child] = link._replace(count=link.count + 1, last_s=published_s, is_static=link.is_static and is_static)
+                found[link.child] = link._replace(
+                    messages=link.messages + 1, last_s=published_s, is_static=link.is_static and is_static
+                )
     return found
 
 
@@ -67,7 +71,11 @@ def _with_publishers(recording: Recording, topic: str) -> list[tuple[float, str,
     content = recording._content
     nodes = {row[4]: row[0] for row in content['nodes']}
     owner = {row[4]: nodes.get(row[3], '') for row in content['endpoints'] if row[0] == 'publisher'}
-    senders = [(time, owner.get(publisher, '')) for column in content['topics'] if column['topic'] == topic
-               for time, publisher in zip(column['times'], column['publishers'], strict=True)]
+    senders = [
+        (time, owner.get(publisher, ''))
+        for column in content['topics']
+        if column['topic'] == topic
+        for time, publisher in zip(column['times'], column['publishers'], strict=True)
+    ]
     senders.sort(key=lambda sender: sender[0])
     return [(time_s, node, message) for (_, node), (time_s, message) in zip(senders, recording.messages(topic), strict=True)]

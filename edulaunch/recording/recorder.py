@@ -8,19 +8,24 @@ from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.tracer import Record, Tracer
 
 if TYPE_CHECKING:
+    from edulaunch.processes.overlay import Overlay
     from edulaunch.processes.process import Process
     from edulaunch.recording.recording import Recording
     from edulaunch.sim.simulation import Simulation
 
 
 class Recorder(Tracer):
-    """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start."""
+    """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
+
+    :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
+    """
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
         self.on = True
         self.launch: dict[str, Any] = {}
         self.roots: list[list[str]] = []
+        self.overlay: Overlay | None = None
         self.columns: dict[tuple[str, str], list[Record]] = {}
         self.endpoints: list[list[Any]] = []
         self.nodes: list[list[Any]] = []
@@ -61,7 +66,15 @@ class Recorder(Tracer):
         return {'seed': self.sim.seed, 'start_ns': start, 'duration_ns': self._duration_ns, 'roots': self.roots,
                 'launch': self.launch, 'processes': self.processes,
                 'nodes': self.nodes, 'endpoints': self.endpoints, 'parameters': self.parameters, 'calls': self.calls,
-                'logs': self.logs, 'output': self.output_lines, 'notes': self.notes, 'topics': topics}
+                'logs': self.logs, 'output': self.output_lines, 'notes': self.notes, 'interfaces': self._interfaces(),
+                'topics': topics}
+
+    def _interfaces(self) -> dict[str, str]:
+        """The texts of the student's own types that were used, so that messages can be read without the workspace."""
+        if self.overlay is None or not self.overlay.interface_packages:
+            return {}
+        from edulaunch.interfaces.texts import texts_of
+        return texts_of(self.overlay.registry, {row[2] for row in (*self.endpoints, *self.calls)})
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         """One list per topic and type; publishing appends to it."""

@@ -23,9 +23,10 @@ from edulaunch.recording.records import (
 )
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.table import Table
     from edulaunch.canvas.picture import Picture
     from edulaunch.canvas.player import Replay
+    from edulaunch.canvas.table import Table
+    from edulaunch.interfaces.registry import Registry
     from edulaunch.recording.trajectory import Trajectory
 
 
@@ -152,10 +153,9 @@ class Recording:
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
         """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there."""
-        from edulaunch.interfaces import message_class
         rows = []
         for column in self._columns(topic):
-            from_wire = message_class(column['type']).from_wire
+            from_wire = self._class(column['type']).from_wire
             rows += [(time, from_wire(wire)) for time, wire in zip(column['times'], column['messages'], strict=True)]
         rows.sort(key=_time_of)
         return [(time / 1e9, message) for time, message in rows]
@@ -170,6 +170,17 @@ class Recording:
             values = get(message)
             rows.append((time, values) if len(fields) == 1 else (time, *values))
         return rows
+
+    @cached_property
+    def _registry(self) -> Registry:
+        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        from edulaunch.interfaces import current_registry
+        from edulaunch.interfaces.texts import TextRegistry
+        own = self._content.get('interfaces')
+        return TextRegistry(own, current_registry()) if own else current_registry()
+
+    def _class(self, type_name: str) -> Any:
+        return self._registry.get(type_name)
 
     def _columns(self, topic: str) -> list[dict[str, Any]]:
         return [column for column in self._content['topics'] if column['topic'] == topic]
@@ -207,10 +218,9 @@ class Recording:
     @cached_property
     def service_calls(self) -> list[ServiceCall]:
         """Requests and their replies, as messages, in order of the requests."""
-        from edulaunch.interfaces import service_class
         calls = []
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
-            cls = service_class(kind)
+            cls = self._class(kind)
             answer = cls.Response.from_wire(response) if replied is not None else None
             calls.append(ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served,
                                      _seconds(replied), answer))

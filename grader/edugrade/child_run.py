@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 from select import select
 from time import monotonic, sleep
 
 from .job import Job
 from .limits import MEBI
+from .starter_link import PATIENCE_S, StarterLink
 
 LETTERS = b'RUSB'  # of frames; child.py says what they mean
 HEADER_BYTES = 9
@@ -22,25 +22,26 @@ GRACE_S = 1.0  # to answer after its own alarm, or to end after it has let go of
 class ChildRun:
     """A scenario on its way. `channel` and `output` are the read ends of its pipes."""
 
-    def __init__(self, job: Job) -> None:
+    def __init__(self, job: Job, number: int, starter: StarterLink) -> None:
         self.scenario = job.scenario
         self.limits = job.limits
         self.frame = bytearray()
         self.printed = bytearray()      # the first part of it; printed_bytes counts all
         self.printed_bytes = 0
-        self.cut: str | None = None     # 'wall', 'printed', 'recording' or 'garbage': what ended it
+        self.cut: str | None = None     # 'wall', 'printed', 'recording', 'garbage' or 'starter': what ended it
         self.let_go = False             # whether the child closed its end of the channel
         self.returncode: int | None = None
+        self._number = number
+        self._starter = starter
         self.channel, channel_end = os.pipe()
         self.output, output_end = os.pipe()
         try:
-            self.process = subprocess.Popen(
-                job.command(channel_end), stdin=subprocess.DEVNULL, stdout=output_end, stderr=output_end,
-                pass_fds=(channel_end,), cwd=job.home, env=job.environment, start_new_session=True)
+            starter.begin(number, job, channel_end, output_end)
         finally:
             os.close(channel_end)
             os.close(output_end)
-        self.deadline = monotonic() + job.limits.wall_s + GRACE_S
+        self.deadline = monotonic() + job.limits.wall_s + GRACE_S + PATIENCE_S
+        self._has_begun = False
 
     @property
     def complete(self) -> bool:
@@ -80,34 +81,36 @@ class ChildRun:
             self.cut = 'printed'
         return bool(data)
 
-    def watch_the_clock(self) -> None:
-        """Note when the deadline has come."""
-        if self.cut is None and not self.complete and monotonic() > self.deadline:
-            self.cut = 'wall'
+    def watch(self) -> None:
+        """Note when the deadline has come, or when the starter is gone. A run's time begins when it has begun."""
+        if not self._has_begun and self._number in self._starter.pids:
+            self._has_begun = True
+            self.deadline = monotonic() + self.limits.wall_s + GRACE_S
+        if self.cut is None and not self.complete:
+            if monotonic() > self.deadline:
+                self.cut = 'wall'
+            elif not self._starter.is_alive:
+                self.cut = 'starter'
 
     def end(self) -> None:
         """Kill the child and its process group, then let the system forget it.
 
         Nothing of it runs afterwards, unless it left its group on purpose (docs/grading.md says so).
         """
-        ended_by_itself = self._has_ended()
-        try:
-            os.killpg(
-                self.process.pid, signal.SIGKILL
-            )  # before wait(): until then the group's number is surely its own
-        except (ProcessLookupError, PermissionError):
-            self.process.kill()
-        code = self.process.wait()
-        self.returncode = code if ended_by_itself else None
-        _wait_for_the_group(self.process.pid)
+        self.returncode = self._starter.statuses.get(self._number)
+        pid = self._starter.pid_of(self._number)
+        if pid is not None:
+            try:
+                os.killpg(pid, signal.SIGKILL)  # before it is reaped: until then the group's number is surely its own
+            except (ProcessLookupError, PermissionError):
+                pass
+            self._starter.reap(pid)
+            _wait_for_the_group(pid)
         os.close(self.channel)
         os.close(self.output)
 
     def _has_ended(self) -> bool:
-        """Whether the child has ended; where the system can, without making it forget the child's number."""
-        if not hasattr(os, 'waitid'):
-            return self.process.poll() is not None
-        return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+        return self._number in self._starter.statuses
 
     def _more_to_read(self) -> bool:
         return not self.let_go and bool(select([self.channel], [], [], 0)[0])

@@ -1,17 +1,14 @@
 """What a child process is told, and the surroundings it gets."""
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from .limits import Limits
 from .scenario import Scenario
 from .submission import Submission
-
-_CHILD = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'child.py')
-
 
 class Job:
     """One scenario of one submission, ready to be run.
@@ -27,20 +24,20 @@ class Job:
         self.workspaces = [os.path.abspath(path) for path in workspaces]
         self.home = home
 
-    def command(self, channel: int) -> list[str]:
-        """The command line of the child, which answers on the file descriptor `channel`."""
-        message = {
-            'channel': channel, 'path': import_path(), 'file': self.submission.file,
-            'folder': self.submission.folder, 'arguments': dict(self.scenario.arguments),
-            'duration_s': self.scenario.duration_s, 'seed': self.scenario.seed, 'workspaces': self.workspaces,
-            'wall_s': self.limits.wall_s, 'limits': self.limits.resources}
-        return [sys.executable, '-I', '-S', _CHILD, json.dumps(message)]
-
     @property
-    def environment(self) -> dict[str, str]:
-        """A small environment of its own: where programs are, and maths libraries kept to one thread."""
-        return {'PATH': os.environ.get('PATH', os.defpath), 'HOME': self.home, 'TMPDIR': self.home,
-                'LANG': 'C.UTF-8', 'USER': 'student', 'OPENBLAS_NUM_THREADS': '1', 'OMP_NUM_THREADS': '1'}
+    def message(self) -> dict[str, Any]:
+        """What the child is told, as plain data."""
+        return {
+            'file': self.submission.file, 'folder': self.submission.folder, 'arguments': dict(self.scenario.arguments),
+            'duration_s': self.scenario.duration_s, 'seed': self.scenario.seed, 'workspaces': self.workspaces,
+            'home': self.home, 'environment': environment(self.home), 'wall_s': self.limits.wall_s,
+            'limits': self.limits.resources}
+
+
+def environment(home: str) -> dict[str, str]:
+    """A small environment of its own: where programs are, and maths libraries kept to one thread."""
+    return {'PATH': os.environ.get('PATH', os.defpath), 'HOME': home, 'TMPDIR': home, 'LANG': 'C.UTF-8',
+            'USER': 'student', 'OPENBLAS_NUM_THREADS': '1', 'OMP_NUM_THREADS': '1'}
 
 
 def import_path() -> list[str]:

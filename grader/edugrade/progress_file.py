@@ -8,6 +8,8 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
+from edulaunch.errors import UnusableInput
+
 from .course import read_toml
 from .whole_file import write_whole
 
@@ -50,6 +52,7 @@ class ProgressFile:
     def __init__(self, folder: str) -> None:
         self.path = os.path.join(folder, NAME)
         self.word = ''
+        self._unreadable = ''
         self.exercises: dict[str, Progress] = self._read()
 
     def of(self, exercise: str) -> Progress:
@@ -59,14 +62,19 @@ class ProgressFile:
     def save(self) -> None:
         """Write the file whole: a crash leaves either the old one or the new one.
 
-        :raises UnusableInput: when it cannot be written there.
+        :raises UnusableInput: when it cannot be written there, or is one that could not be read: that is left alone.
         """
+        if self._unreadable:
+            raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')
         write_whole(self.path, HEADER + ''.join(_table(name, item) for name, item in self.exercises.items()))
 
     def _read(self) -> dict[str, Progress]:
         try:
             return {name: _progress(table) for name, table in read_toml(self.path).items()}
         except FileNotFoundError:
+            return {}
+        except OSError as error:
+            self._unreadable = error.strerror or str(error)
             return {}
         except (ValueError, TypeError) as error:
             self._put_aside(error)
@@ -97,7 +105,7 @@ def _progress(table: Any) -> Progress:
 
 
 def _table(name: str, item: Progress) -> str:
-    key = name if _BARE.fullmatch(name) else json.dumps(name)
+    key = name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)
     done = 'true' if item.done else 'false'
     return (f'\n[{key}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
             f'best_points = {item.best_points}\npoints = {item.points}\n')

@@ -11,6 +11,7 @@ from .job import Job
 from .limits import Limits
 from .outcome import Outcome
 from .scenario import Scenario
+from .starter_link import StarterLink
 from .submission import Submission
 from .verdicts import verdict
 
@@ -45,6 +46,7 @@ class Runner:
         self._running: dict[ChildRun, Ticket] = {}
         self._started = 0
         self._selector = selectors.DefaultSelector()
+        self._starter: StarterLink | None = None
 
     def __enter__(self) -> Runner:
         return self
@@ -52,6 +54,8 @@ class Runner:
     def __exit__(self, *raised: object) -> None:
         for run in self._running:
             run.end()
+        if self._starter is not None:
+            self._starter.close()
         self._selector.close()
         import shutil
 
@@ -72,12 +76,15 @@ class Runner:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
         while not ticket.is_done:
             for key, _ in self._selector.select(LONGEST_NAP_S):
-                run: ChildRun = key.data
+                run = key.data
+                if run is None:
+                    self._hear_the_starter()
+                    continue
                 read = run.read_channel if key.fileobj == run.channel else run.read_output
                 if not read():
                     self._selector.unregister(key.fileobj)
             for run in list(self._running):
-                run.watch_the_clock()
+                run.watch()
                 if run.finished:
                     self._finish(run)
         return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
@@ -88,10 +95,27 @@ class Runner:
             self._started += 1
             home = os.path.join(self._home, str(self._started))
             os.mkdir(home)
-            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home))
+            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._started, self._living_starter())
             self._running[run] = ticket
             for end in (run.channel, run.output):
                 self._selector.register(end, selectors.EVENT_READ, run)
+
+    def _living_starter(self) -> StarterLink:
+        """The starter; another one when a submission has killed it."""
+        if self._starter is None or not self._starter.is_alive:
+            if self._starter is not None:
+                self._starter.close()
+            home = os.path.join(self._home, f'starter{self._started}')
+            os.mkdir(home)
+            self._starter = StarterLink(home)
+            self._selector.register(self._starter.socket, selectors.EVENT_READ, None)
+        return self._starter
+
+    def _hear_the_starter(self) -> None:
+        if self._starter is not None:
+            self._starter.hear()
+            if not self._starter.is_alive:
+                self._selector.unregister(self._starter.socket)
 
     def _finish(self, run: ChildRun) -> None:
         ticket = self._running.pop(run)

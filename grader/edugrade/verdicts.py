@@ -74,6 +74,8 @@ def _cut(run: ChildRun) -> Outcome:
             f'its recording grew larger than {run.limits.recording_mib} MiB',
             'look for a node that publishes or prints without pause',
         )
+    if run.cut == 'starter':
+        return _stopped(run, 'the program that starts the runs was ended from inside a run', _OWN_EXIT)
     return _timeout(run, None)
 
 

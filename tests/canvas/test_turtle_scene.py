@@ -1,24 +1,75 @@
 """Turtle windows as data."""
 from __future__ import annotations
 
-from hypothesis import given
-from hypothesis import strategies as st
+from typing import Any
 
-from edulaunch.canvas.turtle_scene import thinned
+import pytest
 
-points = st.lists(st.tuples(st.floats(0, 11), st.floats(0, 11)), min_size=2, max_size=40)
+from edulaunch.canvas.turtle_scene import TurtleScene, turtle_scene
+from edulaunch.canvas.worlds import read_worlds
 
-
-def test_points_on_a_straight_line_are_left_out() -> None:
-    assert thinned([(x / 10, 1.0) for x in range(11)]) == [(0.0, 1.0), (1.0, 1.0)]
-
-
-def test_a_corner_stays() -> None:
-    assert thinned([(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, 0.5), (1.0, 1.0)]) == [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]
+POSE, PEN = 'turtlesim/msg/Pose', 'turtlesim/srv/SetPen'
+LIGHT = (179, 184, 255)
 
 
-@given(points)
-def test_thinning_keeps_both_ends_and_invents_nothing(line: list[tuple[float, float]]) -> None:
-    kept = thinned(line)
-    assert (kept[0], kept[-1]) == (line[0], line[-1])
-    assert all(point in line for point in kept)
+def scene_at(recording: Any, time_s: float) -> TurtleScene:
+    return turtle_scene(read_worlds(recording), time_s)
+
+
+def test_a_walking_turtle_stands_at_the_end_of_its_trail(walk: Any) -> None:
+    window, = scene_at(walk(0.0, 2.0), 1.0).windows
+    assert (window.title, window.kind) == ('/sim', 'turtlesim')
+    assert [(body.name, body.x, body.y) for body in window.bodies] == [('turtle1', 3.0, 3.0)]
+    assert [(trail.colour, trail.width, trail.points) for trail in window.trails] == [(LIGHT, 3, [(2.0, 3.0), (3.0, 3.0)])]
+
+
+def test_the_caption_says_where_everybody_is(walk: Any) -> None:
+    recording = walk(0.5, 2.0)
+    assert scene_at(recording, 2.0).caption() == 't=2.000 s: turtle1 at (4.000, 3.000)'
+    assert scene_at(recording, 0.1).caption() == 't=0.100 s: nobody is there'
+
+
+def test_the_first_pose_counts_for_the_moment_before_it(walk: Any) -> None:
+    assert scene_at(walk(0.04, 1.0), 0.0).caption() == 't=0.000 s: turtle1 at (2.040, 3.000)'
+
+
+def test_a_pen_that_is_off_leaves_a_gap(walk: Any, maker: Any) -> None:
+    maker.call(0.5, '/turtle1/set_pen', PEN, [0, 0, 0, 0, 1])
+    maker.call(1.0, '/turtle1/set_pen', PEN, [255, 0, 0, 5, 0])
+    trails = scene_at(walk(0.0, 2.0), 2.0).windows[0].trails
+    assert trails == [(LIGHT, 3, [(2.0, 3.0), (2.5, 3.0)]), ((255, 0, 0), 5, [(3.0, 3.0), (4.0, 3.0)])]
+
+
+def test_clearing_takes_away_what_was_drawn_before(walk: Any, maker: Any) -> None:
+    maker.call(1.0, '/clear', 'std_srvs/srv/Empty', [])
+    assert scene_at(walk(0.0, 2.0), 2.0).windows[0].trails == [(LIGHT, 3, [(3.0, 3.0), (4.0, 3.0)])]
+
+
+def test_a_turtle_that_was_killed_is_gone_and_a_new_one_starts_a_new_trail(maker: Any) -> None:
+    maker.node('/sim', publishes={'/turtle1/pose': POSE})
+    for time_s, x in ((0.0, 1.0), (0.05, 1.1), (1.0, 8.0), (1.05, 8.1)):
+        maker.pose(time_s, x, 1.0)
+    recording = maker.done(1.05)
+    assert scene_at(recording, 0.5).windows[0].bodies == []
+    assert [trail.points for trail in scene_at(recording, 1.05).windows[0].trails] == [[(1.0, 1.0), (1.1, 1.0)], [(8.0, 1.0), (8.1, 1.0)]]
+
+
+def test_two_worlds_stand_side_by_side_each_with_its_own_turtles(maker: Any) -> None:
+    maker.node('/b/sim', publishes={'/b/turtle1/pose': POSE})
+    maker.node('/a/sim', publishes={'/a/turtle1/pose': POSE})
+    maker.pose(0.0, 1.0, 1.0, turtle='/b/turtle1')
+    maker.pose(0.0, 2.0, 2.0, turtle='/a/turtle1')
+    scene = scene_at(maker.done(0.05), 0.05)
+    assert scene.caption() == 't=0.050 s: /a/sim: turtle1 at (2.000, 2.000), /b/sim: turtle1 at (1.000, 1.000)'
+
+
+def test_the_ground_has_the_colour_of_the_parameters(maker: Any) -> None:
+    maker.node('/sim', publishes={'/turtle1/pose': POSE})
+    maker.pose(0.0, 1.0, 1.0)
+    maker.parameters += [[0, '/sim', 'background_r', 200, 'default'], [0, '/sim', 'background_g', 0, 'default']]
+    assert scene_at(maker.done(0.0), 0.0).windows[0].background == (200, 0, 255)
+
+
+def test_where_nothing_moved_there_is_nothing_to_draw(maker: Any) -> None:
+    with pytest.raises(ValueError, match='nothing moved in this recording'):
+        read_worlds(maker.done(1.0))

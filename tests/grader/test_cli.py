@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 from edugrade.cli import main
 
 REPOSITORY = Path(__file__).resolve().parents[2]
+STATIC = str(REPOSITORY / 'exercises' / 'static_frame.launch.py')
 CIRCLE = str(REPOSITORY / 'exercises' / 'circle.launch.py')
 
 
@@ -65,6 +67,31 @@ def test_hints_come_in_three_levels(capsys: pytest.CaptureFixture[str]) -> None:
     assert [line.split(':')[0] for line in lines] == [
         f'A circle of any radius, hint {n} of 3' for n in (1, 2, 3)
     ]
+
+
+def test_several_paths_end_with_a_table_and_the_worst_exit_code(capsys: pytest.CaptureFixture[str]) -> None:
+    folder = REPOSITORY / 'solutions'
+    code = main([str(folder / 'static_frame.launch.py'), STATIC, 'nowhere.launch.py'])
+    shown = capsys.readouterr()
+    assert (code, shown.err) == (2, '')
+    assert shown.out.startswith(f'{STATIC}: A laser and a camera on a mast')  # what passed is in the table alone
+    lines = shown.out.splitlines()
+    assert [line.split()[-3:] for line in lines if line.startswith('sum')] == [['14', 'of', '24']]
+    assert 'nowhere.launch.py was not graded: nowhere.launch.py does not exist' in lines
+
+
+def test_one_bad_path_alone_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
+    assert refused(capsys, 'nowhere.launch.py')[0] == 2
+
+
+def test_all_formats_are_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    files = {name: str(tmp_path / name) for name in ('json', 'junit')}
+    words = [word for name, file in files.items() for word in (f'--{name}', file)]
+    assert main([STATIC, STATIC, *words]) == 1
+    assert len(json.loads((tmp_path / 'json').read_text())['reports']) == 2
+    assert (tmp_path / 'junit').read_text().count('<testsuite ') == 2
+    assert main([STATIC, *words]) == 1
+    assert json.loads((tmp_path / 'json').read_text())['rubric']['name'] == 'static_frame'
 
 
 def test_help_shows_examples_and_exit_codes(capsys: pytest.CaptureFixture[str]) -> None:

@@ -47,7 +47,7 @@ def test_a_lesson_is_short(lesson: Lesson) -> None:
 
 def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
     for cell in lesson.code:
-        assert max(map(len, cell.lines)) <= 112, cell.id
+        assert max(map(len, cell.lines)) <= 104, cell.id
 
 
 def test_outputs_are_stored_of_one_clean_run(lesson: Lesson) -> None:

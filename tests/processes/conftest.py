@@ -28,6 +28,12 @@ class ScriptIndex:
         return Program(kind='script', package='scripts', executable=Path(path).name, path=path, file=path,
                        python_roots=(str(self.folder / 'lib'),))
 
+    def python_modules(self) -> dict[str, str]:
+        return {}
+
+    def interface_roots(self) -> list[str]:
+        return []
+
 
 class World:
     """Writes scripts, runs them, and keeps an ordered log of (simulated seconds, program, what it wrote)."""

@@ -5,7 +5,9 @@ the clock, chance, threads, the process and its environment.
 """
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
+from importlib.machinery import PathFinder
 from types import ModuleType
 from typing import TYPE_CHECKING
 
@@ -13,16 +15,44 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 VIEWS = {
-    'time': 'time_view',
-    'random': 'random_view',
-    'sys': 'sys_view',
-    'os': 'os_view',
-    'signal': 'signal_view',
-    'threading': 'threading_view',
-    'queue': 'queue_view',
-    'datetime': 'datetime_view',
-    'uuid': 'uuid_view',
+    'asyncio': 'asyncio_view.make',
+    'atexit': 'atexit_view.make',
+    'datetime': 'datetime_view.make',
+    'importlib': 'importlib_view.make',
+    'importlib.resources': 'importlib_view.make_resources',
+    'importlib.util': 'importlib_view.make_util',
+    'numpy': 'numpy_view.make',
+    'numpy.random': 'numpy_view.make_random',
+    'os': 'os_view.make',
+    'pkgutil': 'pkgutil_view.make',
+    'queue': 'queue_view.make',
+    'random': 'random_view.make',
+    'select': 'keyboard_view.make_select',
+    'signal': 'signal_view.make',
+    'subprocess': 'subprocess_view.make',
+    'sys': 'sys_view.make',
+    'termios': 'keyboard_view.make_termios',
+    'threading': 'threading_view.make',
+    'time': 'time_view.make',
+    'tkinter': 'window_view.make_tkinter',
+    'tty': 'keyboard_view.make_tty',
+    'turtle': 'window_view.make_turtle',
+    'uuid': 'uuid_view.make',
 }
+"""Module name -> what makes its view, called as make(new module, process)."""
+
+
+def _standard(name: str) -> Callable[[], tuple[str, bool]]:
+    def place() -> tuple[str, bool]:
+        spec = PathFinder.find_spec(name)
+        assert spec is not None and spec.origin is not None
+        return spec.origin, spec.submodule_search_locations is not None
+    return place
+
+
+PRIVATE_COPIES = {name: _standard(name) for name in ('concurrent', 'logging', 'sched', 'secrets')}
+"""Standard packages that every program executes for itself, so that they use its views of time, threads and streams: what
+gives the file of each, and whether it is a package."""
 
 
 def make_view(name: str, process: Process) -> ModuleType | None:
@@ -32,7 +62,8 @@ def make_view(name: str, process: Process) -> ModuleType | None:
         return None
     view = ModuleType(name)
     view.__dict__['__edulaunch_view__'] = True
-    made: ModuleType = import_module(f'edulaunch.processes.views.{place}').make(view, process)
+    file, _, function = place.partition('.')
+    made: ModuleType = getattr(import_module(f'edulaunch.processes.views.{file}'), function)(view, process)
     return made
 
 

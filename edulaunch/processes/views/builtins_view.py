@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Python's builtins with `__import__`, `print`, `input`, `exit` and `quit` of this process."""
+    """Python's builtins with `__import__`, `print`, `input`, `open`, `exit` and `quit` of this process."""
 
     def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
                       flush: bool = False) -> None:
@@ -28,8 +28,14 @@ def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str,
             raise EOFError('EOF when reading a line')
         return line.rstrip('\n')
 
+    def private_open(file: Any, *arguments: Any, **options: Any) -> Any:
+        if process.cwd is not None and not isinstance(file, int):
+            import os
+            file = os.path.join(os.fsencode(process.cwd) if isinstance(file, bytes) else process.cwd, file)
+        return open(file, *arguments, **options)
+
     def private_exit(code: object = None) -> None:
         raise SystemExit(code)
 
     return {**builtins.__dict__, '__import__': import_, 'print': private_print, 'input': private_input,
-            'exit': private_exit, 'quit': private_exit}
+            'open': private_open, 'exit': private_exit, 'quit': private_exit}

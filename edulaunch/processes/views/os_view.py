@@ -1,6 +1,7 @@
-"""`os` of a simulated program: its own environment, pid and end."""
+"""`os` of a simulated program: its own environment, folder, pid, children and end."""
 from __future__ import annotations
 
+import io
 import os as real
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -10,9 +11,28 @@ from edulaunch.processes.views import copy_names
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
+LEFT_OUT = ('fork', 'forkpty', 'register_at_fork')
+"""A simulated program cannot be copied by the operating system."""
+
+
+class Reader(io.StringIO):
+    """What `os.popen` gives: the output of a command; closing it gives the exit status."""
+
+    def __init__(self, text: str, status: int) -> None:
+        super().__init__(text)
+        self._status = status
+
+    def close(self) -> Any:
+        """None for success, else the wait status."""
+        super().close()
+        return self._status or None
+
 
 def make(view: ModuleType, process: Process) -> ModuleType:
-    """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else."""
+    """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
+    `system` and `popen` are those of `subprocess`; `urandom` repeats.
+    """
+    generator = process.sim.random(f'{process.name}/urandom')
 
     def kill(pid: int, signum: int) -> None:
         if pid == process.pid:
@@ -30,9 +50,30 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     def getenv(name: str, default: Any = None) -> Any:
         return process.env.get(name, default)
 
+    def run(command: str, **options: Any) -> Any:
+        subprocess: Any = process.loader.import_module('subprocess')
+        return subprocess.run(command, shell=True, **options)
+
+    def status(code: int) -> int:
+        return code << 8 if code >= 0 else -code
+
+    def popen(cmd: str, mode: str = 'r', buffering: int = -1) -> Reader:
+        done = run(cmd, text=True, stdout=-1)
+        return Reader(done.stdout, status(done.returncode))
+
+    def chdir(path: Any) -> None:
+        target = real.path.abspath(real.path.join(getcwd(), path))
+        real.listdir(target)  # raises what the real one does
+        process.cwd = target
+
+    def getcwd() -> str:
+        return process.cwd or real.getcwd()
+
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
-        getpid=lambda: process.pid, getppid=lambda: 1000, kill=kill, _exit=process.exit_now,
-        getcwd=lambda: process.spec.cwd or real.getcwd())
+        getpid=lambda: process.pid, getppid=lambda: 1000, kill=kill, _exit=process.exit_now, getcwd=getcwd, chdir=chdir,
+        system=lambda command: status(run(command).returncode), popen=popen, urandom=generator.randbytes)
     copy_names(view, real)
+    for name in LEFT_OUT:
+        view.__dict__.pop(name, None)
     return view

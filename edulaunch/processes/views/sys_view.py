@@ -27,9 +27,10 @@ class SysView(ModuleType):
     def __getattr__(self, name: str) -> Any:
         return getattr(real, name)
 
-    def private_path(self) -> list[str]:
-        """The folders that this program added to its path."""
-        return [folder for folder in self.path if folder not in self._shared_path]
+    def private_path(self) -> tuple[list[str], list[str]]:
+        """The folders that this program put on its path: before the shared ones, and after the first of them."""
+        first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
+        return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
 
     @staticmethod
     def exit(status: object = None) -> None:

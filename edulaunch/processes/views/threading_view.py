@@ -45,7 +45,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         current_thread=current_thread, currentThread=current_thread, main_thread=lambda: main,
         get_ident=lambda: current_thread().ident, get_native_id=lambda: current_thread().ident,
         enumerate=lambda: [thread for thread in threads.by_task.values() if thread.is_alive()],
-        active_count=lambda: sum(thread.is_alive() for thread in threads.by_task.values()), local=_local_class(current_thread))
+        active_count=lambda: sum(thread.is_alive() for thread in threads.by_task.values()), local=_local_class(current_thread),
+        _register_atexit=lambda function, *arguments, **options: process.before_join.append(
+            lambda: function(*arguments, **options)))
     copy_names(view, real)
     return view
 

@@ -24,7 +24,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
         """Let one message wait, or pass with the best partners that there are."""
-        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate', 'for')
+        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate')
         if stamp is None:
             return
         stamp_ns = stamp.nanoseconds

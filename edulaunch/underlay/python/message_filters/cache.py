@@ -31,7 +31,7 @@ class Cache(SimpleFilter):
 
     def add(self, msg: Any) -> None:
         """Keep one message; the oldest goes when there are too many."""
-        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_cache', 'for')
+        stamp = stamp_of(msg, self.allow_headerless, 'message_filters_cache')
         if stamp is None:
             return
         self.cache_times.append(stamp)

@@ -1,0 +1,63 @@
+"""The magics: thin words around :class:`~edulaunch.jupyter.terminal.Terminal`."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
+
+from edulaunch.errors import EdulaunchError
+from edulaunch.jupyter.terminal import Terminal
+from edulaunch.recording import Recording
+
+
+def _write(stream: str, text: str) -> None:
+    """Both streams of a program come out in one, in order, as on a terminal."""
+    sys.stdout.write(text)
+
+
+@magics_class
+class RosMagics(Magics):
+    """`%ros2`, `%source` and `%recording`."""
+
+    def __init__(self, shell: Any) -> None:
+        super().__init__(shell)
+        self.terminal = Terminal(_write)
+
+    @no_var_expand
+    @line_magic
+    def ros2(self, line: str) -> Recording | None:
+        """The `ros2` command on the simulated machine.
+
+        %ros2 launch PACKAGE FILE name:=value --for 20     start anew, run 20 simulated seconds; returns the Recording
+        %ros2 topic list                                   any other command, beside what still runs
+        %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
+        %ros2 run turtlesim draw_square &                  leave it running
+
+        Brackets and dollar signs are passed on as they are.
+        """
+        found: Recording | None = _told(lambda: self.terminal.ros2(line))
+        return found
+
+    @no_var_expand
+    @line_magic
+    def source(self, line: str) -> None:
+        """Use the packages of a workspace: `%source my_ws` or, as in a shell, `%source my_ws/install/setup.bash`."""
+        _told(lambda: self.terminal.source(line.strip().strip('\'"')))
+
+    @line_magic
+    def recording(self, line: str) -> Recording:
+        """The Recording of the simulated machine from its start until now."""
+        found: Recording = _told(self.terminal.recording)
+        return found
+
+
+def _told(action: Any) -> Any:
+    """Errors of the user's are shown as their message alone: no traceback through edulaunch."""
+    try:
+        return action()
+    except EdulaunchError as error:
+        text = f'{type(error).__name__}: {error}'
+        error._render_traceback_ = lambda: text.splitlines()  # type: ignore[attr-defined]
+        raise

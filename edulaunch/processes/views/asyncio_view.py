@@ -1,0 +1,123 @@
+"""`asyncio` in simulated time: every loop of a program is a simulated one."""
+from __future__ import annotations
+
+import asyncio as real
+from collections.abc import Callable, Coroutine
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.views import copy_names
+from edulaunch.sim.aio import SimulatedEventLoop
+from edulaunch.sim.task import Task, current_task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+
+class ProcessEventLoop(SimulatedEventLoop):
+    """A simulated loop whose executor threads are threads of the program."""
+
+    def __init__(self, process: Process, task: Task) -> None:
+        super().__init__(task)
+        self._process = process
+
+    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:
+        """Run a blocking function beside the loop; an asyncio future of its result."""
+        answer = self.create_future()
+
+        def give(error: BaseException | None, value: Any) -> None:
+            def settle() -> None:
+                if not answer.done():
+                    answer.set_result(value) if error is None else answer.set_exception(error)
+            self.call_soon_threadsafe(settle)
+
+        def work() -> None:
+            try:
+                value = func(*args)
+            except Exception as error:
+                give(error, None)
+            else:
+                give(None, value)
+
+        if executor is None:
+            self._process.start_thread(work, 'asyncio', daemon=True)
+        else:
+            executor.submit(func, *args).add_done_callback(
+                lambda future: give(future.exception(), None if future.exception() else future.result()))
+        return answer
+
+
+def make(view: ModuleType, process: Process) -> ModuleType:
+    """`run`, `Runner` and everything that makes or gives a loop."""
+    loops: dict[Task, Any] = {}
+
+    def new_event_loop() -> ProcessEventLoop:
+        return ProcessEventLoop(process, current_task())
+
+    def set_event_loop(loop: Any) -> None:
+        loops[current_task()] = loop
+
+    def get_event_loop() -> Any:
+        running = real._get_running_loop()
+        if running is not None:
+            return running
+        task = current_task()
+        if loops.get(task) is None:
+            if task is not process.task:
+                raise RuntimeError(f'There is no current event loop in thread {task.name!r}.')
+            loops[task] = new_event_loop()
+        return loops[task]
+
+    def run(main: Coroutine[Any, Any, Any], *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> Any:
+        if real._get_running_loop() is not None:
+            raise RuntimeError('asyncio.run() cannot be called from a running event loop')
+        if not real.iscoroutine(main):
+            raise ValueError(f'a coroutine was expected, got {main!r}')
+        loop = (loop_factory or new_event_loop)()
+        set_event_loop(loop)
+        loop.set_debug(bool(debug))
+        try:
+            return loop.run_until_complete(main)
+        finally:
+            _close(loop)
+            set_event_loop(None)
+
+    view.__dict__.update(new_event_loop=new_event_loop, set_event_loop=set_event_loop, get_event_loop=get_event_loop, run=run)
+    if hasattr(real, 'Runner'):
+        view.__dict__['Runner'] = _runner_class(run)
+    copy_names(view, real)
+    return view
+
+
+def _close(loop: Any) -> None:
+    """As `asyncio.run` leaves a loop: what still runs on it is cancelled and waited for."""
+    waiting = real.all_tasks(loop)
+    for task in waiting:
+        task.cancel()
+    if waiting:
+        loop.run_until_complete(real.gather(*waiting, return_exceptions=True))
+    loop.run_until_complete(loop.shutdown_asyncgens())
+    loop.close()
+
+
+def _runner_class(run: Callable[..., Any]) -> type:
+    class Runner:
+        """As `asyncio.Runner`: one loop for several calls."""
+
+        def __init__(self, *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> None:
+            self._options = {'debug': debug, 'loop_factory': loop_factory}
+
+        def __enter__(self) -> Runner:
+            return self
+
+        def __exit__(self, *_: object) -> None:
+            self.close()
+
+        def run(self, coro: Coroutine[Any, Any, Any], *, context: Any = None) -> Any:
+            """Run a coroutine to its end."""
+            return run(coro, **self._options)
+
+        def close(self) -> None:
+            """Nothing stays open between two calls."""
+
+    return Runner

@@ -1,0 +1,48 @@
+"""JupyterLab shows each lesson, runs it, and asks nobody else for anything."""
+from __future__ import annotations
+
+import json
+import shutil
+import time
+from pathlib import Path
+
+import pytest
+from tests.browser.lab import Lab
+from tests.lessons.notebook import ORDER, Lesson
+
+FIRST_PICTURE_S = 4.0
+SLOWER_MACHINES = 3.0
+
+
+@pytest.mark.parametrize('name', ORDER)
+def test_a_lesson_runs_from_top_to_bottom(lab: Lab, name: str) -> None:
+    stored = Lesson(name)
+    with lab.open(name) as page:
+        page.run_all()
+        cells = page.cells()
+        assert [cells[cell.id]['count'] for cell in stored.code] == list(range(1, len(stored.code) + 1))
+        errors = [output for cell in cells.values() for output in cell['outputs'] if output['output_type'] == 'error']
+        assert not errors
+        assert page.requests == []
+        for number, cell in enumerate(cell for cell in stored.cells if cell.kind == 'markdown'):
+            if cell.source.startswith('## ') or number == 0:
+                page.show(cell.id, f'{number:02}-{cell.id}')
+
+
+def test_the_first_picture_comes_soon(lab: Lab) -> None:
+    with lab.open('01_first_launch') as page:
+        began = time.monotonic()
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        page.page.wait_for_function(
+            "() => window.jupyterapp.shell.currentWidget.content.widgets.some(cell => cell.model.type === 'code'"
+            " && cell.model.executionCount && cell.model.id === 'multisim-picture')", timeout=60_000)
+        assert time.monotonic() - began < FIRST_PICTURE_S * SLOWER_MACHINES
+
+
+def test_a_check_passes_after_the_solution_is_put_in(lab: Lab, course: Path) -> None:
+    shutil.copy(course / 'solutions' / 'circle.launch.py', course / 'exercises' / 'circle.launch.py')
+    with lab.open('01_first_launch') as page:
+        page.run_all()
+        told = json.dumps(page.cells()['check']['outputs'])
+        page.show('check', 'check-passed')
+        assert 'all passed, 12 of 12 points' in told

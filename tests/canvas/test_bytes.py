@@ -1,0 +1,41 @@
+"""Equal runs give equal pictures, byte for byte, whatever the hash seed."""
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+PROGRAM = """
+import hashlib, sys
+from edulaunch import Recording
+recording = Recording.load(sys.argv[1])
+made = [recording.plot_turtles(), recording.plot_frames(), recording.plot_tf_tree(), recording.plot_graph(unused=True, services=True),
+        recording.plot_distance('turtle2', 'turtle1'), recording.replay()]
+for picture in made:
+    print(hashlib.sha256(picture.png()).hexdigest(), repr(picture))
+print(hashlib.sha256(made[-1].html().encode()).hexdigest(), recording.parameter_table())
+"""
+
+
+def test_two_processes_draw_the_same_bytes(demo: Any, tmp_path: Path) -> None:
+    demo.save(tmp_path / 'demo.rec')
+    root = Path(__file__).parents[2]
+    said = [subprocess.run([sys.executable, '-c', PROGRAM, str(tmp_path / 'demo.rec')], cwd=root, check=True, capture_output=True, text=True,
+                           env={**os.environ, 'PYTHONHASHSEED': seed}).stdout for seed in ('1', '2')]
+    assert said[0] == said[1] and len(said[0].splitlines()) > 12
+
+
+@pytest.mark.parametrize('view', ['plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph'])
+def test_a_still_takes_less_than_80_milliseconds(demo: Any, view: str) -> None:
+    getattr(demo, view)().png()  # loads matplotlib and the outlines of letters
+    took = []
+    for _ in range(3):
+        start = time.process_time()
+        getattr(demo, view)().png()
+        took.append(time.process_time() - start)
+    assert min(took) < 0.08

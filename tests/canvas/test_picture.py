@@ -1,0 +1,37 @@
+"""What a notebook gets from a picture."""
+from __future__ import annotations
+
+from pathlib import Path
+
+from edulaunch.canvas.paper import Paper
+from edulaunch.canvas.picture import Picture, digest
+
+
+def test_the_repr_is_the_caption_with_a_digest_of_the_scene() -> None:
+    assert repr(Picture(lambda: b'', 'one turtle', (1.0, 'turtle1'))) == f'one turtle [scene {digest((1.0, "turtle1"))}]'
+
+
+def test_the_digest_sees_a_micrometre_but_no_rounding_noise() -> None:
+    assert digest([0.1 + 0.2, -0.0]) == digest((0.3, 0.0))
+    assert digest([0.3]) != digest([0.300001])
+
+
+def test_the_image_is_drawn_once_and_only_when_it_is_wanted() -> None:
+    drawn = []
+    picture = Picture(lambda: drawn.append(1) or Paper(30, 20).png(), 'a sheet', ())  # type: ignore[func-returns-value]
+    assert (repr(picture).startswith('a sheet'), drawn) == (True, [])
+    picture.png()
+    picture.png()
+    assert drawn == [1]
+
+
+def test_the_bundle_has_image_text_size_and_alternative_text() -> None:
+    data, metadata = Picture(lambda: Paper(30, 20).png(), 'a sheet', ())._repr_mimebundle_()
+    assert data['text/plain'].startswith('a sheet [scene ') and data['image/png'].startswith(b'\x89PNG')
+    assert metadata == {'image/png': {'width': 30, 'height': 20, 'alt': 'a sheet'}}
+
+
+def test_saving_writes_the_same_bytes(tmp_path: Path) -> None:
+    picture = Picture(lambda: Paper(30, 20).png(), '', ())
+    picture.save(tmp_path / 'sheet.png')
+    assert (tmp_path / 'sheet.png').read_bytes() == picture.png()

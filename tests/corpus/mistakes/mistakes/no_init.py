@@ -1,0 +1,5 @@
+from rclpy.node import Node
+
+
+def main():
+    Node('too_early')

@@ -1,0 +1,6 @@
+import rclpy
+import cv2
+
+
+def main():
+    rclpy.init()

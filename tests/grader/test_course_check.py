@@ -1,0 +1,113 @@
+"""The program that holds exercises, solutions, rubrics and manifest together; and the course itself before it."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from edugrade.course import read_course
+from edugrade.course_check import check_entries, check_files, check_runs, main
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+COURSE = read_course(str(REPOSITORY / 'exercises' / 'course.toml'))
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A copy of the course, without its lessons."""
+    for name in ('exercises', 'solutions'):
+        shutil.copytree(REPOSITORY / name, tmp_path / name, ignore=shutil.ignore_patterns('__pycache__'))
+    return tmp_path
+
+
+def problems(folder: Path) -> list[str]:
+    course = read_course(str(folder / 'exercises' / 'course.toml'))
+    found = [*check_files(str(folder), course), *check_entries(str(folder), course)]
+    return [text.replace(f'{folder}/', '') for text in found]
+
+
+def edit(file: Path, old: str, new: str) -> None:
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new, 1))
+
+
+def test_the_course_is_in_order(copy: Path) -> None:
+    assert problems(copy) == []
+
+
+def test_stubs_fail_with_a_gap_named_and_solutions_pass() -> None:
+    assert list(check_runs(str(REPOSITORY), COURSE)) == []
+
+
+def test_the_course_has_six_exercises_in_the_order_of_the_lessons() -> None:
+    assert [item.name for item in COURSE] == ['circle', 'static_frame', 'follow', 'broken_follow', 'carrot', 'large_project']
+    assert [item.lesson for item in COURSE] == sorted(item.lesson for item in COURSE)
+
+
+def test_a_stub_without_a_solution_is_found(copy: Path) -> None:
+    (copy / 'solutions' / 'carrot.launch.py').unlink()
+    with pytest.raises(Exception, match=r'carrot\.launch\.py does not exist'):
+        problems(copy)
+    assert list(check_files(str(copy), COURSE)) == ['solutions/carrot.launch.py is missing']
+
+
+def test_a_stray_file_is_found(copy: Path) -> None:
+    for name in ('exercises', 'solutions'):
+        (copy / name / 'notes.txt').write_text('x')
+    assert problems(copy) == ['exercises/notes.txt belongs to no exercise of course.toml']
+
+
+def test_a_short_hint_is_found(copy: Path) -> None:
+    text = (copy / 'exercises' / 'course.toml').read_text()
+    start = text.index("'A launch file describes")
+    (copy / 'exercises' / 'course.toml').write_text(text[:start] + "'short',\n" + text[text.index('\n', start) + 1 :])
+    assert problems(copy) == ['circle needs 3 hints of at least 40 characters']
+
+
+def test_points_and_title_are_those_of_the_rubric(copy: Path) -> None:
+    edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
+    edit(copy / 'exercises' / 'course.toml', 'A circle of any', 'A circle of one')
+    assert problems(copy) == [
+        "circle is called 'A circle of one radius' in course.toml and 'A circle of any radius' in its rubric",
+        'circle has 11 points in course.toml, but its checks add up to 12',
+    ]
+
+
+def test_a_lesson_that_is_not_there_is_found(copy: Path) -> None:
+    (copy / 'lessons').mkdir()
+    for item in COURSE[1:]:
+        (copy / 'lessons' / f'{item.lesson}.ipynb').touch()
+    assert problems(copy) == ['circle names the lesson 01_first_launch, which is not in lessons/']
+
+
+def test_a_stub_needs_gaps_and_a_solution_has_none(copy: Path) -> None:
+    stub, solution = (copy / kind / 'broken_follow.launch.py' for kind in ('exercises', 'solutions'))
+    edit(stub, '# TODO:', '# Look:')
+    solution.write_text('# TODO left over\n' + solution.read_text())
+    assert problems(copy) == [
+        'exercises/broken_follow.launch.py has 0 comments # TODO; 1 to 3 are right',
+        'solutions/broken_follow.launch.py:1: a solution has no gaps',
+    ]
+
+
+def test_a_solution_far_from_its_stub_is_found(copy: Path) -> None:
+    solution = copy / 'solutions' / 'follow.launch.py'
+    edit(solution, '    ])', ''.join(f'        # more {n}\n' for n in range(30)) + '    ])')
+    assert problems(copy)[0].startswith('solutions/follow.launch.py differs from its stub by ')
+
+
+def test_the_program_says_what_is_wrong(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(copy), '--quick']) == 0
+    assert capsys.readouterr().out == 'course: 6 exercises, 72 points: in order\n'
+    edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
+    assert main([str(copy), '--quick']) == 1
+    assert capsys.readouterr().out == 'course: circle has 11 points in course.toml, but its checks add up to 12\n'
+
+
+def test_a_broken_manifest_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'exercises').mkdir()
+    (tmp_path / 'exercises' / 'course.toml').write_text('[[exercise]]\nfile = "a"\n')
+    assert main([str(tmp_path)]) == 1
+    assert "course.toml lacks 'title' somewhere" in capsys.readouterr().out

@@ -1,0 +1,39 @@
+"""The JUnit report is well-formed XML whatever a student wrote."""
+
+from __future__ import annotations
+
+from xml.etree import ElementTree
+
+from edugrade.junit import junit_text
+from edugrade.results import CheckResult, Refusal
+from made_report import BROKE, FAILED, NOT_RUN, PASSED, report
+
+NASTY = '<b>&"\x00\x1b]]>\ud800'
+
+
+def test_a_suite_counts_and_a_case_says_what_happened() -> None:
+    suite = ElementTree.fromstring(junit_text([report(PASSED, FAILED, NOT_RUN, BROKE)], []))[0]
+    assert {key: suite.get(key) for key in ('tests', 'failures', 'errors', 'skipped')} == {
+        'tests': '4', 'failures': '1', 'errors': '1', 'skipped': '1'}
+    cases = suite.findall('testcase')
+    assert [[child.tag for child in case] for case in cases] == [[], ['failure'], ['skipped'], ['error']]
+    assert cases[1][0].get('message') == 'the robot stands'
+    assert cases[1][0].text == 'expected: a circle\nseen: no movement\nwhere: work/a.launch.py:12\ntry: look at work/a.launch.py:12'
+
+
+def test_points_and_seed_are_properties() -> None:
+    found = ElementTree.fromstring(junit_text([report(PASSED, FAILED)], [])).iter('property')
+    assert {item.get('name'): item.get('value') for item in found} == {'points': '2 of 5', 'seed': '7', 'sha256': 'f00d'}
+
+
+def test_what_could_not_be_graded_is_an_error() -> None:
+    root = ElementTree.fromstring(junit_text([], [Refusal('b', 'no such file', 'look')]))
+    error = root.find('testsuite/testcase/error')
+    assert error is not None
+    assert (error.get('message'), error.text) == ('no such file', 'look')
+
+
+def test_no_text_can_break_the_document() -> None:
+    result = CheckResult('n', NASTY, 'failed', reason=NASTY, seen=NASTY)
+    root = ElementTree.fromstring(junit_text([report(result, given=NASTY)], [Refusal(NASTY, NASTY)]))
+    assert root[0][1].get('name') == '<b>&"??]]>?'

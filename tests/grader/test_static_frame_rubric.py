@@ -1,0 +1,63 @@
+"""What the rubric of static_frame says of made-up runs."""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import Any
+
+from edugrade import Scenario
+from fake_recording import graded
+from fake_runs import FakeRun, declared, frame, statuses
+
+LEFT = (0.0, 0.0, sin(1.5708 / 2), cos(1.5708 / 2))
+
+
+def run(scenario: Scenario, **changes: Any) -> FakeRun:
+    frames = {'laser': frame('base_link', 0.2, 0.0, float(scenario.arguments['height']), is_static=True),
+              'camera': frame('laser', 0.0, 0.0, 0.1, LEFT, is_static=True), **changes}
+    kept = {name: item for name, item in frames.items() if item is not None}
+    return FakeRun(launch=declared('height', '0.5'), frames=lambda time_s: kept)
+
+
+def test_a_correct_launch_passes_everything() -> None:
+    results = graded('static_frame', run)
+    assert statuses(results) == {}
+    assert sum(result.earned for result in results.values()) == 12
+
+
+def test_a_fixed_height_fails_and_shows_both_places() -> None:
+    fixed = frame('base_link', 0.2, 0.0, 0.5, is_static=True)
+    result = graded('static_frame', lambda scenario: run(scenario, laser=fixed))['laser_is_in_its_place']
+    assert (result.status, result.seen) == ('failed', '(0.20, 0.00, 0.50)')
+    assert result.expected.startswith('(x, y, z) = (0.20, 0.00, 0.')
+
+
+def test_degrees_are_not_radians() -> None:
+    degrees = frame('laser', 0.0, 0.0, 0.1, (0.0, 0.0, sin(45.0), cos(45.0)), is_static=True)
+    results = graded('static_frame', lambda scenario: run(scenario, camera=degrees))
+    assert statuses(results) == {'camera_is_in_its_place': 'failed'}
+    assert 'angles are in radians' in results['camera_is_in_its_place'].try_
+
+
+def test_a_camera_in_base_link_hangs_in_the_wrong_frame() -> None:
+    wrong = frame('base_link', 0.2, 0.0, 0.6, LEFT, is_static=True)
+    results = graded('static_frame', lambda scenario: run(scenario, camera=wrong))
+    assert (results['camera_is_on_tf'].expected, results['camera_is_on_tf'].seen) == ('laser', 'base_link')
+    assert results['camera_is_in_its_place'].root_cause == 'camera_is_on_tf'
+
+
+def test_a_leaning_camera_is_not_turned_to_the_left() -> None:
+    leaning = frame('laser', 0.0, 0.0, 0.1, (sin(0.5), 0.0, 0.0, cos(0.5)), is_static=True)
+    assert 'leaning' in graded('static_frame', lambda scenario: run(scenario, camera=leaning))['camera_is_in_its_place'].seen
+
+
+def test_a_frame_that_is_sent_again_and_again_is_not_static() -> None:
+    def moving(scenario: Scenario) -> FakeRun:
+        return run(scenario, camera=frame('laser', 0.0, 0.0, 0.1, LEFT))
+    assert statuses(graded('static_frame', moving)) == {'frames_are_static': 'failed'}
+
+
+def test_without_frames_nothing_is_known() -> None:
+    results = graded('static_frame', lambda scenario: run(scenario, laser=None, camera=None))
+    assert results['laser_is_on_tf'].seen == 'no frames at all'
+    assert results['frames_are_static'].status == 'not_run'

@@ -1,0 +1,75 @@
+"""Each thing that a child can send, or not send, has its words."""
+
+from __future__ import annotations
+
+import json
+import signal
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from edugrade import Scenario
+from edugrade.limits import Limits
+from edugrade.outcome import Outcome
+from edugrade.verdicts import verdict
+
+
+def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
+    """The verdict on a child that sent a frame, or none."""
+    data = json.dumps(content).encode()
+    frame = letter.encode() + len(data).to_bytes(8, 'big') + data if letter else b''
+    run: Any = SimpleNamespace(**{
+        'scenario': Scenario('s'), 'limits': Limits(3.0), 'cut': None, 'complete': bool(letter), 'frame': frame,
+        'announced': len(data), 'returncode': 0, 'printed': b'', **changes})
+    return verdict(run)
+
+
+@pytest.mark.parametrize(('cut', 'text'), [
+    ('wall', 'it did not finish within 3 s of real time'),
+    ('printed', 'it printed more than 4 MiB'),
+    ('recording', 'its recording grew larger than 128 MiB'),
+    ('garbage', 'what came back from the run is not a recording of it'),
+])
+def test_a_child_that_was_cut_off(cut: str, text: str) -> None:
+    outcome = judged(cut=cut)
+    assert (outcome.kind, outcome.text) == ('stopped', text)
+    assert outcome.try_
+
+
+def test_a_launch_file_that_cannot_run_brings_its_own_words() -> None:
+    outcome = judged('U', {'text': 'no such package', 'help': 'look'})
+    assert (outcome.kind, outcome.text, outcome.try_) == ('unusable', 'no such package', 'look')
+
+
+def test_a_broken_engine_is_no_students_fault() -> None:
+    outcome = judged('B', {'text': 'KeyError: 1', 'trace': 'Traceback'})
+    assert (outcome.kind, outcome.detail) == ('broke', 'Traceback')
+
+
+def test_a_timeout_names_the_line_where_it_was() -> None:
+    outcome = judged('S', {'reason': 'timeout', 'file': '/a.py', 'line': 3})
+    assert outcome.where == ('/a.py', 3)
+
+
+def test_memory_is_named() -> None:
+    assert judged('S', {'reason': 'memory'}).text == 'it asked for more memory than 2048 MiB'
+
+
+@pytest.mark.parametrize(('letter', 'content'), [('S', {'reason': 'x'}), ('U', [1]), ('B', 'text'), ('R', {})])
+def test_what_makes_no_sense_is_no_recording(letter: str, content: object) -> None:
+    assert judged(letter, content).text == 'what came back from the run is not a recording of it'
+
+
+@pytest.mark.parametrize(('code', 'text'), [
+    (0, 'the program ended itself with exit code 0 before the run was over'),
+    (None, 'the program ended itself before the run was over'),
+    (-signal.SIGKILL, 'the program was ended by SIGKILL before the run was over'),
+    (-99, 'the program was ended by signal 99 before the run was over'),
+    (-signal.SIGXCPU, 'it did not finish within 3 s of real time'),
+])
+def test_a_child_that_ended_says_how(code: int | None, text: str) -> None:
+    assert judged(returncode=code).text == text
+
+
+def test_what_it_printed_is_kept_for_the_course_author() -> None:
+    assert judged(printed=b'words').detail == 'words'
