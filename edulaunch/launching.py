@@ -57,10 +57,12 @@ def _existing_file(path: str) -> str:
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:
-    packages = sorted(index.packages())
-    if package not in packages:
-        near = nearest(package, packages)
-        return f'did you mean the package {near!r}?' if near else 'name the folder of your packages with --workspace DIR'
+    from edulaunch.workspace.hints import launch_file_hint, package_hint
+    if package not in index.packages():
+        return package_hint(index, package)
+    not_installed = launch_file_hint(index, package, file)
+    if not_installed is not None:
+        return not_installed
     share = index.share(package)
     names = [name for _, _, files in os.walk(share or '.') for name in sorted(files) if name.endswith(LAUNCH_SUFFIXES)]
     if file is None:

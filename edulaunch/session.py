@@ -13,7 +13,7 @@ from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.pacing import Pacer
 from edulaunch.sim.simulation import Simulation
-from edulaunch.sourcing import source
+from edulaunch.sourcing import install_folders, source
 from edulaunch.underlay_place import underlay_prefix
 
 PathLike = str | os.PathLike[str]
@@ -100,7 +100,13 @@ class Session:
         """End the recording here and give it out."""
         for launch in self.launches:
             launch.describe(self.recorder)
+        self.recorder.roots += [root for root in self._installed_roots() if root not in self.recorder.roots]
         return self.recorder.recording()
+
+    def _installed_roots(self) -> list[list[str]]:
+        """Where packages and their modules lie: a workspace gives the same digest built and from source."""
+        prefixes = [path for path in self.index.search_paths() if path != underlay_prefix()]
+        return [*([path, '@prefix'] for path in prefixes), *([path, '@python'] for path in self.index.python_roots())]
 
     def close(self) -> None:
         """End everything that still runs. Nothing of that is recorded."""
@@ -132,7 +138,8 @@ def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mappin
 
 def index_for(workspaces: Sequence[PathLike]) -> Index:
     """An index of the workspaces over the underlay."""
-    return Index([underlay_prefix()], [os.path.abspath(os.fspath(path)) for path in workspaces])
+    built, sources = install_folders(workspaces)
+    return Index([*built, underlay_prefix()], sources)
 
 
 def _environment(env: Mapping[str, str] | None) -> dict[str, str]:

@@ -11,8 +11,10 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 
 VERBS = {
     'launch': 'Run a launch file, as `ros2 launch` does',
+    'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'Show what a launch file would start, without starting anything',
     'recording': 'Look into a recording',
+    'rosdep': 'Name the dependencies of packages that are not here',
 }
 EXAMPLES = """examples:
   edulaunch launch turtlesim multisim.launch.py --for 5

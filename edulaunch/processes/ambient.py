@@ -31,5 +31,6 @@ def make_ambient_process(task: AmbientTask) -> Process:
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.task = task
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
+    process.stdin = sys.stdin
     process.signal_handlers.clear()
     return process

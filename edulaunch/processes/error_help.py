@@ -21,6 +21,7 @@ KINDS = {
     'ros2_control': ('control_msgs', 'controller_manager', 'controller_manager_msgs'),
 }
 """What cannot be had here, and the modules that stand for it."""
+INTERFACE_ENDINGS = ('_msgs', '_srvs', '_interfaces', '_interface', '_msg', '_srv', '_actions')
 SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
 
 
@@ -85,4 +86,8 @@ def _part_help(process: Process, name: str) -> str | None:
 def _near(process: Process, top: str) -> str:
     from edulaunch.interfaces import current_registry
     near = nearest(top, {*current_registry().packages(), *process.overlay.modules, *SPELLING})
-    return f'; did you mean {near!r}?' if near else f'. Try: pip install {top}' if top not in ('src', 'test') else ''
+    if near:
+        return f'; did you mean {near!r}?'
+    if top.endswith(INTERFACE_ENDINGS):
+        return ': is the package with these interfaces in the workspace?'
+    return f'. If it is no module of yours, try: pip install {top}'

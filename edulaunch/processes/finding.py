@@ -29,11 +29,12 @@ class Finder:
         self.roots: list[str] = []
         self.last: list[str] = []
         self.own = ''
+        self._listed: dict[str, frozenset[str]] = {}
 
     def first_match(self, top: str) -> Found | None:
         """A top-level module that comes before the shared ones."""
         before, _ = self._program_path()
-        found = regular(top, [*before, *self.roots])
+        found = regular(top, [folder for folder in (*before, *self.roots) if self._may_have(folder, top)])
         if found is None and top == self.own:
             found = regular(top, self.last) or namespace(top, self.last)
         if found is None:
@@ -46,6 +47,19 @@ class Finder:
         _, after = self._program_path()
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
+
+    def _may_have(self, folder: str, top: str) -> bool:
+        """Whether a module can be in a folder. Each is listed once: most imports are of something else. What is written there
+        later is found last.
+        """
+        names = self._listed.get(folder)
+        if names is None:
+            try:
+                names = frozenset(os.listdir(folder))
+            except OSError:
+                names = frozenset()
+            self._listed[folder] = names
+        return top in names or f'{top}.py' in names
 
     def _program_path(self) -> tuple[list[str], list[str]]:
         """Folders that the program put on its `sys.path`, before and after the shared ones."""

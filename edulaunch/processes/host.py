@@ -16,6 +16,8 @@ from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
+    from types import CodeType
+
     from edulaunch.processes.real import RealProcess
     from edulaunch.processes.watchdog import Watchdog
 
@@ -51,6 +53,7 @@ class Host:
         self._ros2 = ros2
         self._stdin = dict(stdin or {})
         self.watchdog: Watchdog | None = None
+        self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
 
@@ -71,9 +74,9 @@ class Host:
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
         """What the program reads: the text (or file) given for its launch name or executable, else nothing."""
-        from edulaunch.processes.streams import ScriptedInput
+        from edulaunch.processes.streams import RealInput, ScriptedInput
         given = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
-        return ScriptedInput(given) if isinstance(given, str) else given
+        return ScriptedInput(given) if isinstance(given, str) else RealInput(given, self.watchdog)
 
     def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Process | RealProcess:
         """Start a program. Its first turn comes after what is due now.

@@ -11,7 +11,7 @@ from __future__ import annotations
 import builtins
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
@@ -61,10 +61,17 @@ class Loader:
         module.__file__ = path
         module.__package__ = '' if not script else None
         module.__spec__ = None if script else ModuleSpec(module_name, None, origin=path)
-        with open(path, 'rb') as file:
-            code = compile(file.read(), path, 'exec', dont_inherit=True)
-        self._execute(module, code)
+        self._execute(module, self._code(path, read_script))
         return module
+
+    def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
+        """The compiled code of a file; copies of a program share it until the file changes."""
+        compiled, now = self.process.host.compiled, os.stat(path)
+        stamp = (now.st_mtime_ns, now.st_size)
+        known = compiled.get(path)
+        if known is None or known[0] != stamp:
+            known = compiled[path] = (stamp, read(path))
+        return known[1]
 
     def load_entry_module(self, name: str) -> ModuleType:
         """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
@@ -213,7 +220,7 @@ class Loader:
         if source is not None:
             module.__file__ = path
             try:
-                self._execute(module, code_of(source))
+                self._execute(module, self._code(path, lambda _: code_of(source)))
             except BaseException:
                 del self.modules[name]
                 raise
@@ -253,6 +260,12 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
         raise ImportError('attempted relative import beyond top-level package')
     base = '.'.join(parts[:len(parts) - level + 1])
     return f'{base}.{name}' if name else base
+
+
+def read_script(path: str) -> CodeType:
+    """The code of a script or launch file, of which Python keeps no compiled copy."""
+    with open(path, 'rb') as file:
+        return compile(file.read(), path, 'exec', dont_inherit=True)
 
 
 def code_of(source: SourceFileLoader) -> CodeType:

@@ -36,7 +36,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
         try:
             found = getattr(found, name)
         except AttributeError as error:
-            names = [name for name, value in vars(found).items() if callable(value) and not name.startswith('_')]
+            names = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == program.module]
             _add_hint(process, program, error, 'function', names, name)
             raise
     return found  # type: ignore[no-any-return]

@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import io
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
+    from edulaunch.processes.watchdog import Watchdog
 
 
 class OutputStream:
@@ -122,3 +124,45 @@ class ScriptedInput(io.StringIO):
                 self.wait_for_ever()
             current_task().poll()  # a loop that reads on and on must not stop the time
         return text
+
+
+class RealInput:
+    """An open text file as `sys.stdin` of a simulated program: the whole simulation waits while somebody types.
+
+    :param file: a terminal, a pipe or a file of this machine.
+    :param watchdog: told to be patient meanwhile.
+    """
+
+    by_key = False
+
+    def __init__(self, file: Any, watchdog: Watchdog | None) -> None:
+        self._file = file
+        self._watchdog = watchdog
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._file, name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.readline, '')
+
+    def is_ready(self) -> bool:
+        """Whether reading would not have to wait."""
+        import select
+        return bool(select.select([self._file], [], [], 0)[0])
+
+    def read(self, size: int = -1) -> str:
+        """As the file's."""
+        return self._patiently(self._file.read, size)
+
+    def readline(self) -> str:
+        """As the file's."""
+        return self._patiently(self._file.readline)
+
+    def _patiently(self, read: Callable[..., str], *arguments: int) -> str:
+        if self._watchdog is None:
+            return read(*arguments)
+        self._watchdog.asleep = True
+        try:
+            return read(*arguments)
+        finally:
+            self._watchdog.asleep = False

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
+from edugrade.library.arguments import require_argument
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.launched import find_processes, included_files, node_names, refuse_dead, require_process
 from edugrade.library.movement import length, odometry_track
@@ -30,16 +31,7 @@ def scenarios(random: Random) -> list[Scenario]:
 @check(points=2)
 def argument_is_declared(run: Evidence) -> None:
     """The launch argument circle_radius is declared, with a default"""
-    declared = {argument.name: argument for argument in run.first.launch.declared}
-    argument = declared.get(ARGUMENT)
-    if argument is None:
-        raise Missing(f'the launch argument "{ARGUMENT}"', name=ARGUMENT, among=declared,
-                      expected=f'a DeclareLaunchArgument named {ARGUMENT}', where=run.source.place,
-                      try_=f"add DeclareLaunchArgument('{ARGUMENT}', default_value='1.0', description='...')")
-    if argument.default is None:
-        raise Missing(f'the default value of "{ARGUMENT}"', expected="default_value='1.0'", seen='none',
-                      where=None if argument.file is None else (argument.file, argument.line),
-                      try_='give it a default_value, so that the file can be launched without arguments too')
+    require_argument(run, ARGUMENT, '1.0')
 
 
 @check(points=2)

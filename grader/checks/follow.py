@@ -10,8 +10,10 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
+from edugrade.library.following import require_near
+from edugrade.library.frames import require_frame
 from edugrade.library.launched import refuse_dead, require_process
-from edugrade.library.movement import distances, farthest, length, turtle_track
+from edugrade.library.movement import length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
@@ -94,29 +96,12 @@ def moving_leader_is_followed(run: Evidence) -> None:
 
 
 def _require_frame(run: Evidence, turtle: str) -> None:
-    for name, recording in run.items():
-        frames = recording.frames_at(recording.duration_s)
-        if turtle not in frames:
-            known = ', '.join(f'{child} in {frame.parent}' for child, frame in frames.items())
-            raise Missing(f'the frame {turtle}', name=turtle, seen=known or 'no frames at all',
-                          expected=f'the frame {turtle} in the frame world', where=run.source.place,
-                          try_=f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
-        if frames[turtle].parent != 'world':
-            raise Failure(f'{turtle} hangs in another frame, when launched with {run.scenario(name).words}',
-                          expected='world', seen=frames[turtle].parent, where=run.source.place,
-                          try_='broadcast it with header.frame_id world')
+    require_frame(run, turtle, 'world', f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
 
 
 def _require_near(run: Evidence, name: str) -> None:
-    bound = BOUNDS_M[name]
-    gaps = distances(turtle_track(run[name], LEADER), turtle_track(run[name], FOLLOWER))
-    worst = farthest(gaps, SETTLED_S)
-    if worst is None or worst[1] > bound:
-        seen = 'no turtle2 then' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
-        raise Failure(f'turtle2 is too far from turtle1, when launched with {run.scenario(name).words}',
-                      expected=f'at most {bound:g} m from {SETTLED_S:g} s on', seen=seen,
-                      where=run.source.place,
-                      try_="start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]")
+    require_near(run, name, turtle_track(run[name], LEADER), '/turtle2', BOUNDS_M[name], SETTLED_S,
+                 "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]")
 
 
 RUBRIC = Rubric(

@@ -22,6 +22,7 @@ from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
+LONGEST_JOIN_S = 2.0
 RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
 
 
@@ -38,8 +39,12 @@ def warm_up() -> None:
         return  # the runs meet the same, and say so
     import gc
     import tempfile
+    import threading
     import traceback  # noqa: F401  (for _broke)
 
+    for thread in threading.enumerate():
+        if thread is not threading.main_thread():
+            thread.join(LONGEST_JOIN_S)  # the engine's watchdog: a process with threads must not be forked
     tempfile.tempdir = None  # each run has its own
     gc.collect()
     gc.freeze()  # the runs share what is loaded

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+from contextlib import suppress
 from select import select
 from time import monotonic, sleep
 
@@ -100,10 +101,8 @@ class ChildRun:
         self.returncode = self._starter.statuses.get(self._number)
         pid = self._starter.pid_of(self._number)
         if pid is not None:
-            try:
+            with suppress(ProcessLookupError, PermissionError):
                 os.killpg(pid, signal.SIGKILL)  # before it is reaped: until then the group's number is surely its own
-            except (ProcessLookupError, PermissionError):
-                pass
             self._starter.reap(pid)
             _wait_for_the_group(pid)
         os.close(self.channel)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Hashable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from .scenario import Scenario
 from .source import Source
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
+
+Found = TypeVar('Found')
 
 
 class Evidence(Mapping[str, 'Recording']):
@@ -24,6 +26,7 @@ class Evidence(Mapping[str, 'Recording']):
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
         self.source = source
+        self._found: dict[Hashable, Any] = {}
 
     def __getitem__(self, scenario: str) -> Recording:
         return self._recordings[scenario]
@@ -38,6 +41,13 @@ class Evidence(Mapping[str, 'Recording']):
     def first(self) -> Recording:
         """The recording of the first scenario: enough for facts that are the same in every run."""
         return next(iter(self._recordings.values()))
+
+    def once(self, key: Hashable, find: Callable[[], Found]) -> Found:
+        """What `find` gives, found once for all checks: for what takes long and is asked again and again."""
+        if key not in self._found:
+            self._found[key] = find()
+        found: Found = self._found[key]
+        return found
 
     def scenario(self, name: str) -> Scenario:
         """The scenario of that name: its arguments, duration and seed."""

@@ -10,6 +10,7 @@ from .limits import Limits
 from .scenario import Scenario
 from .submission import Submission
 
+
 class Job:
     """One scenario of one submission, ready to be run.
 

@@ -18,7 +18,6 @@ table.sum { border-collapse: collapse; } table.sum th, table.sum td { text-align
 table.sum tr + tr { border-top: 1px solid #ddd; }
 details { margin: .6em 0; } summary { cursor: pointer; } figure { margin: .5em 0; }
 img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color: #555; }
-iframe { width: 100%; height: 34em; border: 1px solid #ddd; }
 @media print { iframe { display: none; } }
 """
 

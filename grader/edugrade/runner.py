@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import selectors
 from collections.abc import Callable, Sequence
+from typing import Any
 
 from .child_run import ChildRun
 from .job import Job
@@ -36,10 +37,13 @@ class Runner:
 
     :param limits: of each child.
     :param on_outcome: called when a run has ended.
+    :param processors: how many runs go at once; default: as many as there are processors.
     """
 
-    def __init__(self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None) -> None:
+    def __init__(self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None,
+                 processors: int | None = None) -> None:
         self._limits = limits or Limits()
+        self._processors = processors or os.cpu_count() or 1
         self._on_outcome = on_outcome
         self._home = _private_folder()
         self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
@@ -76,21 +80,21 @@ class Runner:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
         while not ticket.is_done:
             for key, _ in self._selector.select(LONGEST_NAP_S):
-                run = key.data
+                run: ChildRun | None = key.data
                 if run is None:
                     self._hear_the_starter()
                     continue
                 read = run.read_channel if key.fileobj == run.channel else run.read_output
                 if not read():
-                    self._selector.unregister(key.fileobj)
-            for run in list(self._running):
-                run.watch()
-                if run.finished:
-                    self._finish(run)
+                    self._forget(key.fileobj)
+            for child in list(self._running):
+                child.watch()
+                if child.finished:
+                    self._finish(child)
         return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
 
     def _start_some(self) -> None:
-        while self._waiting and len(self._running) < (os.cpu_count() or 1):
+        while self._waiting and len(self._running) < self._processors:
             ticket, scenario, submission, workspaces = self._waiting.pop(0)
             self._started += 1
             home = os.path.join(self._home, str(self._started))
@@ -104,6 +108,7 @@ class Runner:
         """The starter; another one when a submission has killed it."""
         if self._starter is None or not self._starter.is_alive:
             if self._starter is not None:
+                self._forget(self._starter.socket)
                 self._starter.close()
             home = os.path.join(self._home, f'starter{self._started}')
             os.mkdir(home)
@@ -115,13 +120,17 @@ class Runner:
         if self._starter is not None:
             self._starter.hear()
             if not self._starter.is_alive:
-                self._selector.unregister(self._starter.socket)
+                self._forget(self._starter.socket)
+
+    def _forget(self, end: Any) -> None:
+        """Select no longer on this end of a pipe or socket."""
+        if end in self._selector.get_map():
+            self._selector.unregister(end)
 
     def _finish(self, run: ChildRun) -> None:
         ticket = self._running.pop(run)
         for end in (run.channel, run.output):
-            if end in self._selector.get_map():
-                self._selector.unregister(end)
+            self._forget(end)
         run.end()
         self._start_some()
         ticket.outcomes[run.scenario.name] = verdict(run)

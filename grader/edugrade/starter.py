@@ -48,6 +48,7 @@ class Starter:
         self._child = child
         self._runs: dict[int, int] = {}  # number of the run by process id, until it is reaped
         self._told: set[int] = set()
+        self._reaped: set[int] = set()
         self._wake, self._wake_end = os.pipe()
         os.set_blocking(self._wake_end, False)
         signal.signal(signal.SIGCHLD, lambda *_: None)
@@ -56,11 +57,12 @@ class Starter:
     def serve(self) -> None:
         """Do what the runner says until it is gone; then end what still runs."""
         while True:
-            ready = select.select([self._control, self._wake], [], [])[0]
+            control = self._control.fileno()
+            ready = select.select([control, self._wake], [], [])[0]
             if self._wake in ready:
                 os.read(self._wake, 4096)
                 self._tell_who_ended()
-            if self._control in ready and not self._obey():
+            if control in ready and not self._obey():
                 break
         for pid in self._runs:
             os.killpg(pid, signal.SIGKILL)
@@ -72,7 +74,8 @@ class Starter:
             return False
         message = json.loads(self._exactly(int.from_bytes(header, 'big')))
         if 'reap' in message:
-            os.waitpid(message['reap'], 0)
+            if message['reap'] not in self._reaped:
+                os.waitpid(message['reap'], 0)
             del self._runs[message['reap']]
         else:
             self._begin(message['run'], message['job'], *descriptors)
@@ -104,11 +107,23 @@ class Starter:
         for pid, number in self._runs.items():
             if number in self._told:
                 continue
-            ended = os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
-            if ended is not None:
+            status = self._status(pid)
+            if status is not None:
                 self._told.add(number)
-                by_signal = ended.si_code != os.CLD_EXITED
-                self._say({'run': number, 'status': -ended.si_status if by_signal else ended.si_status})
+                self._say({'run': number, 'status': status})
+
+    def _status(self, pid: int) -> int | None:
+        """How a process ended, negative for a signal; None while it runs. Where the system can, it stays to be reaped."""
+        if hasattr(os, 'waitid'):
+            ended = os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+            if ended is None:
+                return None
+            return ended.si_status if ended.si_code == os.CLD_EXITED else -ended.si_status
+        found, status = os.waitpid(pid, os.WNOHANG)
+        if not found:
+            return None
+        self._reaped.add(pid)
+        return os.waitstatus_to_exitcode(status)
 
     def _say(self, message: dict[str, int]) -> None:
         data = json.dumps(message).encode()

@@ -7,6 +7,9 @@ from pathlib import Path
 from typing import Any
 
 RUN_MS = 90_000
+RUN_ALL = "async () => { await window.jupyterapp.commands.execute('notebook:run-all-cells') }"
+ALL_RAN = """() => window.jupyterapp.shell.currentWidget.content.widgets.every(
+  cell => cell.model.type !== 'code' || (cell.model.executionCount !== null && cell.promptNode.textContent !== '[*]:'))"""
 CELLS = """() => {
   const notebook = window.jupyterapp.shell.currentWidget.content;
   return notebook.widgets.filter(cell => cell.model.type === 'code').map(cell => ({
@@ -25,7 +28,9 @@ class Page:
 
     def run_all(self) -> None:
         """*Run → Run All Cells*, and wait until the last one has run."""
-        self.page.evaluate("async () => { await window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        self.page.evaluate(RUN_ALL)
+        self.page.wait_for_function(ALL_RAN, timeout=RUN_MS)
+        self.page.get_by_text('Python 3 (ipykernel) | Idle').wait_for(timeout=RUN_MS)
 
     def cells(self) -> dict[str, dict[str, Any]]:
         """The code cells as the page has them now, by id: count and outputs."""
@@ -70,4 +75,5 @@ class Lab:
             page.page.get_by_text('Python 3 (ipykernel) | Idle').wait_for(timeout=RUN_MS)
             yield page
         finally:
+            page.page.evaluate('() => window.jupyterapp.serviceManager.sessions.shutdownAll()')
             context.close()

@@ -1,39 +1,51 @@
 """The golden reports: one folder for each submission, with the exact reports it must get.
 
-After a wanted change, write them anew with ``python tests/grader/golden_reports.py`` and read the difference.
+After a wanted change, write them anew with ``python tests/grader/golden_reports.py`` in a set-up environment, and read the
+difference.
 """
 
 from __future__ import annotations
 
-import contextlib
-import io
 import os
-import sys
 from pathlib import Path
+
+from edugrade.document import document, json_text
+from edugrade.grading import Work, grade, plan_work
+from edugrade.limits import Limits
+from edugrade.submission import Submission
+from edugrade.terminal import render
 
 FOLDER = Path(__file__).parent / 'golden'
 CASES = sorted(path.name for path in FOLDER.iterdir())
 
 
-def grade(case: str, json_file: Path) -> tuple[str, str]:
-    """The terminal's text, with the exit code as its last line, and the JSON text of a submission."""
-    from edugrade.cli import main
+def grade_all() -> dict[str, tuple[str, str]]:
+    """For each case, the terminal's text with the exit code as its last line, and the JSON text."""
+    loops = [case for case in CASES if case == 'endless_loop']
+    others = [case for case in CASES if case not in loops]
+    return {**_graded(others, Limits(20.0)), **_graded(loops, Limits(2.0))}
 
+
+def _graded(cases: list[str], limits: Limits) -> dict[str, tuple[str, str]]:
+    reports = grade([_work(case) for case in cases], limits)
+    return {case: (f'{render(report)}exit code {report.exit_code}\n', json_text(document(report)))
+            for case, report in zip(cases, reports, strict=True)}
+
+
+def _work(case: str) -> Work:
+    """The submission as it is named by somebody who stands in its folder."""
     before = os.getcwd()
     os.chdir(FOLDER / case)
     try:
-        with contextlib.redirect_stdout(io.StringIO()) as text, contextlib.redirect_stderr(text):
-            limit = '2' if case == 'endless_loop' else '20'
-            code = main(['circle.launch.py', '--json', str(json_file), '--limit', limit])
+        work = plan_work(Submission('circle.launch.py'))
+        assert work.submission.shown_folder == ''
+        return work
     finally:
         os.chdir(before)
-    return f'{text.getvalue()}exit code {code}\n', json_file.read_text(encoding='utf-8')
 
 
 if __name__ == '__main__':
-    repository = Path(__file__).resolve().parents[2]
-    sys.path[:0] = [str(repository / 'grader'), str(repository)]
-    for name in CASES:
-        report, data = grade(name, FOLDER / name / 'report.json')
-        (FOLDER / name / 'report.txt').write_text(report, encoding='utf-8')
+    for name, (text, data) in grade_all().items():
+        (FOLDER / name / 'report.txt').write_text(text, encoding='utf-8')
+        (FOLDER / name / 'report.json').write_text(data, encoding='utf-8')
         print(name)

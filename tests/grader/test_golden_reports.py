@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import pytest
-from golden_reports import CASES, FOLDER, grade
+from golden_reports import CASES, FOLDER, grade_all
 
-
-@cache
-def graded(case: str) -> tuple[str, str]:
-    with TemporaryDirectory() as folder:
-        return grade(case, Path(folder) / 'report.json')
+graded = cache(grade_all)
 
 
 @pytest.mark.parametrize('case', CASES)
 def test_the_terminal_shows_the_golden_text(case: str) -> None:
-    assert graded(case)[0] == (FOLDER / case / 'report.txt').read_text(encoding='utf-8')
+    assert graded()[case][0] == (FOLDER / case / 'report.txt').read_text(encoding='utf-8')
 
 
 @pytest.mark.parametrize('case', CASES)
 def test_the_json_report_is_the_golden_one(case: str) -> None:
-    assert graded(case)[1] == (FOLDER / case / 'report.json').read_text(encoding='utf-8')
+    assert graded()[case][1] == (FOLDER / case / 'report.json').read_text(encoding='utf-8')

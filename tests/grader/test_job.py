@@ -22,21 +22,17 @@ def job(tmp_path: Path) -> Job:
 
 
 def test_the_message_is_plain_data_with_absolute_paths(job: Job, tmp_path: Path) -> None:
-    told = json.loads(job.command(5)[-1])
+    told = json.loads(json.dumps(job.message))
     assert told['file'] == str(tmp_path / 'a.launch.py')
     assert told['workspaces'] == [str(Path('ws').absolute())]
-    assert (told['channel'], told['arguments'], told['duration_s'], told['seed'], told['wall_s']) == (
-        5, {'x': '1'}, 5.0, 9, 7.0)
-
-
-def test_the_child_is_an_isolated_interpreter(job: Job) -> None:
-    assert job.command(5)[1:3] == ['-I', '-S']
+    assert (told['arguments'], told['duration_s'], told['seed'], told['wall_s']) == ({'x': '1'}, 5.0, 9, 7.0)
 
 
 def test_nothing_of_the_callers_environment_gets_in(job: Job, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('SECRET', 'x')
-    assert 'SECRET' not in job.environment
-    assert (job.environment['HOME'], job.environment['TMPDIR']) == ('/private', '/private')
+    given = job.message['environment']
+    assert 'SECRET' not in given
+    assert (given['HOME'], given['TMPDIR']) == ('/private', '/private')
 
 
 def test_modules_of_the_current_folder_are_not_found(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -100,8 +100,44 @@ def test_blocking_all_signals_does_not_help_a_loop(tmp_path: Path) -> None:
     text = 'import _signal\n_signal.pthread_sigmask(_signal.SIG_BLOCK, range(1, 65))\nwhile True:\n    pass\n'
     started = time.monotonic()
     outcome = run(tmp_path, text, wall_s=0.5)
-    assert (outcome.text, outcome.where) == ('it did not finish within 0.5 s of real time', None)
+    assert (outcome.kind, outcome.text) == ('stopped', 'it did not finish within 0.5 s of real time')
     assert time.monotonic() - started < 5.0
+
+
+KILL_THE_STARTER = 'import posix as os\nos.kill(os.getppid(), 9)\nwhile True: pass\n'
+HARMLESS = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node')])
+"""
+
+
+def test_a_submission_that_kills_the_starter_spoils_only_itself(tmp_path: Path) -> None:
+    submissions = []
+    for name, text in (('bad', KILL_THE_STARTER), ('good', HARMLESS)):
+        (tmp_path / f'{name}.launch.py').write_text(text)
+        submissions.append(Submission(str(tmp_path / f'{name}.launch.py')))
+    with Runner(Limits(10.0), processors=1) as runner:
+        bad, good = (runner.add(submission, [Scenario('only', {}, 1.0)]) for submission in submissions)
+        outcomes = [runner.wait(ticket)[0] for ticket in (bad, good)]
+    assert [outcome.kind for outcome in outcomes] == ['stopped', 'recorded']
+    assert outcomes[0].text == 'the program that starts the runs was ended from inside a run'
+
+
+def test_a_run_finds_nothing_of_the_one_before_it(tmp_path: Path) -> None:
+    leave = 'import builtins, os, sys\nbuiltins.left = os.environ["LEFT"] = "x"\nsys.modules["left"] = sys\nraise ValueError("left")\n'
+    look = ('import builtins, os, sys\nraise ValueError(repr((hasattr(builtins, "left"), "LEFT" in os.environ,'
+            ' "left" in sys.modules)))\n')
+    texts = []
+    with Runner(Limits(10.0), processors=1) as runner:
+        for number, text in enumerate((leave, look)):
+            file = tmp_path / f'{number}.launch.py'
+            file.write_text(text)
+            texts.append(runner.wait(runner.add(Submission(str(file)), [Scenario('only')]))[0].text)
+    assert 'ValueError: left' in texts[0]
+    assert 'ValueError: (False, False, False)' in texts[1]
 
 
 def test_memory_is_limited(tmp_path: Path) -> None:

@@ -28,6 +28,7 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
     ('wall', 'it did not finish within 3 s of real time'),
     ('printed', 'it printed more than 4 MiB'),
     ('recording', 'its recording grew larger than 128 MiB'),
+    ('starter', 'the program that starts the runs was ended from inside a run'),
     ('garbage', 'what came back from the run is not a recording of it'),
 ])
 def test_a_child_that_was_cut_off(cut: str, text: str) -> None:

@@ -30,7 +30,7 @@ def test_a_launch_is_assigned_like_any_value(shell: Any, capsys: pytest.CaptureF
 
 def test_braces_reach_the_command_as_they_are(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
     shell.run_cell('x = 5\n%ros2 launch sim.launch.py --for 1')
-    shell.run_cell('%ros2 topic pub --once /chatter std_msgs/msg/String "{data: hello $x}"')
+    shell.run_cell('%ros2 topic pub --once -w 0 /chatter std_msgs/msg/String "{data: hello $x}"')
     assert "std_msgs.msg.String(data='hello $x')" in capsys.readouterr().out
 
 

@@ -28,6 +28,9 @@ class ScriptIndex:
         return Program(kind='script', package='scripts', executable=Path(path).name, path=path, file=path,
                        python_roots=(str(self.folder / 'lib'),))
 
+    def packages(self) -> dict[str, str]:
+        return {}
+
     def python_modules(self) -> dict[str, str]:
         return {}
 

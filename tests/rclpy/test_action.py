@@ -205,7 +205,8 @@ def test_a_blocking_send_goal_in_a_callback_is_explained(world: World) -> None:
         rclpy.spin(node)
 
     run(world, server(), program)
-    assert [text.split(' inside')[0] for _, text in world.tracer.notes] == ["send_goal() of action '/fibonacci'"]
+    assert [text.split(' (')[0] for _, text in world.tracer.notes] == ["send_goal() in a lambda of node '/client'"]
+    assert "waits for ever: the answer of action '/fibonacci' can only be taken" in world.tracer.notes[0][1]
 
 
 def test_a_quiet_action_client_is_nothing_to_execute(ros: Ros, world: World) -> None:

@@ -41,7 +41,7 @@ def test_callbacks_are_told_of_the_state_before(ros: Ros, world: World) -> None:
         node = Managed(world)
         node.trigger_configure()
         node.trigger_activate()
-        world.say(node._lifecycle_state)
+        world.say(node._rclpy.life.state)
 
     assert ros(body) == [('configure', 'unconfigured'), ('activate', 'inactive'), State('active', 3)]
 
@@ -68,7 +68,7 @@ def test_failures_lead_back(ros: Ros, world: World, verdict: Any, state: str) ->
     def body() -> None:
         node = Managed(world)
         node.verdict = verdict
-        world.say((node.trigger_configure(), node._lifecycle_state.label))
+        world.say((node.trigger_configure(), node._rclpy.life.state.label))
 
     assert ros(body)[-1] == (verdict, state)
 
@@ -83,7 +83,7 @@ def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
 
     def body() -> None:
         node = Broken('n')
-        world.say((node.trigger_configure(), node._lifecycle_state.label))
+        world.say((node.trigger_configure(), node._rclpy.life.state.label))
 
     assert ros(body) == [(TransitionCallbackReturn.ERROR, 'finalized')]
     assert world.tracer.logs == [(40, 'n', 'Exception in on_configure: ValueError: broken on purpose')]

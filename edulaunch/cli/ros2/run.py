@@ -62,8 +62,11 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
 
 
 def _not_found(index: Index, package: str, executable: str) -> str:
+    from edulaunch.workspace.hints import executable_hint, package_hint
+
     if package not in index.packages():
-        return with_help(f"Package '{package}' not found", nearest_help(package, index.packages()))
+        near = nearest_help(package, index.packages())
+        return with_help(f"Package '{package}' not found", near or package_hint(index, package))
     native = index.native_executables(package)
     if executable in native:
         return with_help(
@@ -73,5 +76,7 @@ def _not_found(index: Index, package: str, executable: str) -> str:
     known = index.executables(package)
     return with_help(
         'No executable found',
-        nearest_help(executable, known) or f'{package} has: {", ".join(known) or "no executables"}',
+        executable_hint(index, package, executable)
+        or nearest_help(executable, known)
+        or f'{package} has: {", ".join(known) or "no executables"}',
     )

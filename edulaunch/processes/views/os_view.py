@@ -32,8 +32,6 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
     `system` and `popen` are those of `subprocess`; `urandom` repeats.
     """
-    generator = process.sim.random(f'{process.name}/urandom')
-
     def kill(pid: int, signum: int) -> None:
         if pid == process.pid:
             process.send_signal(signum)
@@ -54,6 +52,13 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         subprocess: Any = process.loader.import_module('subprocess')
         return subprocess.run(command, shell=True, **options)
 
+    def urandom(size: int, /) -> bytes:
+        state = process.state
+        if 'urandom' not in state:
+            state['urandom'] = process.sim.random(f'{process.name}/urandom')
+        drawn: bytes = state['urandom'].randbytes(size)
+        return drawn
+
     def status(code: int) -> int:
         return code << 8 if code >= 0 else -code
 
@@ -72,7 +77,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
         getpid=lambda: process.pid, getppid=lambda: 1000, kill=kill, _exit=process.exit_now, getcwd=getcwd, chdir=chdir,
-        system=lambda command: status(run(command).returncode), popen=popen, urandom=generator.randbytes)
+        system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom)
     copy_names(view, real)
     for name in LEFT_OUT:
         view.__dict__.pop(name, None)

@@ -19,7 +19,7 @@ Frames = Mapping[str, 'Frame']
 def frames_at_end(run: Evidence, scenario: str) -> Frames:
     """All frames, by name, at the end of a run."""
     recording = run[scenario]
-    return recording.frames_at(recording.duration_s)
+    return run.once(('frames', scenario), lambda: recording.frames_at(recording.duration_s))
 
 
 def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: str = '') -> None:

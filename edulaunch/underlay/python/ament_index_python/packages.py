@@ -61,12 +61,8 @@ def get_packages_with_prefixes() -> dict[str, str]:
 
 
 def _not_found(package_name: str) -> PackageNotFoundError:
-    from edulaunch.packages import nearest
+    from edulaunch.workspace.hints import package_hint
 
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
-    close = nearest(package_name, current_process().index.packages())
-    if close is not None:
-        error.edulaunch_hint = f'did you mean the package {close!r}?'
-    else:
-        error.edulaunch_hint = 'is the package in the workspace, and does its package.xml have this <name>?'
+    error.edulaunch_hint = package_hint(current_process().index, package_name)
     return error

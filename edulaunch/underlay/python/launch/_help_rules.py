@@ -261,10 +261,25 @@ def _condition(error: BaseException, text: str) -> str | None:
     return 'conditions take true, 1, false or 0; compare texts with EqualsSubstitution(left, right)'
 
 
+def _not_installed(error: BaseException, path: str) -> str | None:
+    """A file that a package has in its source only. Kept with the error, for it may be told again after the run."""
+    known: str | None = getattr(error, 'edulaunch_hint', None)
+    if known is None:
+        from edulaunch.workspace.hints import installed_file_hint
+
+        from ._engine import running_process
+        known = installed_file_hint(running_process().index, path)
+        error.edulaunch_hint = known  # type: ignore[attr-defined]
+    return known
+
+
 def _missing_file(error: BaseException, text: str) -> str | None:
     path = getattr(error, 'filename', None)
     if not isinstance(path, str):
         return None
+    not_installed = _not_installed(error, path)
+    if not_installed is not None:
+        return not_installed
     folder = os.path.dirname(path) or '.'
     if not os.path.isdir(folder):
         return f'there is no folder {folder}'

@@ -124,7 +124,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_until_future_complete(node: Node, future: Future, executor: Executor | None = None,
                                timeout_sec: float | None = None) -> None:
     """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
-    executor = _spinning_executor(executor, node, 'spin_until_future_complete')
+    executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     try:
         executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)
@@ -132,15 +132,23 @@ def spin_until_future_complete(node: Node, future: Future, executor: Executor | 
         executor.remove_node(node)
 
 
-def _spinning_executor(executor: Executor | None, node: Node, function: str) -> Executor:
-    """The executor to spin; says so (once) when that happens inside one of its own callbacks."""
+def _spinning_executor(executor: Executor | None, node: Node, function: str, future: Future | None = None) -> Executor:
+    """The executor to spin; says so (once) when that happens inside one of its own callbacks.
+
+    :param future: what is waited for without a timeout.
+    """
     if executor is None:
         executor = get_global_executor()
     if executor._spinner is not None and executor._note_nested_spin():
-        process_state().process.note('nested spin', (
-            f"rclpy.{function}() of node '{node.get_fully_qualified_name()}' inside a callback: meanwhile no callback of a busy "
-            'callback group can run (a service client of the default group gets no reply), and afterwards the node is not '
-            'spun any more. Use call_async() with add_done_callback(), or async and await.'))
+        source = None if future is None or future._done else future._source
+        if source is not None and not source.callback_group.can_execute(source):
+            from rclpy.execution.deadlocks import note_future_wait
+            note_future_wait(f'rclpy.{function}()', source)
+        else:
+            process_state().process.note('nested spin', (
+                f"rclpy.{function}() of node '{node.get_fully_qualified_name()}' inside a callback: meanwhile no callback of a "
+                'busy callback group can run, and afterwards the node is not spun any more. Use add_done_callback(), or async '
+                'and await.'))
     return executor
 
 

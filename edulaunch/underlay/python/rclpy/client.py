@@ -3,11 +3,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
+from rclpy.type_support import wrong_class_help
 
 if TYPE_CHECKING:
     from edulaunch.graph.services import ServiceClient
@@ -48,7 +48,8 @@ class Client(Entity):
         :raises TimeoutError: when `timeout_sec` simulated seconds are over.
         """
         self._check_request(request)
-        self._note_deadlock()
+        if timeout_sec is None:
+            self._note_deadlock()
         future = self.call_async(request)
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
@@ -62,10 +63,11 @@ class Client(Entity):
     def _note_deadlock(self) -> None:
         executor = self._ready_list.executor
         if executor is not None and executor._cannot_serve(self):
-            current_process().note('deadlock', (
-                f"client.call() of '{self._impl.service_name}' inside a callback waits for ever: the reply can only be taken "
-                'when this callback has ended. Use call_async() with add_done_callback() or await, or give the client '
-                'another callback group and spin with a MultiThreadedExecutor.'))
+            from rclpy.execution.deadlocks import note_call
+            note_call('client.call', self, 'service')
+
+    def _awaited_words(self) -> str:
+        return f"the reply of service '{self._impl.service_name}'"
 
     def call_async(self, request: Any) -> Future:
         """Send a request; the future gets the reply. Without a server the request is lost.
@@ -77,6 +79,7 @@ class Client(Entity):
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         sequence = self._impl.send(self.srv_type.Request.to_wire(request))
         future = Future()
+        future._source = self
         self._pending_requests[sequence] = future
         future.add_done_callback(self.remove_pending_request)
         if self._introspection is not None:
@@ -85,7 +88,7 @@ class Client(Entity):
 
     def _check_request(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
-            raise TypeError()
+            raise TypeError(wrong_class_help(request, self.srv_type, 'Request'))
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False

@@ -6,7 +6,6 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.graph.qos import incompatible_policy
-from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -103,6 +102,7 @@ class _IncompatibleCount:
     def add(self, policy: str) -> None:
         self.total += 1
         self.change += 1
+        from rclpy.qos_presets import QoSPolicyKind
         self.policy = int(QoSPolicyKind[policy])
 
     def take(self) -> Any:
@@ -147,6 +147,7 @@ class _EventCallbacks:
         callback = self.incompatible_qos
         if callback is None and self.use_default_callbacks:
             def callback(info: Any) -> None:
+                from rclpy.qos_presets import qos_policy_name_from_kind
                 policy = qos_policy_name_from_kind(info.last_policy_kind)
                 node.get_logger().warning(self._warning.format(impl.topic_name, policy))
         if callback is not None:

@@ -1,6 +1,7 @@
 """Nodes."""
 from __future__ import annotations
 
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
@@ -80,17 +81,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             self.declare_parameters('', [(name, override.value, ParameterDescriptor())
                                          for name, override in core.overrides.items()], ignore_override=True)
         core.time_source.declare_parameter()
-        self._start_services(start_parameter_services, enable_logger_service)
-
-    def _start_services(self, parameters: bool, logger: bool) -> None:
-        if parameters:
-            from rclpy.parameter_service import ParameterService
-            ParameterService(self)
-        from rclpy.type_description_service import TypeDescriptionService
-        TypeDescriptionService(self)
-        if logger:
-            from rclpy.logging_service import LoggingService
-            LoggingService(self)
+        _start_services(self, start_parameter_services, enable_logger_service)
 
     @property
     def executor(self) -> Executor | None:
@@ -151,6 +142,28 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     def __repr__(self) -> str:
         return f'<{type(self).__name__} {self._rclpy.full_name}>'
+
+
+def _name_as_parts_of_node() -> None:
+    """Let Python's own errors say `Node.create_publisher() missing 1 required ...`, whatever file a method stands in."""
+    for part in (NodeEntities, NodeParameters, NodeGraphQueries):
+        for name, method in vars(part).items():
+            if isinstance(method, FunctionType):
+                method.__qualname__ = f'Node.{name}'
+
+
+_name_as_parts_of_node()
+
+
+def _start_services(node: Node, parameters: bool, logger: bool) -> None:
+    if parameters:
+        from rclpy.parameter_service import ParameterService
+        ParameterService(node)
+    from rclpy.type_description_service import TypeDescriptionService
+    TypeDescriptionService(node)
+    if logger:
+        from rclpy.logging_service import LoggingService
+        LoggingService(node)
 
 
 def _create_rosout(core: NodeCore) -> None:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
-from rclpy.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
+from rclpy.qos import QoSPolicyEnum, QoSProfile
+from rclpy.qos_presets import QoSPolicyKind
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult

@@ -7,16 +7,23 @@ from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from edulaunch.processes.current import current_process
+from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
+    from rclpy.readiness import Entity
 
 
 class Future:
     """The outcome of something that goes on: a service call, a goal, a task.
 
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
+
+    :ivar _source: the client whose answer it waits for, if any.
     """
+
+    _source: Any = None
+    _looks: tuple[Any, int, int] = (None, 0, 0)
 
     def __init__(self, *, executor: Executor | None = None) -> None:
         self._done = False
@@ -48,8 +55,25 @@ class Future:
         return self._cancelled
 
     def done(self) -> bool:
-        """Whether there is a result or an exception."""
+        """Whether there is a result or an exception. Looking again and again lets simulated time pass."""
+        if not self._done:
+            current_task().poll()
+            if self._source is not None:
+                self._count_look(self._source)
         return self._done
+
+    def _count_look(self, source: Any) -> None:
+        """Note a deadlock when one callback keeps looking at a future that cannot be done before that callback ends."""
+        executor = source._ready_list.executor
+        if executor is None or not executor._cannot_serve(source):
+            return
+        from rclpy.execution.deadlocks import POLLS, note_future_wait
+        turn, now = executor._turn_mark(), current_task().sim.now_ns
+        last_turn, looks, last_ns = self._looks
+        looks = looks + (now > last_ns) if turn == last_turn else 0
+        self._looks = turn, looks, now
+        if looks == POLLS:
+            note_future_wait('looking at future.done() in a loop', source)
 
     def result(self) -> Any:
         """The result, None while there is none; raises the exception when it ended with one."""
@@ -126,6 +150,7 @@ class Task(Future):
         self._kwargs = kwargs or {}
         self._executing = False
         self._running: Coroutine[Any, Any, Any] | None = None
+        self._entity: Entity | None = None
         self._handler = handler
         if is_coroutine_function(handler):
             self._running = handler(*self._args, **self._kwargs)
@@ -155,6 +180,14 @@ class Task(Future):
             return
         if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
             awaited._awaiting.append(self._executor)
+            if self._entity is not None and awaited._source is not None:
+                self._note_deadlock(self._entity, awaited._source)
+
+    def _note_deadlock(self, entity: Entity, source: Any) -> None:
+        """A callback that waits keeps its group: a client of the same group gets no answer."""
+        if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
+            from rclpy.execution.deadlocks import coroutine_place, note_future_wait
+            note_future_wait('await', source, coroutine_place(self._running))
 
     def executing(self) -> bool:
         """Whether it is being run just now."""

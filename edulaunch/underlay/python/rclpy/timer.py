@@ -4,7 +4,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.current import current_process
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import ROSInterruptException
 from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
@@ -183,8 +182,8 @@ class Rate:
         called = self._called
         executor = self._timer._ready_list.executor
         if executor is not None and executor._cannot_serve(self._timer):
-            current_process().note('deadlock', 'rate.sleep() inside a callback waits for ever: the executor that would call its '
-                                   'timer is busy with this callback. Use a timer instead, or spin in another thread.')
+            from rclpy.execution.deadlocks import note_rate
+            note_rate(self._timer)
         while self._called == called and self._context._ok and not self._is_destroyed:
             self._context.park()
         self._check()

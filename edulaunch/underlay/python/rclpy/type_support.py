@@ -47,6 +47,14 @@ def check_is_valid_action_type(action_type: Any) -> None:
         raise RuntimeError(f'The action type provided is not valid ({action_type}), this might be a message or service')
 
 
+def wrong_class_help(given: Any, interface: Any, part: str) -> str:
+    """What to add to ROS 2's empty TypeError when something else is given than a `Service.Request` or the like."""
+    wanted = f'{interface.__name__}.{part}'
+    if isinstance(given, type):
+        return f'\n  help: a {wanted} object is needed, not a class: write {wanted}() with its brackets'
+    return f'\n  help: a {wanted} is needed, not a {type(given).__name__}'
+
+
 def _has(cls: Any, name: str) -> bool:
     """As `hasattr`, without making the parts of services and actions, which are made when first read."""
     return any(name in vars(base) for base in getattr(cls, '__mro__', ()))

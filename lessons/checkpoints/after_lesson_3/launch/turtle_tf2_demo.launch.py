@@ -9,8 +9,8 @@ def mine(executable, name, **parameters):
 
 
 def generate_launch_description():
-    drive = ['ros2', 'topic', 'pub', '--rate', '10', '/turtle1/cmd_vel', 'geometry_msgs/msg/Twist',
-             '{linear: {x: 1.0}, angular: {z: 0.5}}']
+    drive = ['ros2', 'topic', 'pub', '--rate', '10', '--node-name', 'driver', '/turtle1/cmd_vel',
+             'geometry_msgs/msg/Twist', '{linear: {x: 1.0}, angular: {z: 0.5}}']
     return LaunchDescription([
         DeclareLaunchArgument('target_frame', default_value='turtle1', description='Whom to follow.'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),

@@ -105,6 +105,8 @@ class ExecuteLocal(Action):
     @property
     def process_details(self) -> dict[str, Any] | None:
         """None before execution, then `action`, `name`, `cmd`, `cwd`, `env`, and once it runs `pid`."""
+        if self.__process_details is not None:
+            self.__process_details['cmd'] = self.__process_description.final_cmd
         return self.__process_details
 
     @property
@@ -141,7 +143,7 @@ class ExecuteLocal(Action):
         description = self.__process_description
         description.prepare(context, self)
         self.__process_details = {
-            'action': self, 'name': description.final_name, 'cmd': description.final_cmd,
+            'action': self, 'name': description.final_name, 'cmd': description._command,
             'cwd': description.final_cwd, 'env': description.final_env}
         self.__respawn = perform_typed_substitution(context, self.__respawn, bool)
         self.__respawn_delay = _performed(context, self.__respawn_delay, float)

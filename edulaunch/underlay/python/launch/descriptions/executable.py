@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from .._engine import process_state
@@ -22,6 +22,7 @@ PREFIX = LaunchConfiguration('launch-prefix', default='')
 PREFIX_FILTER = LaunchConfiguration('launch-prefix-filter', default='')
 
 Substitutions = list[Substitution]
+Word = str | Substitution | Substitutions
 Variables = Mapping[SomeSubstitutionsType, SomeSubstitutionsType]
 
 
@@ -42,20 +43,19 @@ class Executable:
                  name: SomeSubstitutionsType | None = None, cwd: SomeSubstitutionsType | None = None,
                  env: Variables | None = None, additional_env: Variables | None = None,
                  arguments: Iterable[SomeSubstitutionsType] | None = None) -> None:
-        self.__cmd = [normalize_to_list_of_substitutions(word) for word in cmd]
+        self.__words: list[Word] = []
+        self._add_words(cmd)
         self.__arguments = None if arguments is None else list(arguments)
         if arguments is not None:
-            self.__cmd += [normalize_to_list_of_substitutions(word) for word in self.__arguments or ()]
-        self.__prefix: Substitutions = (
-            [PREFIX] if prefix is None else normalize_to_list_of_substitutions(prefix)
-        )
-        self.__prefix_filter: Substitutions = [PREFIX_FILTER] if prefix is None else []
+            self._add_words(self.__arguments or ())
+        self.__given_prefix = None if prefix is None else normalize_to_list_of_substitutions(prefix)
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
         self.__env = _normalize_variables(env)
         self.__additional_env = _normalize_variables(additional_env)
         self.__final_name: str | None = None
-        self.__final_cmd: list[str] | None = None
+        self._command: list[str] | None = None
+        self._before_look: Callable[[], object] | None = None
         self.__final_cwd: str | None = None
         self.__final_env: dict[str, str] | None = None
 
@@ -67,12 +67,20 @@ class Executable:
     @property
     def prefix(self) -> Substitutions:
         """The prefix, as substitutions."""
-        return self.__prefix
+        return [PREFIX] if self.__given_prefix is None else self.__given_prefix
 
     @property
     def cmd(self) -> list[Substitutions]:
         """The words of the command line (live), as substitutions."""
-        return self.__cmd
+        words = self.__words
+        words[:] = [word if isinstance(word, list) else normalize_to_list_of_substitutions(word) for word in words]
+        return words  # type: ignore[return-value]
+
+    def _add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
+        """Add words at the end of the command line. Texts become substitutions only when somebody looks."""
+        self.__words += [
+            word if isinstance(word, (str, Substitution)) else normalize_to_list_of_substitutions(word)
+            for word in words]
 
     @property
     def cwd(self) -> Substitutions | None:
@@ -101,8 +109,14 @@ class Executable:
 
     @property
     def final_cmd(self) -> list[str] | None:
-        """The words of the command line; None before :meth:`prepare`."""
-        return self.__final_cmd
+        """The words of the command line; None before :meth:`prepare`.
+
+        Files that the command names exist from now on: a node's parameter files are written when somebody looks.
+        """
+        if self._before_look is not None:
+            self._before_look()
+            self._before_look = None
+        return self._command
 
     @property
     def final_cwd(self) -> str | None:
@@ -116,11 +130,13 @@ class Executable:
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
         """Evaluate everything in `context`, and give the process the next number."""
-        cmd = [perform_substitutions(context, word) for word in self.__cmd]
-        program = os.path.basename(cmd[0])
-        name = program if self.__name is None else perform_substitutions(context, self.__name)
+        cmd = [word if isinstance(word, str) else perform_substitutions(context, word) if isinstance(word, list)
+               else word.perform(context) for word in self.__words]
+        prefix = self.__prefix_words(context, cmd[0])
+        self._command = [*prefix, *cmd] if prefix else cmd
+        name = (os.path.basename(self._command[0]) if self.__name is None
+                else perform_substitutions(context, self.__name))
         self.__final_name = f'{name}-{_next_process_number()}'
-        self.__final_cmd = [*self.__prefix_words(context, program), *cmd]
         self.__final_cwd = None if self.__cwd is None else perform_substitutions(context, self.__cwd)
         self.__final_env = (
             dict(context.environment) if self.__env is None else _perform_variables(context, self.__env))
@@ -128,10 +144,13 @@ class Executable:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
     def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
-        if self.__prefix[:1] == [PREFIX] and 'launch-prefix' not in context.launch_configurations:
+        """The prefix of this program; one that was given is not subject to the filter."""
+        if self.__given_prefix is not None:
+            return shlex.split(perform_substitutions(context, self.__given_prefix))
+        if 'launch-prefix' not in context.launch_configurations:
             return []
-        prefix = perform_substitutions(context, self.__prefix)
-        if not prefix or re.match(perform_substitutions(context, self.__prefix_filter), program) is None:
+        prefix = PREFIX.perform(context)
+        if not prefix or re.match(PREFIX_FILTER.perform(context), os.path.basename(program)) is None:
             return []
         return shlex.split(prefix)
 

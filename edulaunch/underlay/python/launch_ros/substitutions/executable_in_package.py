@@ -70,15 +70,19 @@ class ExecutableInPackage(FindPackagePrefix):
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
     """ROS's own error, with one line of help in `edulaunch_hint`."""
     from edulaunch.packages import nearest
+    from edulaunch.workspace.hints import executable_hint
 
     error: Any = SubstitutionFailure(message)
     names = index.executables(package)
     native = index.native_executables(package)
     close = nearest(executable, names)
+    not_installed = executable_hint(index, package, executable)
     if executable in native:
         error.edulaunch_hint = (
             f'{executable} is built from C++ ({native[executable]}); edulaunch runs Python programs only'
         )
+    elif not_installed is not None:
+        error.edulaunch_hint = not_installed
     elif close is not None:
         error.edulaunch_hint = f'did you mean {close!r}?'
     elif names:

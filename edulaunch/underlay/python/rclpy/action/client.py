@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
 
-from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy.action.server import await_or_execute
 from rclpy.client import POLL_NS
@@ -19,7 +18,7 @@ from rclpy.qos import (
     validate_qos,
 )
 from rclpy.task import Future
-from rclpy.type_support import check_is_valid_action_type
+from rclpy.type_support import check_is_valid_action_type, wrong_class_help
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -183,9 +182,8 @@ class ActionClient(Waitable):
     def _wait_for(self, future: Future, what: str) -> Any:
         executor = self._ready_list.executor
         if executor is not None and executor._cannot_serve(self):
-            current_process().note('deadlock', (
-                f"{what}() of action '{self._name}' inside a callback waits for ever: the answer can only be taken when this "
-                f'callback has ended. Use {what}_async() with add_done_callback() or await.'))
+            from rclpy.execution.deadlocks import note_call
+            note_call(what, self, 'action')
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
         while not future._done:
@@ -201,7 +199,7 @@ class ActionClient(Waitable):
         :raises TypeError: unless `goal` is an `ActionType.Goal`.
         """
         if not isinstance(goal, self._action_type.Goal):
-            raise TypeError()
+            raise TypeError(wrong_class_help(goal, self._action_type, 'Goal'))
         request_class = self._action_type.Impl.SendGoalService.Request
         request = request_class(goal_id=_random_uuid() if goal_uuid is None else goal_uuid, goal=goal)
         if feedback_callback is not None:
@@ -226,8 +224,12 @@ class ActionClient(Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
+    def _awaited_words(self) -> str:
+        return f"the answer of action '{self._name}'"
+
     def _remember(self, kind: str, sequence: int) -> Future:
         future = Future()
+        future._source = self
         self._pending[kind, sequence] = future
         return future
 

@@ -217,8 +217,17 @@ class ActionServer(Waitable):
         if goal_handle.is_active:
             self._logger.warning(f'Goal state not set, assuming aborted. Goal ID: {goal_uuid}')
             goal_handle.abort()
-        response = self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result)
-        self._result_futures[bytes(goal_uuid)].set_result(response)
+        self._give_result(goal_handle, result)
+
+    def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
+        """Answer those who ask for the result of a goal; the first result counts."""
+        future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
+        if future is not None and not future._done:
+            if not isinstance(result, self._action_type.Result):
+                raise TypeError(f"\n  help: the execute callback of action '{self._name}' must return a "
+                                f'{self._action_type.__name__}.Result; it returned '
+                                + ('None' if result is None else f'a {type(result).__name__}'))
+            future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 
     @staticmethod
     def _print_traceback(error: Exception) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
+from rclpy.type_support import wrong_class_help
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
@@ -75,23 +76,31 @@ class ServerGoalHandle:
         """Send feedback. Raises TypeError unless it is an `ActionType.Feedback`."""
         action_type = self._action_server._action_type
         if not isinstance(feedback, action_type.Feedback):
-            raise TypeError()
+            raise TypeError(wrong_class_help(feedback, action_type, 'Feedback'))
         if not self._destroyed:
             message_class = action_type.Impl.FeedbackMessage
             message = message_class(goal_id=self._goal_id, feedback=feedback)
             self._action_server._feedback.publish(message_class.to_wire(message))
 
-    def succeed(self) -> None:
-        """End the goal as SUCCEEDED. Raises RCLError in a state that does not allow it."""
-        self._update_state(GoalEvent.SUCCEED)
+    def succeed(self, response: Any = None) -> None:
+        """End the goal as SUCCEEDED, with a result if one is given; else the execute callback returns it.
 
-    def abort(self) -> None:
-        """End the goal as ABORTED. Raises RCLError in a state that does not allow it."""
-        self._update_state(GoalEvent.ABORT)
+        :raises RCLError: in a state that does not allow it.
+        """
+        self._end(GoalEvent.SUCCEED, response)
 
-    def canceled(self) -> None:
-        """End the goal as CANCELED. Raises RCLError unless a request to cancel was accepted."""
-        self._update_state(GoalEvent.CANCELED)
+    def abort(self, response: Any = None) -> None:
+        """End the goal as ABORTED, as :meth:`succeed` does."""
+        self._end(GoalEvent.ABORT, response)
+
+    def canceled(self, response: Any = None) -> None:
+        """End the goal as CANCELED, as :meth:`succeed` does. Raises RCLError unless a request to cancel was accepted."""
+        self._end(GoalEvent.CANCELED, response)
+
+    def _end(self, event: GoalEvent, response: Any) -> None:
+        self._update_state(event)
+        if response is not None:
+            self._action_server._give_result(self, response)
 
     def destroy(self) -> None:
         """Forget the goal."""

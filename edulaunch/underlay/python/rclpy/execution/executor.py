@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.sim.task import current_task
 from rclpy.execution.exceptions import ConditionReachedException, ShutdownException, TimeoutException
 from rclpy.execution.waiting import Item, Waiting, never
-from rclpy.readiness import Entity
+from rclpy.readiness import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.task import Future, Task
 from rclpy.utilities import timeout_sec_to_nsec
 
@@ -155,6 +155,7 @@ class Executor(Waiting):
                 entity.callback_group.ending_execution(entity)
 
         task = Task(guarded, executor=self)
+        task._entity = entity
         task()
         if task._done:
             task.result()
@@ -171,6 +172,17 @@ class Executor(Waiting):
     def _cannot_serve(self, entity: Entity) -> bool:
         """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""
         return self._spinner is current_task()
+
+    def _running_entity(self) -> Entity | None:
+        """The entity whose callback the running thread executes, where its group tells."""
+        cores = [node._rclpy for node in self._nodes]
+        entities: list[Entity] = [entity for core in cores for kind in (
+            core.timers, core.subscriptions, core.services, core.clients, core.guards, core.waitables) for entity in kind]
+        return next((entity for entity in entities if entity.callback_group.busy_with is entity), None)
+
+    def _turn_mark(self) -> Any:
+        """Something that stays equal while one callback of the running thread goes on."""
+        return self._seen_ns
 
     def spin(self) -> None:
         """Execute callbacks until ROS 2 or the executor is shut down."""
@@ -214,12 +226,27 @@ class Executor(Waiting):
             _nanoseconds(timeout_sec), lambda: future._done or not self._context._ok))
 
     def _spin_some(self) -> None:
-        """Execute everything that is ready now, each entity once, without waiting (rclcpp's spin_some)."""
+        """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
+        now = self._sim.now_ns
+        if self._tasks:
+            self._run_tasks()
+        if any(ready.entities or ready.due_ns <= now for ready in self._lists):
+            for entity in sorted(self._collect(), key=_rclcpp_order):
+                if not entity._destroyed:
+                    self._execute(entity)
+            if self._tasks:
+                self._run_tasks()
+
+    def _run_tasks(self) -> None:
         for task in self._tasks_to_run():
             self._execute(task)
-        for entity in self._collect():
-            if not entity._destroyed:
-                self._execute(entity)
+
+
+_RCLCPP_ORDER = {TIMER: 0, SUBSCRIPTION: 1, SERVICE: 2, CLIENT: 3, GUARD: 4, WAITABLE: 5}
+
+
+def _rclcpp_order(entity: Entity) -> int:
+    return _RCLCPP_ORDER[entity.category]
 
 
 def _nanoseconds(timeout_sec: float | TimeoutObject | None) -> int:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from edulaunch.processes.current import current_process
@@ -37,7 +37,8 @@ class MultiThreadedExecutor(Executor):
         self._jobs: deque[Callable[[], None]] = deque()
         self._idle: list[SimTask] = []
         self._threads: list[SimTask] = []
-        self._running: dict[SimTask, Entity] = {}
+        self._running: dict[SimTask, tuple[Entity, int]] = {}
+        self._begun = 0
         self._failures: list[Exception] = []
 
     def _execute(self, item: Item) -> None:
@@ -54,7 +55,8 @@ class MultiThreadedExecutor(Executor):
 
     def _run_in_thread(self, entity: Entity) -> None:
         thread = current_task()
-        self._running[thread] = entity
+        self._begun += 1
+        self._running[thread] = entity, self._begun
         try:
             self._run_begun(entity)
         finally:
@@ -85,7 +87,14 @@ class MultiThreadedExecutor(Executor):
             while thread in self._idle:
                 thread.park()
 
-    def _cannot_serve(self, entity: Entity) -> bool:
+    def _running_entity(self) -> Entity | None:
         running = self._running.get(current_task())
+        return None if running is None else running[0]
+
+    def _turn_mark(self) -> Any:
+        return self._running.get(current_task())
+
+    def _cannot_serve(self, entity: Entity) -> bool:
+        running = self._running_entity()
         return running is not None and running.callback_group is entity.callback_group \
             and not entity.callback_group.can_execute(entity)

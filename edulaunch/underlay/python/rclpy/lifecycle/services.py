@@ -7,16 +7,18 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle.state_machine import STATES, LifecycleState, TransitionCallbackReturn, all_transitions
 
 if TYPE_CHECKING:
+    from rclpy.lifecycle.life import Life
     from rclpy.lifecycle.node import LifecycleNode
 
 
 class LifecycleServices:
     """The five services and the topic of a managed node."""
 
-    def __init__(self, node: LifecycleNode) -> None:
+    def __init__(self, node: LifecycleNode, life: Life) -> None:
         from lifecycle_msgs import srv
         from lifecycle_msgs.msg import TransitionEvent
         self._node = node
+        self._life = life
         self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
         node.create_service(srv.ChangeState, '~/change_state', self._on_change_state)
         node.create_service(srv.GetState, '~/get_state', self._on_get_state)
@@ -34,14 +36,14 @@ class LifecycleServices:
     def _on_change_state(self, request: Any, response: Any) -> Any:
         wanted = request.transition.label or request.transition.id
         try:
-            response.success = self._node._trigger(wanted) is TransitionCallbackReturn.SUCCESS
+            response.success = self._life.trigger(wanted) is TransitionCallbackReturn.SUCCESS
         except RCLError as error:
             self._node.get_logger().warning(str(error))
             response.success = False
         return response
 
     def _on_get_state(self, request: Any, response: Any) -> Any:
-        response.current_state = _state(self._node._lifecycle_state)
+        response.current_state = _state(self._life.state)
         return response
 
     def _on_get_available_states(self, request: Any, response: Any) -> Any:
@@ -49,7 +51,7 @@ class LifecycleServices:
         return response
 
     def _on_get_available_transitions(self, request: Any, response: Any) -> Any:
-        here = self._node._lifecycle_state.label
+        here = self._life.state.label
         response.available_transitions = [_description(*one) for one in all_transitions() if one[2] == here]
         return response
 

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from rclpy.executors import Executor
     from rclpy.guard_condition import GuardCondition
     from rclpy.impl.rcutils_logger import RcutilsLogger
+    from rclpy.lifecycle.life import Life
     from rclpy.node_parts.parameter_store import ParameterStore
     from rclpy.publisher import Publisher
     from rclpy.service import Service
@@ -55,6 +56,7 @@ class NodeCore:
     parameters: ParameterStore
     overrides: dict[str, Override]
     time_source: TimeSource
+    life: Life
 
     def __init__(self, context: Context, name: str, namespace: str, arguments: list[RosArguments]) -> None:
         self.process = current_process()

@@ -96,11 +96,11 @@ class NodeEntities:
         profile = validate_qos(qos_profile)
         check_is_valid_msg_type(msg_type)
         name = core.resolve(topic, 'topic')
-        profile = self._overridden(qos_overriding_options, profile, name, 'publisher')
+        profile = _overridden(self, qos_overriding_options, profile, name, 'publisher')
         impl = core.graph.create_publisher(core.entry, name, msg_type, engine_qos(profile))
         publisher = publisher_class(impl, msg_type, topic, profile, core.context)
         core.publishers.append(publisher)
-        self._watch_events(publisher, impl, event_callbacks, callback_group, 'publisher')
+        _watch_events(self, publisher, impl, event_callbacks, callback_group, 'publisher')
         return publisher
 
     def create_subscription(self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, *,
@@ -118,14 +118,14 @@ class NodeEntities:
         profile = validate_qos(qos_profile)
         check_is_valid_msg_type(msg_type)
         name = core.resolve(topic, 'topic')
-        profile = self._overridden(qos_overriding_options, profile, name, 'subscription')
+        profile = _overridden(self, qos_overriding_options, profile, name, 'subscription')
         group = callback_group or core.default_callback_group
         subscription = Subscription(core.ready_list, msg_type, topic, callback, group, profile, raw, core.next_number())
         group.add_entity(subscription)
         impl = core.graph.create_subscription(core.entry, name, msg_type, engine_qos(profile), subscription._signal)
         subscription._connect(impl)
         core.subscriptions.append(subscription)
-        self._watch_events(subscription, impl, event_callbacks, callback_group, 'subscription')
+        _watch_events(self, subscription, impl, event_callbacks, callback_group, 'subscription')
         return subscription
 
     def create_client(self, srv_type: Any, srv_name: str, *, qos_profile: QoSProfile = qos_profile_services_default,
@@ -198,18 +198,6 @@ class NodeEntities:
         core.guards.append(guard)
         return guard
 
-    def _watch_events(self, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
-        from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
-        if callbacks is None:
-            callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
-        callbacks._attach(self, entity, impl, group or self._rclpy.default_callback_group)
-
-    def _overridden(self, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:
-        if options is None or not options.policy_kinds:
-            return profile
-        from rclpy.qos_overriding_options import declare_qos_parameters
-        return declare_qos_parameters(self, side, topic, profile, options)
-
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Destroy a publisher; whether it was one of this node."""
         return _destroy(self._rclpy.publishers, publisher)
@@ -273,3 +261,17 @@ def _destroy(entities: list[Any], entity: Any) -> bool:
     except InvalidHandle:
         return False
     return True
+
+
+def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
+    from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+    if callbacks is None:
+        callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
+    callbacks._attach(node, entity, impl, group or node._rclpy.default_callback_group)
+
+
+def _overridden(node: Any, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:
+    if options is None or not options.policy_kinds:
+        return profile
+    from rclpy.qos_overriding_options import declare_qos_parameters
+    return declare_qos_parameters(node, side, topic, profile, options)

@@ -30,28 +30,20 @@ class NodeGraphQueries:
     def get_publisher_names_and_types_by_node(self, node_name: str, node_namespace: str,
                                               no_demangle: bool = False) -> NamesAndTypes:
         """The topics that a node publishes. Raises NodeNameNonExistentError for an unknown node."""
-        return self._by_node(node_name, node_namespace, 'publisher', 'topic_name')
+        return _by_node(self._rclpy, node_name, node_namespace, 'publisher', 'topic_name')
 
     def get_subscriber_names_and_types_by_node(self, node_name: str, node_namespace: str,
                                                no_demangle: bool = False) -> NamesAndTypes:
         """The topics that a node subscribes to. Raises NodeNameNonExistentError for an unknown node."""
-        return self._by_node(node_name, node_namespace, 'subscription', 'topic_name')
+        return _by_node(self._rclpy, node_name, node_namespace, 'subscription', 'topic_name')
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """The services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
-        return self._by_node(node_name, node_namespace, 'service', 'service_name')
+        return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """The services that a node has clients of. Raises NodeNameNonExistentError for an unknown node."""
-        return self._by_node(node_name, node_namespace, 'client', 'service_name')
-
-    def _by_node(self, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
-        namespace = absolute_namespace(namespace)
-        nodes = [node for node in self._rclpy.graph.nodes if node.name == name and node.namespace == namespace]
-        if not nodes:
-            raise NodeNameNonExistentError(
-                f"cannot get names and types for nonexistent node: name '{name}', namespace '{namespace}'")
-        return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
+        return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
 
     def get_node_names(self) -> list[str]:
         """The own names of all nodes, in order of creation."""
@@ -69,24 +61,21 @@ class NodeGraphQueries:
         """(name, namespace, enclave) of all nodes; the enclave is always '/'."""
         return [(node.name, node.namespace, '/') for node in self._rclpy.graph.nodes]
 
-    def _count(self, table: dict[str, Any], name: str, kind: str) -> int:
-        return len(table.get(self._rclpy.resolve(name, kind, only_expand=True), ()))
-
     def count_publishers(self, topic_name: str) -> int:
         """How many publishers a topic has."""
-        return self._count(self._rclpy.graph.publishers, topic_name, 'topic')
+        return _count(self._rclpy, self._rclpy.graph.publishers, topic_name, 'topic')
 
     def count_subscribers(self, topic_name: str) -> int:
         """How many subscriptions a topic has."""
-        return self._count(self._rclpy.graph.subscriptions, topic_name, 'topic')
+        return _count(self._rclpy, self._rclpy.graph.subscriptions, topic_name, 'topic')
 
     def count_clients(self, service_name: str) -> int:
         """How many clients a service has."""
-        return self._count(self._rclpy.graph.clients, service_name, 'service')
+        return _count(self._rclpy, self._rclpy.graph.clients, service_name, 'service')
 
     def count_services(self, service_name: str) -> int:
         """How many servers a service has."""
-        return self._count(self._rclpy.graph.services, service_name, 'service')
+        return _count(self._rclpy, self._rclpy.graph.services, service_name, 'service')
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """The publishers of a topic."""
@@ -119,6 +108,18 @@ def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
         found.setdefault(getattr(endpoint, attribute), set()).add(endpoint.type_name)
     return [(name, sorted(types)) for name, types in sorted(found.items())]
 
+
+def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
+    namespace = absolute_namespace(namespace)
+    nodes = [node for node in core.graph.nodes if node.name == name and node.namespace == namespace]
+    if not nodes:
+        raise NodeNameNonExistentError(
+            f"cannot get names and types for nonexistent node: name '{name}', namespace '{namespace}'")
+    return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
+
+
+def _count(core: NodeCore, table: dict[str, Any], name: str, kind: str) -> int:
+    return len(table.get(core.resolve(name, kind, only_expand=True), ()))
 
 
 def _all(table: dict[str, list[Any]]) -> list[Any]:

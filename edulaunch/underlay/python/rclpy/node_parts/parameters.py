@@ -1,7 +1,7 @@
 """The parameters of a node, as programs use them."""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 from warnings import warn
 
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
         ParameterValue,
         SetParametersResult,
     )
+
+    from edulaunch.graph.ros_arguments import Override
 
 OnSet = Callable[[list[Parameter]], 'SetParametersResult']
 
@@ -57,35 +59,14 @@ class NodeParameters:
                            ignore_override: bool = False) -> list[Parameter]:
         """Declare several: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
         core = self._rclpy
-        prepared = [self._prepared(namespace, index, entry, ignore_override) for index, entry in enumerate(parameters)]
+        overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
+        prepared = [_prepared(overrides, namespace, index, entry) for index, entry in enumerate(parameters)]
         declared = [parameter.name for parameter, _ in prepared if parameter.name in core.parameters.values]
         if declared:
             raise ParameterAlreadyDeclaredException(declared)
         for parameter, descriptor in prepared:
             core.parameters.declare(parameter, descriptor)
         return [core.parameters.values[parameter.name] for parameter, _ in prepared]
-
-    def _prepared(self, namespace: str, index: int, entry: tuple[Any, ...],
-                  ignore_override: bool) -> tuple[Parameter, ParameterDescriptor]:
-        """The first value and the descriptor of one declaration."""
-        name, value, descriptor = _unpacked(index, entry)
-        if len(entry) == 1:
-            warn(NAME_ONLY.format(name), stacklevel=4)
-            descriptor.dynamic_typing = True
-        name = f'{namespace}.{name}' if namespace else name
-        if not name:
-            raise InvalidParameterException(name)
-        if isinstance(value, ParameterType):
-            _set_type(name, descriptor, value)
-            value = None
-        elif not descriptor.dynamic_typing:
-            descriptor.type = ParameterType.from_parameter_value(value).value
-            if not descriptor.type:
-                raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')
-        if not ignore_override and name in self._rclpy.overrides:
-            value = self._rclpy.overrides[name].value
-        descriptor.name = name
-        return Parameter(name, value=value), descriptor
 
     def undeclare_parameter(self, name: str) -> None:
         """Take a declaration back.
@@ -141,10 +122,10 @@ class NodeParameters:
 
     def get_parameter_type(self, name: str) -> int:
         """The number of a parameter's type, 0 for an undeclared one where those are allowed."""
-        return self.describe_parameter(name).type if self.has_parameter(name) else self._undeclared_type(name)
-
-    def _undeclared_type(self, name: str) -> int:
-        if not self._rclpy.parameters.allow_undeclared:
+        store = self._rclpy.parameters
+        if name in store.values:
+            return store.descriptor(name).type
+        if not store.allow_undeclared:
             raise ParameterNotDeclaredException(name)
         return ParameterType.NOT_SET.value
 
@@ -239,6 +220,29 @@ class NodeParameters:
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Undo `add_post_set_parameters_callback`. Raises ValueError when it was not added."""
         self._rclpy.parameters.post_callbacks.remove(callback)
+
+
+def _prepared(overrides: Mapping[str, Override], namespace: str, index: int,
+              entry: tuple[Any, ...]) -> tuple[Parameter, ParameterDescriptor]:
+    """The first value and the descriptor of one declaration."""
+    name, value, descriptor = _unpacked(index, entry)
+    if len(entry) == 1:
+        warn(NAME_ONLY.format(name), stacklevel=4)
+        descriptor.dynamic_typing = True
+    name = f'{namespace}.{name}' if namespace else name
+    if not name:
+        raise InvalidParameterException(name)
+    if isinstance(value, ParameterType):
+        _set_type(name, descriptor, value)
+        value = None
+    elif not descriptor.dynamic_typing:
+        descriptor.type = ParameterType.from_parameter_value(value).value
+        if not descriptor.type:
+            raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')
+    if name in overrides:
+        value = overrides[name].value
+    descriptor.name = name
+    return Parameter(name, value=value), descriptor
 
 
 def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:

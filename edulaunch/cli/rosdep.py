@@ -1,0 +1,33 @@
+"""`edulaunch rosdep check`: which dependencies of package.xml files are not here."""
+from __future__ import annotations
+
+import argparse
+import os
+
+from edulaunch.errors import UnusableInput
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The sub-verbs."""
+    verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
+    check = verbs.add_parser('check', help='name each dependency that neither the underlay nor the workspace has')
+    check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
+
+
+def main(arguments: argparse.Namespace) -> int:
+    """Print what is missing. 0 when nothing is, else 1."""
+    from edulaunch.workspace.dependencies import missing_dependencies
+    if not os.path.isdir(arguments.path):
+        raise UnusableInput(f'{arguments.path!r} is not a directory.', help='name a workspace, or the folder of a package')
+    packages, missing = missing_dependencies(arguments.path)
+    for package, (name, tag, line), near in missing:
+        place = f'{os.path.relpath(package.manifest_file)}:{line}' if line else os.path.relpath(package.manifest_file)
+        print(f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
+              + (f'; the nearest name is {near}' if near else ''))
+    if missing:
+        print(f'\nnodes of these packages that use what is missing cannot run: {", ".join(dict.fromkeys(row[0].name for row in missing))}')
+    elif packages:
+        print('All dependencies have been satisfied')
+    else:
+        print(f'no package.xml below {arguments.path}')
+    return 1 if missing or not packages else 0

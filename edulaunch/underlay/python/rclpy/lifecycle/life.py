@@ -1,0 +1,73 @@
+"""The life of one managed node: where it stands, and how it gets from state to state."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.lifecycle.state_machine import OUTCOMES, STATES, LifecycleState, TransitionCallbackReturn, transition_from
+
+if TYPE_CHECKING:
+    from rclpy.lifecycle.managed_entity import ManagedEntity
+    from rclpy.lifecycle.node import LifecycleNode
+    from rclpy.lifecycle.services import LifecycleServices
+
+OnTransition = Callable[[LifecycleState], TransitionCallbackReturn]
+
+
+class Life:
+    """Kept with the node's other state, so that a student's own attributes cannot collide with it.
+
+    :ivar entities: what follows the node through its states.
+    :ivar callbacks: what was registered in place of the node's methods, by the method's name.
+    """
+
+    def __init__(self, node: LifecycleNode) -> None:
+        self.node = node
+        self.state = STATES['unconfigured']
+        self.entities: list[ManagedEntity] = []
+        self.callbacks: dict[str, OnTransition] = {}
+        self.services: LifecycleServices | None = None
+
+    def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
+        """Call a method of all entities, until one does not succeed."""
+        for entity in self.entities:
+            result: TransitionCallbackReturn = getattr(entity, callback)(state)
+            if result is not TransitionCallbackReturn.SUCCESS:
+                return result
+        return TransitionCallbackReturn.SUCCESS
+
+    def trigger(self, wanted: int | str) -> TransitionCallbackReturn:
+        """Do a transition, by number or label, with its callback and what follows from that callback's answer.
+
+        :raises RCLError: in a state that does not allow it.
+        """
+        start = self.state
+        transition = transition_from(start.label, wanted)
+        if transition is None:
+            raise RCLError(f"Failed to trigger lifecycle state machine transition: no transition matching '{wanted}' found for "
+                           f'current state {start.label}')
+        self._enter(transition.number, transition.label, transition.during)
+        result = self._call(transition.callback, start)
+        self._leave(result)
+        if self.state.label == 'errorprocessing':
+            self._leave(self._call('on_error', start))
+        return result
+
+    def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
+        function = self.callbacks.get(callback) or getattr(self.node, callback)
+        try:
+            result = function(start)
+        except Exception as error:
+            self.node.get_logger().error(f'Exception in {callback}: {type(error).__name__}: {error}')
+            return TransitionCallbackReturn.ERROR
+        return result if isinstance(result, TransitionCallbackReturn) else TransitionCallbackReturn.ERROR
+
+    def _leave(self, result: TransitionCallbackReturn) -> None:
+        outcome = OUTCOMES[self.state.label][result]
+        self._enter(outcome.number, outcome.label, outcome.goal)
+
+    def _enter(self, number: int, label: str, goal: str) -> None:
+        start, self.state = self.state, STATES[goal]
+        if self.services is not None:
+            self.services.publish_event(number, label, start, self.state)

@@ -1,0 +1,37 @@
+"""Grading plans the runs, makes them, and gives reports in order."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edugrade.grading import grade, plan_work
+from edugrade.submission import Submission
+
+import edulaunch
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+STATIC, BROKEN = (REPOSITORY / 'solutions' / f'{name}.launch.py' for name in ('static_frame', 'broken_follow'))
+
+
+def test_the_seed_is_that_of_the_text_unless_one_is_given() -> None:
+    submission = Submission(str(STATIC))
+    assert plan_work(submission).seed == submission.seed
+    assert plan_work(submission, seed=5).seed == 5
+    assert plan_work(submission, 'circle').name == 'circle'
+
+
+def test_reports_come_in_the_order_of_the_submissions_and_each_run_is_counted() -> None:
+    done: list[int] = []
+    work = [plan_work(Submission(str(path))) for path in (BROKEN, STATIC)]
+    reports = list(grade(work, on_outcome=lambda: done.append(1)))
+    assert [report.rubric for report in reports] == ['broken_follow', 'static_frame']
+    assert (len(done), [report.exit_code for report in reports]) == (4, [0, 0])
+
+
+def test_a_graded_run_is_the_run_that_the_student_sees() -> None:
+    (report,) = grade([plan_work(Submission(str(STATIC)))])
+    for outcome in report.outcomes:
+        scenario = outcome.scenario
+        own = edulaunch.run(STATIC, arguments=scenario.arguments, duration_s=scenario.duration_s, seed=scenario.seed)
+        assert outcome.recording is not None
+        assert outcome.recording.digest() == own.digest()
