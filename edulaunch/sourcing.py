@@ -9,7 +9,6 @@ from importlib.machinery import PathFinder
 from edulaunch.errors import ForeignRosError
 from edulaunch.underlay_place import underlay_python
 
-
 INSTALL_SIGNS = ('.colcon_install_layout', 'local_setup.bash', 'local_setup.sh', os.path.join('share', 'ament_index'))
 """What lies in a folder that colcon has installed into."""
 

@@ -1,4 +1,4 @@
-"""`edulaunch pkg create` makes a package as `ros2 pkg create` does; `edulaunch pkg check` looks for common mistakes in packages."""
+"""`edulaunch pkg create` makes a package as `ros2 pkg create` does; `edulaunch pkg check` looks for common mistakes."""
 from __future__ import annotations
 
 import argparse
@@ -63,8 +63,8 @@ def maintainer() -> tuple[str, str]:
     except (OSError, KeyError):
         name = 'user'
     try:
-        asked = subprocess.run(['git', 'config', '--global', 'user.email'], capture_output=True, text=True, timeout=5, check=False)
-        email = asked.stdout.strip()
+        words = ['git', 'config', '--global', 'user.email']
+        email = subprocess.run(words, capture_output=True, text=True, timeout=5, check=False).stdout.strip()
     except (OSError, subprocess.SubprocessError):
         email = ''
     return name, email or f'{name}@todo.todo'

@@ -25,7 +25,8 @@ def main(arguments: argparse.Namespace) -> int:
         print(f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
               + (f'; the nearest name is {near}' if near else ''))
     if missing:
-        print(f'\nnodes of these packages that use what is missing cannot run: {", ".join(dict.fromkeys(row[0].name for row in missing))}')
+        names = ', '.join(dict.fromkeys(package.name for package, *_ in missing))
+        print(f'\nnodes of these packages that use what is missing cannot run: {names}')
     elif packages:
         print('All dependencies have been satisfied')
     else:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from edulaunch.interfaces.registry import Registry
 
-_sources: list[Callable[[], 'Registry | None']] = []
+_sources: list[Callable[[], Registry | None]] = []
 
 
 def answer_with(source: Callable[[], Registry | None]) -> None:

@@ -46,10 +46,11 @@ class Child:
         self._outlets = {'stdout': _outlet(process, 'stdout', stdout, self.stdout)}
         self._outlets['stderr'] = (self._outlets['stdout'] if stderr == subprocess.STDOUT else
                                    _outlet(process, 'stderr', stderr, self.stderr))
-        self._program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
+        program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
+        self._program = program
         if input is not None:
-            self._program.stdin = ScriptedInput(input.decode() if isinstance(input, bytes) else input)
-        self.pid: int = self._program.pid
+            program.stdin = ScriptedInput(input.decode() if isinstance(input, bytes) else input)
+        self.pid: int = program.pid
 
     def __enter__(self) -> Child:
         return self

@@ -44,7 +44,8 @@ def _module_help(process: Process, name: str) -> str | None:
     top = name.partition('.')[0]
     for kind, modules in KINDS.items():
         if top in modules:
-            return f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; the other programs go on without it'
+            return (f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; '
+                    'the other programs go on without it')
     return (_package_help(process, top) or _part_help(process, name)
             or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(process, top))
 
@@ -85,9 +86,11 @@ def _part_help(process: Process, name: str) -> str | None:
 
 def _near(process: Process, top: str) -> str:
     from edulaunch.interfaces import current_registry
-    near = nearest(top, {*current_registry().packages(), *process.overlay.modules, *SPELLING})
+    known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
+    ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
+    near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
     if near:
-        return f'; did you mean {near!r}?'
-    if top.endswith(INTERFACE_ENDINGS):
+        return f'; did you mean {near + ending!r}?'
+    if ending:
         return ': is the package with these interfaces in the workspace?'
     return f'. If it is no module of yours, try: pip install {top}'

@@ -75,7 +75,7 @@ class Loader:
 
     def load_entry_module(self, name: str) -> ModuleType:
         """The module of an entry point. One of the underlay is executed privately too, its package is shared."""
-        self.finder.own = top = name.partition('.')[0]
+        self.finder.own = name.partition('.')[0]
         if self.finder.last:
             return self.import_module(name)
         package = _shared_import(name.rpartition('.')[0], None, None, ['__name__'], 0)

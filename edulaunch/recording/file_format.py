@@ -89,7 +89,8 @@ def _check(content: dict[str, Any], name: str) -> None:
         if not isinstance(content.get(part), expected):
             raise RecordingError(f'{name} is damaged: the part {part!r} is missing or cut off.')
     texts = content['interfaces']
-    if not isinstance(texts, dict) or not all(TYPE_NAME.fullmatch(name) and isinstance(text, str) for name, text in texts.items()):
+    if not isinstance(texts, dict) or not all(
+            TYPE_NAME.fullmatch(key) and isinstance(text, str) for key, text in texts.items()):
         raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
     for topic in content['topics']:
         columns = [topic['times'], topic['publishers'], topic['messages']]

@@ -167,7 +167,7 @@ class Recording:
         get = attrgetter(*fields)
         rows: list[tuple[float, ...]] = []
         for time, message in self.messages(topic):
-            values = get(message)
+            values: Any = get(message)
             rows.append((time, values) if len(fields) == 1 else (time, *values))
         return rows
 

@@ -26,7 +26,8 @@ def _wrong_entry_points(package: SourcePackage) -> Iterator[Mistake]:
         file = _module_file(package, module)
         if file is None:
             near = nearest(module, _modules(package))
-            yield Mistake(package.build_file(), line, f'the entry point {entry!r} names the module {module!r}, which is not there',
+            yield Mistake(package.build_file(), line,
+                          f'the entry point {entry!r} names the module {module!r}, which is not there',
                           f'did you mean {near!r}?' if near else None)
             continue
         tree = parsed(file)
@@ -106,7 +107,8 @@ def _scripts(package: SourcePackage) -> Iterator[Mistake]:
             if real in installed and installed[real].startswith('lib/'):
                 sentence = 'this program is installed as a plain file that may not be executed'
             else:
-                sentence = f'this program is not installed, so `ros2 run {package.name} {os.path.basename(path)}` does not find it'
+                command = f'ros2 run {package.name} {os.path.basename(path)}'
+                sentence = f'this program is not installed, so `{command}` does not find it'
             yield Mistake(path, 0, sentence, f'add install(PROGRAMS {package.relative(path)} DESTINATION lib/${{PROJECT_NAME}}) '
                                              'to CMakeLists.txt')
 

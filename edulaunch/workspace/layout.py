@@ -1,4 +1,4 @@
-"""Mistakes of files and folders: launch files that are not installed, files that are no Python, build output among the sources."""
+"""Mistakes of files and folders: launch files that no build installs, files that are no Python, build output in the sources."""
 from __future__ import annotations
 
 import os

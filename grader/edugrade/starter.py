@@ -17,7 +17,8 @@ import select
 import signal
 import socket
 import sys
-from importlib.machinery import SourceFileLoader
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from importlib.util import module_from_spec
 from typing import Any, NoReturn
 
 LENGTH_BYTES = 4
@@ -29,12 +30,19 @@ def main() -> NoReturn:
     control = socket.socket(fileno=int(settings['control']))
     control.set_inheritable(False)
     sys.path[:] = settings['path']
-    here = os.path.dirname(os.path.abspath(__file__))
-    child = SourceFileLoader('edugrade_child', os.path.join(here, 'child.py')).load_module('edugrade_child')
-    del sys.modules['edugrade_child']
+    child = _load_child()
     child.warm_up()
     Starter(control, child).serve()
     os._exit(0)
+
+
+def _load_child() -> Any:
+    """The module child.py, which no run can find: it is not among the loaded ones."""
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'child.py')
+    loader = SourceFileLoader('edugrade_child', path)
+    child = module_from_spec(ModuleSpec('edugrade_child', loader, origin=path))
+    loader.exec_module(child)
+    return child
 
 
 class Starter:

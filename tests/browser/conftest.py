@@ -18,6 +18,7 @@ from tests.browser.lab import Lab
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
 OWN_FOLDERS = ('JUPYTER_CONFIG_DIR', 'JUPYTER_DATA_DIR', 'JUPYTER_RUNTIME_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR')
+QUIET = ['--LabApp.news_url=None', '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate']
 
 
 @pytest.fixture(scope='module')
@@ -60,7 +61,7 @@ def lab(browser: Any, course: Path, shots: Path, tmp_path_factory: pytest.TempPa
     home = tmp_path_factory.mktemp('jupyter')
     env = {**os.environ, 'USER': 'student', **{name: str(home / name.lower()) for name in OWN_FOLDERS}}
     words = ['lab', '--no-browser', '--ip=127.0.0.1', f'--port={port}', '--ServerApp.port_retries=0', '--allow-root',
-             '--IdentityProvider.token=', f'--ServerApp.root_dir={course}', '--LabApp.expose_app_in_browser=True']
+             '--IdentityProvider.token=', f'--ServerApp.root_dir={course}', '--LabApp.expose_app_in_browser=True', *QUIET]
     url = f'http://127.0.0.1:{port}'
     with (home / 'log.txt').open('w') as log:
         server = subprocess.Popen([sys.executable, '-m', 'jupyter', *words], env=env, stdout=log, stderr=log)

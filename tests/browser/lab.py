@@ -8,8 +8,12 @@ from typing import Any
 
 RUN_MS = 90_000
 RUN_ALL = "async () => { await window.jupyterapp.commands.execute('notebook:run-all-cells') }"
-ALL_RAN = """() => window.jupyterapp.shell.currentWidget.content.widgets.every(
-  cell => cell.model.type !== 'code' || (cell.model.executionCount !== null && cell.promptNode.textContent !== '[*]:'))"""
+ALL_RAN = """() => {
+  const cells = window.jupyterapp.shell.currentWidget.content.widgets.filter(cell => cell.model.type === 'code');
+  const failed = cell => !(cell.model.getMetadata('tags') || []).includes('raises-exception')
+    && cell.model.outputs.toJSON().some(output => output.output_type === 'error');
+  return cells.every(cell => cell.model.executionCount !== null) || cells.some(failed);
+}"""
 CELLS = """() => {
   const notebook = window.jupyterapp.shell.currentWidget.content;
   return notebook.widgets.filter(cell => cell.model.type === 'code').map(cell => ({

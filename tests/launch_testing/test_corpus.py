@@ -30,7 +30,7 @@ def test_each_wrong_claim_is_told_with_its_own_lines_only(run: Run) -> None:
     test = run('failing')
     assert (test.code, outcome(test)) == (1, [('ERROR', 'test_c_broken'), ('FAIL', 'test_b_wrong')])
     error, failure = texts(test)
-    assert re.fullmatch(r'Traceback \(most recent call last\):\n  File ".*failing\.py", line 25, in test_c_broken\n'
+    assert re.fullmatch(r'Traceback \(most recent call last\):\n  File ".*failing\.py", line 24, in test_c_broken\n'
                         r"    raise KeyError\('no such thing'\)\nKeyError: 'no such thing'\n", error)
     assert failure.splitlines()[-2:] == [
         'AssertionError: Waiting for output timed out',
@@ -80,3 +80,8 @@ def test_a_test_that_waits_for_ever_is_ended(run: Run) -> None:
     test = run('waiting')
     assert str(test.error) == ('waiting.py: the launch test was still waiting after 3600.0 s of simulated time.\n'
                                '  help: give waits a timeout, such as event.wait(timeout=10)')
+
+
+def test_tests_of_nodes_wait_for_topics(run: Run) -> None:
+    test = run('topics')
+    assert (test.code, outcome(test), texts(test)) == (0, [], [])

@@ -32,7 +32,8 @@ def test_pytest_runs_launch_tests_among_others(tmp_path: Path) -> None:
     for name in ('talker', 'failing', 'forgetful'):
         (tmp_path / f'test_{name}.py').write_bytes((CORPUS / f'{name}.py').read_bytes())
     (tmp_path / 'test_plain.py').write_text("import sys\ndef test_plain():\n    assert 'launch' not in sys.modules\n")
-    env = {**os.environ, 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1', 'PYTHONDONTWRITEBYTECODE': '1'}
+    here = str(Path(__file__).resolve().parents[2])
+    env = {**os.environ, 'PYTHONPATH': here, 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1', 'PYTHONDONTWRITEBYTECODE': '1'}
     command = [sys.executable, '-m', 'pytest', '-p', 'edulaunch.pytest_plugin', '-p', 'no:cacheprovider', '--strict-markers', '-v',
                'test_plain.py', 'test_talker.py', 'test_failing.py', 'test_forgetful.py']
     done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)

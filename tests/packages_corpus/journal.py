@@ -5,9 +5,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from cases import CASES, CORPUS
-
 import edulaunch
+
+from .cases import CASES, CORPUS
 
 QUIET = re.compile(r'\[INFO\] \[launch\]: (Default|All log)|\[(?!(?:INFO|WARNING|ERROR)\])[^\]]+-\d+\] |\[INFO\] .*process started')
 INSTALLED = re.compile(r'/\S+/lib/(\w+)/')
@@ -18,7 +18,7 @@ LOG_LINE = re.compile(r'\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[\d+\.\d+\] (.*)', re
 def run_case(name: str, seed: int = 0) -> edulaunch.Recording:
     """Run the package's launch file as its case says."""
     case = CASES[name]
-    with edulaunch.Session(seed=seed, workspaces=[CORPUS / name], stdin=case.stdin, env={'USER': 'student'}) as session:
+    with edulaunch.Session(seed=seed, workspaces=[CORPUS / name], stdin=case.stdin, env={'USER': 'student', 'PATH': '/usr/bin:/bin'}) as session:
         launch = session.launch(case.package or name, case.file, case.arguments)
         session.run(case.duration_s)
         launch.raise_error()

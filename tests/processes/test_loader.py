@@ -47,7 +47,7 @@ def test_folders_put_on_sys_path_are_searched(world: Any) -> None:
 ])
 def test_import_errors_are_pythons(world: Any, text: str, error: str) -> None:
     world.write('lib/robot/__init__.py', '')
-    assert error in world.run(text).splitlines()[-1]
+    assert error in [line for line in world.run(text).splitlines() if not line.startswith('  ')][-1]
 
 
 def test_dataclasses_with_string_annotations_find_their_module(world: Any) -> None:
@@ -88,3 +88,65 @@ def test_a_module_that_fails_can_be_imported_again(world: Any) -> None:
 
 def test_main_is_main_and_knows_its_file(world: Any) -> None:
     assert world.run("if __name__ == '__main__':\n    print(__file__.rsplit('/')[-1])") == 'program-1.py\n'
+
+
+def test_folders_put_last_on_sys_path_do_not_hide_shared_modules(world: Any) -> None:
+    world.write('elsewhere/json.py', 'NAME = "mine"\n')
+    world.write('elsewhere/only_here.py', 'NAME = "found"\n')
+    assert world.run(f'import sys\nsys.path.append({str(world.folder / "elsewhere")!r})\nimport json, only_here\n'
+                     'print(hasattr(json, "dumps"), only_here.NAME)') == 'True found\n'
+
+
+def test_folders_beside_the_package_do_not_hide_shared_modules(world: Any) -> None:
+    """`launch/` and `test/` of a source package are no modules of it."""
+    world.write('lib/launch/my.launch.py', '')
+    world.write('lib/helpers/tool.py', 'NAME = "tool"\n')
+    assert world.run('import launch\nfrom helpers import tool\nprint(hasattr(launch, "LaunchDescription"), tool.NAME)') == 'True tool\n'
+
+
+def test_importlib_finds_private_modules(world: Any) -> None:
+    world.write('lib/robot/__init__.py', '')
+    world.write('lib/robot/arm.py', 'count = 0\n')
+    assert world.run("""
+        import importlib, importlib.util, robot.arm
+        again = importlib.import_module('robot.arm')
+        relative = importlib.import_module('.arm', package='robot')
+        again.count += 1
+        importlib.reload(again)
+        print(again is robot.arm is relative, again.count, __import__('robot').arm is again)
+        print(importlib.util.find_spec('robot.arm').name, importlib.util.find_spec('robot.leg'))
+        """) == 'True 0 True\nrobot.arm None\n'
+
+
+def test_a_module_made_from_a_spec_runs_in_the_simulation(world: Any) -> None:
+    path = world.write('elsewhere/clock.py', 'import time\nNOW = time.time()\n')
+    assert world.run(f"""
+        import importlib.util
+        spec = importlib.util.spec_from_file_location('clock', {path!r})
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        print(module.NOW)
+        """) == '1700000000.0\n'
+
+
+def test_data_of_a_package_is_found(world: Any) -> None:
+    world.write('lib/robot/__init__.py', '')
+    world.write('lib/robot/data/words.txt', 'hello\n')
+    assert world.run("""
+        import os, pkgutil, robot
+        from importlib import resources
+        here = os.path.join(os.path.dirname(robot.__file__), 'data', 'words.txt')
+        with open(here) as file:
+            print(file.read(), end='')
+        print(resources.files('robot').joinpath('data/words.txt').read_text()
+              + pkgutil.get_data('robot', 'data/words.txt').decode(), end='')
+        """) == 'hello\n' * 3
+
+
+def test_pkgutil_walks_private_packages(world: Any) -> None:
+    for name in ('robot/__init__.py', 'robot/arm/__init__.py', 'robot/arm/hand.py'):
+        world.write(f'lib/{name}', '')
+    assert world.run("""
+        import pkgutil, robot
+        print([info.name for info in pkgutil.walk_packages(robot.__path__, 'robot.')])
+        """) == "['robot.arm', 'robot.arm.hand']\n"

@@ -113,3 +113,30 @@ def test_closing_the_host_unwinds_what_still_runs(world: Any) -> None:
     world.sim.run(world.sim.now_ns + 10**9)
     world.host.close()
     assert world.host.processes == [] and world.codes == {}
+
+
+def test_atexit_functions_run_last_first_after_the_threads(world: Any) -> None:
+    assert world.run("""
+        import atexit, threading, time
+        atexit.register(print, 'first registered')
+        atexit.register(print, 'last registered')
+        threading.Thread(target=lambda: (time.sleep(1), print('thread'))).start()
+        print('main')
+        """) == 'main\nthread\nlast registered\nfirst registered\n'
+
+
+def test_an_exit_without_cleaning_up_calls_nothing(world: Any) -> None:
+    assert world.run('import atexit, os\natexit.register(print, "called")\nos._exit(3)') == ''
+    assert world.codes == {'program-1': 3}
+
+
+def test_a_program_has_its_own_folder(world: Any) -> None:
+    world.write('data/words.txt', 'hello')
+    script = world.write('p.py', 'import os\nwith open("words.txt") as file:\n    print(os.getcwd(), file.read())\nos.chdir("..")\nprint(os.path.basename(os.getcwd()))')
+    world.start(script, cwd=str(world.folder / 'data'))
+    world.sim.run()
+    assert ''.join(text for *_, text in world.log) == f'{world.folder}/data hello\n{world.folder.name}\n'
+
+
+def test_bytes_can_be_written_too(world: Any) -> None:
+    assert world.run('import sys\nsys.stdout.buffer.write("grüße\\n".encode())\nsys.stdout.reconfigure(line_buffering=True)') == 'grüße\n'

@@ -96,3 +96,147 @@ def test_kill_reaches_simulated_programs_only(world: Any) -> None:
         except ProcessLookupError as error:
             print(error)
         """) == '[Errno 3] No such process\n'
+
+
+def test_functions_of_time_are_no_methods(world: Any) -> None:
+    assert world.run('import time\nclass Robot:\n    clock = time.time\nprint(Robot().clock())') == '1700000000.0\n'
+
+
+def test_executors_work_in_simulated_time(world: Any) -> None:
+    assert world.run("""
+        import time
+        from concurrent.futures import ThreadPoolExecutor, as_completed
+        def work(seconds):
+            time.sleep(seconds)
+            return seconds
+        with ThreadPoolExecutor(max_workers=2) as pool:
+            waiting = [pool.submit(work, seconds) for seconds in (3, 1, 1.5)]
+            print([future.result() for future in as_completed(waiting)], time.monotonic())
+        """) == '[1, 1.5, 3] 3.0\n'
+
+
+def test_work_of_an_executor_ends_before_the_program(world: Any) -> None:
+    world.run('import time\nfrom concurrent.futures import ThreadPoolExecutor\n'
+              'ThreadPoolExecutor().submit(lambda: (time.sleep(5), print("worked")))\nprint("main")')
+    assert [(time, text) for time, _, text in world.log] == [(0.0, 'main\n'), (5.0, 'worked\n')]
+
+
+def test_sched_runs_events_in_simulated_time(world: Any) -> None:
+    assert world.run("""
+        import sched, time
+        plan = sched.scheduler(time.time, time.sleep)
+        plan.enter(2, 1, print, ('two',))
+        plan.enter(1, 1, print, ('one',))
+        plan.run()
+        print(time.monotonic())
+        """) == 'one\ntwo\n2.0\n'
+
+
+def test_asyncio_runs_in_simulated_time(world: Any) -> None:
+    assert world.run("""
+        import asyncio, time
+        async def tick(seconds):
+            await asyncio.sleep(seconds)
+            print(seconds, time.monotonic())
+            return seconds
+        async def main():
+            slept = asyncio.get_running_loop().run_in_executor(None, time.sleep, 2.5)
+            print(await asyncio.gather(tick(2), tick(1)))
+            await slept
+        asyncio.run(main())
+        asyncio.get_event_loop().run_until_complete(tick(1))
+        """) == '1 1.0\n2 2.0\n[2, 1]\n1 3.5\n'
+
+
+def test_asyncio_run_wants_a_coroutine_and_cancels_what_is_left(world: Any) -> None:
+    assert world.run("""
+        import asyncio
+        async def for_ever():
+            try:
+                await asyncio.sleep(1000)
+            finally:
+                print('cancelled')
+        async def main():
+            asyncio.ensure_future(for_ever())
+            await asyncio.sleep(1)
+        asyncio.run(main())
+        try:
+            asyncio.run(3)
+        except ValueError as error:
+            print(error)
+        """) == 'cancelled\na coroutine was expected, got 3\n'
+
+
+def test_randomness_of_numpy_repeats_and_the_shared_one_is_left_alone(make_world: Callable[[int], Any]) -> None:
+    import numpy
+    before = numpy.random.get_state()[2]
+    text = """
+        import numpy as np
+        from numpy.random import rand
+        print(rand(2).tolist(), np.random.default_rng().random(), np.random.randint(10**6), np.random.RandomState().rand(), np.linalg.norm([3, 4]))
+        """
+    first, again, other_seed = (make_world(seed).run(text) for seed in (1, 1, 2))
+    assert first == again != other_seed and first.endswith(' 5.0\n')
+    assert numpy.random.get_state()[2] == before
+
+
+def test_a_given_seed_counts(world: Any) -> None:
+    import numpy
+    expected = numpy.random.RandomState(3).rand()
+    assert world.run('import numpy.random\nnumpy.random.seed(3)\nprint(float(numpy.random.rand()))') == f'{expected}\n'
+
+
+@pytest.mark.parametrize('text', ['import secrets\nprint(secrets.token_hex(8))', 'import os\nprint(os.urandom(8).hex())'])
+def test_even_the_machines_own_randomness_repeats(make_world: Callable[[int], Any], text: str) -> None:
+    first, again, other_seed = (make_world(seed).run(text) for seed in (1, 1, 2))
+    assert first == again != other_seed
+
+
+def test_logging_is_private_and_its_stamps_are_simulated(world: Any) -> None:
+    import logging
+    handlers = list(logging.getLogger().handlers)
+    assert world.run("""
+        import logging, time
+        logging.basicConfig(level=logging.INFO, format='%(asctime)s %(levelname)s %(name)s %(message)s')
+        time.sleep(1.5)
+        logging.getLogger('robot').info('moves')
+        """) == '2023-11-14 22:13:21,500 INFO robot moves\n'
+    assert logging.getLogger().handlers == handlers
+
+
+KEYS = """
+    import select, sys, termios, time, tty
+    settings = termios.tcgetattr(sys.stdin)
+    def get_key():
+        tty.setraw(sys.stdin.fileno())
+        ready, _, _ = select.select([sys.stdin], [], [], 0.5)
+        key = sys.stdin.read(1) if ready else ''
+        termios.tcsetattr(sys.stdin, termios.TCSADRAIN, settings)
+        return key
+    """
+
+
+def test_scripted_keys_are_read_one_by_one_then_nobody_presses_any(world: Any) -> None:
+    assert world.run(KEYS + """
+    print(''.join(get_key() for _ in range(23)).split(), time.monotonic())
+    print(repr(get_key()), time.monotonic())
+        """, 'asks-1') == "['first', 'line', 'second', 'line'] 0.0\n'' 0.5\n"
+
+
+def test_reading_a_keyboard_that_nobody_presses_waits(world: Any) -> None:
+    process = world.start(world.write('p.py', 'import sys, tty\ntty.setcbreak(sys.stdin)\nprint("waits")\nsys.stdin.read(1)'))
+    world.sim.run(world.sim.now_ns + 10**9)
+    process.send_signal(2)
+    world.sim.run()
+    assert world.codes == {'program-1': -2} and world.log[0][2] == 'waits\n'
+
+
+def test_reading_at_the_end_of_a_file_again_and_again_lets_time_pass(world: Any) -> None:
+    world.start(world.write('p.py', 'import sys\nwhile not sys.stdin.read(1):\n    pass'))
+    world.sim.run(world.sim.now_ns + 10**9)
+    assert world.sim.elapsed_s == 1.0
+
+
+def test_there_is_no_screen(world: Any) -> None:
+    wrote = world.run('from turtle import position, Turtle\nprint("imported")\nTurtle()')
+    assert wrote.startswith('imported\n') and 'no display name' in wrote and 'the simulation has no screen' in wrote

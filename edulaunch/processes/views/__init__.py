@@ -69,6 +69,8 @@ def make_view(name: str, process: Process) -> ModuleType | None:
 
 def copy_names(view: ModuleType, real: ModuleType) -> None:
     """Give the view all names of the real module that it does not have yet."""
-    for name, value in real.__dict__.items():
-        if name not in view.__dict__ or name in ('__doc__', '__file__'):
-            view.__dict__[name] = value
+    own = dict(view.__dict__)
+    view.__dict__.update(real.__dict__)
+    view.__dict__.update(own, __doc__=real.__doc__)
+    if hasattr(real, '__file__'):
+        view.__dict__['__file__'] = real.__file__

@@ -21,7 +21,7 @@ class ProcessEventLoop(SimulatedEventLoop):
         super().__init__(task)
         self._process = process
 
-    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:
+    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:  # type: ignore[override]
         """Run a blocking function beside the loop; an asyncio future of its result."""
         answer = self.create_future()
 
@@ -65,7 +65,8 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         if loops.get(task) is None:
             if task is not process.task:
                 raise RuntimeError(f'There is no current event loop in thread {task.name!r}.')
-            loops[task] = new_event_loop()
+            loop = loops[task] = new_event_loop()
+            process.at_exit.append(lambda: None if loop.is_running() else loop.close())
         return loops[task]
 
     def run(main: Coroutine[Any, Any, Any], *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> Any:

@@ -41,7 +41,7 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
 def make_termios(view: ModuleType, process: Process) -> ModuleType:
     """The attributes of the program's input; leaving canonical mode makes it a keyboard that is read key by key."""
     import termios as real
-    cooked = [real.ICRNL, real.OPOST, real.CS8, real.ICANON | real.ECHO | real.ISIG, real.B38400, real.B38400,
+    cooked: list[Any] = [real.ICRNL, real.OPOST, real.CS8, real.ICANON | real.ECHO | real.ISIG, real.B38400, real.B38400,
               [b'\x00'] * real.NCCS]
     state = {'now': cooked}
 
@@ -72,6 +72,7 @@ def make_tty(view: ModuleType, process: Process) -> ModuleType:
         return change
 
     import termios
-    view.__dict__.update(setraw=set_mode(termios.ICANON | termios.ECHO | termios.ISIG), setcbreak=set_mode(termios.ICANON | termios.ECHO))
+    by_key = termios.ICANON | termios.ECHO
+    view.__dict__.update(setraw=set_mode(by_key | termios.ISIG), setcbreak=set_mode(by_key))
     copy_names(view, real)
     return view

@@ -32,16 +32,6 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
     `system` and `popen` are those of `subprocess`; `urandom` repeats.
     """
-    def kill(pid: int, signum: int) -> None:
-        if pid == process.pid:
-            process.send_signal(signum)
-            return
-        for other in process.host.processes:
-            if other.pid == pid:
-                other.send_signal(signum)
-                return
-        raise ProcessLookupError(3, 'No such process')
-
     def putenv(name: str, value: str) -> None:
         process.env[name] = value
 
@@ -76,9 +66,21 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
-        getpid=lambda: process.pid, getppid=lambda: 1000, kill=kill, _exit=process.exit_now, getcwd=getcwd, chdir=chdir,
+        getpid=lambda: process.pid, getppid=lambda: 1000, kill=lambda pid, signum, /: _kill(process, pid, signum),
+        _exit=process.exit_now, getcwd=getcwd, chdir=chdir,
         system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom)
     copy_names(view, real)
     for name in LEFT_OUT:
         view.__dict__.pop(name, None)
     return view
+
+
+def _kill(process: Process, pid: int, signum: int) -> None:
+    if pid == process.pid:
+        process.send_signal(signum)
+        return
+    for other in process.host.processes:
+        if other.pid == pid:
+            other.send_signal(signum)
+            return
+    raise ProcessLookupError(3, 'No such process')

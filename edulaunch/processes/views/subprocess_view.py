@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import subprocess as real
+from collections.abc import Callable
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -26,23 +27,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
                      stderr: Any = None, **options: Any) -> None:
             super().__init__(process, args, stdout=stdout, stderr=stderr, **options)
 
-    def run(args: Any, *, input: Any = None, capture_output: bool = False, timeout: float | None = None, check: bool = False,
-            **options: Any) -> Any:
-        if capture_output:
-            options.update(stdout=real.PIPE, stderr=real.PIPE)
-        if process.host.knows(spec_of(process, args, **options)):
-            child = Popen(args, input=input, **options)
-            try:
-                output = child.communicate(timeout=timeout)
-            except real.TimeoutExpired:
-                child.kill()
-                raise
-            done = real.CompletedProcess(args, child.wait(), *output)
-        else:
-            done = _really(process, args, input, timeout, options)
-        if check:
-            done.check_returncode()
-        return done
+    run = _runner(process, Popen)
 
     def call(args: Any, **options: Any) -> int:
         code: int = run(args, **options).returncode
@@ -63,6 +48,28 @@ def make(view: ModuleType, process: Process) -> ModuleType:
                          getstatusoutput=getstatusoutput, getoutput=lambda cmd, **options: getstatusoutput(cmd, **options)[1])
     copy_names(view, real)
     return view
+
+
+def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
+    def run(args: Any, *, input: Any = None, capture_output: bool = False, timeout: float | None = None, check: bool = False,
+            **options: Any) -> Any:
+        if capture_output:
+            options.update(stdout=real.PIPE, stderr=real.PIPE)
+        if process.host.knows(spec_of(process, args, **options)):
+            child: Any = popen(args, input=input, **options)
+            try:
+                output = child.communicate(timeout=timeout)
+            except real.TimeoutExpired:
+                child.kill()
+                raise
+            done = real.CompletedProcess(args, child.wait(), *output)
+        else:
+            done = _really(process, args, input, timeout, options)
+        if check:
+            done.check_returncode()
+        return done
+
+    return run
 
 
 def _really(process: Process, args: Any, input: Any, timeout: float | None, options: dict[str, Any]) -> Any:

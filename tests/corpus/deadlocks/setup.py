@@ -29,6 +29,7 @@ setup(
             'busy_wait = deadlocks.busy_wait:main',
             'rate_in_timer = deadlocks.rate_in_timer:main',
             'await_in_group = deadlocks.await_in_group:main',
+            'nested_once = deadlocks.nested_once:main',
             'healthy = deadlocks.healthy:main',
         ],
     },

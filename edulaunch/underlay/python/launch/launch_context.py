@@ -119,6 +119,10 @@ class LaunchContext:
         """The globals, overridden by the locals."""
         return {**self.__globals, **self.__locals}
 
+    def _local(self, name: str) -> Any:
+        """One local or global that is known to be there."""
+        return self.__locals[name] if name in self.__locals else self.__globals[name]
+
     def extend_globals(self, extensions: dict[str, Any]) -> None:
         """Add globals, which no pop takes away."""
         self.__globals.update(extensions)

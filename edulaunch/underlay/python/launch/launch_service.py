@@ -17,6 +17,7 @@ from .event_handlers.on_include_launch_description import OnIncludeLaunchDescrip
 from .event_handlers.on_shutdown import OnShutdown
 from .events.include_launch_description import IncludeLaunchDescription
 from .events.shutdown import Shutdown
+from .frontend.collector_pause import collector_paused
 from .launch_context import LaunchContext
 from .launch_description_entity import LaunchDescriptionEntity
 from .logging import get_logger, launch_config, log_launch_config
@@ -245,7 +246,9 @@ class LaunchService:
             context._pop_locals()
 
     def __visit(self, entity: LaunchDescriptionEntity) -> None:
-        for visited, future in visit_all_entities_and_collect_futures(entity, self.__context):
+        with collector_paused():
+            pairs = visit_all_entities_and_collect_futures(entity, self.__context)
+        for visited, future in pairs:
             self.__pending[future] = visited
             future.add_done_callback(self.__on_done)
 

@@ -6,12 +6,11 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from launch.substitutions.launch_configuration import LaunchConfiguration
-
+from ._parameter_text import parameter_file_text
 from ._temporary_files import TemporaryFiles
 from .parameter_descriptions import Parameter
 from .parameters_type import Parameters
-from .utilities import evaluate_parameters
+from .utilities.evaluate_parameters import evaluate_parameters
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,17 +27,15 @@ class ParameterArguments:
     :param node_key: what stands above the values in generated files: the node's full name, or `/**`.
     :param origin: where the launch file made the node.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
-    :ivar origins: parameter name -> where its value was written, for values that do not come from a file.
     """
 
     def __init__(self, node_name: str, node_key: str, origin: Origin | None) -> None:
         self.items: list[tuple[str, bool]] = []
-        self.origins: dict[str, str] = {}
         self._node_key = node_key
-        self._here = (
-            'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
-        )
-        self._files = TemporaryFiles(f'{node_name} {self._here}')
+        self._origin = origin
+        place = 'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
+        self._files = TemporaryFiles(f'{node_name} {place}')
+        self._sources: list[tuple[Any, Any]] = []
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
@@ -46,7 +43,7 @@ class ParameterArguments:
             if isinstance(entry, tuple):
                 name, value = entry
                 self.items.append((f'{name}:={value}', False))
-                self.origins[name] = 'SetParameter'
+                self._sources.append((name, entry))
             else:
                 path = os.path.abspath(entry)
                 assert os.path.isfile(path), f'{path} is not a file'
@@ -54,18 +51,27 @@ class ParameterArguments:
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
-        for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=False):
+        for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=True):
             if isinstance(value, dict):
-                self.items.append((self._write(value), True))
-                self._note_origins(value, written)
+                self.items.append((self._promise(value), True))
+                self._sources.append((value, written))
             elif isinstance(value, Parameter):
                 self._add_rule(context, value)
             else:
                 self._add_file(value)
 
+    def keep_promises(self) -> None:
+        """Write the generated files that :attr:`items` names."""
+        self._files.keep_promises()
+
+    def _promise(self, values: dict[str, Any]) -> str:
+        key = self._node_key
+        return self._files.promise(f'{key}\n{values}', lambda: parameter_file_text(key, values))
+
     def _add_file(self, path: Path) -> None:
         if path.is_file():
             self.items.append((str(path), True))
+            self._sources.append((path, None))
             return
         import launch.logging
 
@@ -78,36 +84,21 @@ class ParameterArguments:
 
         name, value = parameter.evaluate(context)
         self.items.append((f'{name}:={yaml.safe_dump(value)}', False))
-        self.origins[name] = self._here
+        self._sources.append((name, parameter))
 
-    def _write(self, values: dict[str, Any]) -> str:
-        import yaml
+    def origins(self) -> dict[str, str]:
+        """Parameter name -> where its value was written, for values that do not come from a file."""
+        from ._parameter_origins import origin_of_global, origins_of, names_in_file
 
-        plain = {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
-        content = {self._node_key: {'ros__parameters': plain}}
-        dumper = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
-        return self._files.write(
-            yaml.dump(content, Dumper=dumper, default_flow_style=False, allow_unicode=True)
-        )
-
-    def _note_origins(self, values: dict[str, Any], written: Any) -> None:
-        """Name and written value stand in the same order in both dicts, unless two names came out equal."""
-        if len(values) != len(written):
-            self.origins.update(dict.fromkeys(values, self._here))
-            return
-        for name, value in zip(values, written.values(), strict=False):
-            self.origins[name] = _argument_in(value) or self._here
-
-
-def _argument_in(value: Any) -> str | None:
-    """'launch argument x', when a launch configuration decides the value."""
-    value = getattr(value, 'value', value)
-    for part in value if isinstance(value, (list, tuple)) else (value,):
-        if isinstance(part, LaunchConfiguration):
-            names = [getattr(text, 'text', '') for text in part.variable_name]
-            return f'launch argument {"".join(names)}'
-        if isinstance(part, (list, tuple)):
-            found = _argument_in(part)
-            if found is not None:
-                return found
-    return None
+        found: dict[str, str] = {}
+        for what, written in self._sources:
+            if isinstance(what, dict):
+                found.update(origins_of(what, written, self._origin))
+            elif not isinstance(what, str):
+                for name in names_in_file(what):
+                    found.pop(name, None)
+            elif isinstance(written, tuple):
+                found[what] = origin_of_global(written)
+            else:
+                found.update(origins_of({what: None}, {what: written}, self._origin))
+        return found

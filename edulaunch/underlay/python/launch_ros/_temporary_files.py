@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import weakref
+from collections.abc import Callable
 
 Written = tuple[str, int]
 """Path and inode: the file is only removed while it is still the one that was written."""
@@ -21,22 +22,49 @@ class TemporaryFiles:
 
     def __init__(self, owner: str = '') -> None:
         self._owner = owner
+        self._count = 0
+        self._promised: list[tuple[str, Callable[[], str]]] = []
         self._written: list[Written] = []
-        self._finalizer = weakref.finalize(self, _remove, self._written)
 
     def write(self, text: str) -> str:
         """Write a new file; gives its path."""
+        path = self.promise(text, lambda: text)
+        self.keep_promises()
+        return path
+
+    def promise(self, content: str, make: Callable[[], str]) -> str:
+        """The path of a file that stands there after :meth:`keep_promises`.
+
+        Writing takes longer than everything else that a launch file asks for, and most dry runs need no file.
+
+        :param content: any text that differs when the file's text does.
+        :param make: gives the file's text.
+        """
         import hashlib
         import tempfile
 
-        digest = hashlib.sha256(f'{self._owner}\n{len(self._written)}\n{text}'.encode()).hexdigest()[:8]
-        path = os.path.join(tempfile.gettempdir(), f'launch_params_{digest}')
+        digest = hashlib.sha256(f'{self._owner}\n{self._count}\n{content}'.encode()).hexdigest()[:8]
+        self._count += 1
+        path = f'{tempfile.gettempdir()}{os.sep}launch_params_{digest}'
+        self._promised.append((path, make))
+        return path
+
+    def keep_promises(self) -> None:
+        """Write what was promised."""
+        promised, self._promised = self._promised, []
+        for path, make in promised:
+            self._write(path, make())
+
+    def _write(self, path: str, text: str) -> None:
+        import tempfile
+
         handle, draft = tempfile.mkstemp(prefix='launch_params_')
         with open(handle, 'w', encoding='utf-8') as stream:
             stream.write(text)
         os.replace(draft, path)
+        if not self._written:
+            weakref.finalize(self, _remove, self._written)
         self._written.append((path, os.stat(path).st_ino))
-        return path
 
     def remove(self) -> None:
         """Remove all of them."""

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 
+_PLAIN = frozenset((str, bool, int, float))
+
+
 class ParameterValue:
     """A value of a stated type, such as a robot description, which is a text whatever it looks like.
 
@@ -29,10 +32,19 @@ class ParameterValue:
     :raises TypeError: when a literal has not the type.
     """
 
+    _line = 0
+    """The line of the launch file that says so, when a frontend made this."""
+
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
-        self.__value = normalize_typed_substitution(value, value_type)
+        plain = value_type is None and type(value) in _PLAIN
+        self.__value = value if plain else normalize_typed_substitution(value, value_type)
         self.__value_type = value_type
         self.__evaluated: Any = None
+
+    @property
+    def _written(self) -> Any:
+        """What is to be evaluated, also afterwards."""
+        return self.__value
 
     def __str__(self) -> str:
         return f'launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})'
@@ -52,7 +64,9 @@ class ParameterValue:
 
         :raises ValueError: when the text of a substitution cannot be converted.
         """
-        self.__evaluated = perform_typed_substitution(context, self.__value, self.__value_type)
+        value = self.__value
+        self.__evaluated = (
+            value if type(value) in _PLAIN else perform_typed_substitution(context, value, self.__value_type))
         return self.__evaluated
 
 
@@ -73,6 +87,11 @@ class Parameter:
     def name(self) -> list[Substitution] | str:
         """The evaluated name once there is one, until then what is to be evaluated."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
+
+    @property
+    def _written(self) -> Any:
+        """What is to be evaluated, also afterwards."""
+        return self.__value._written
 
     @property
     def value(self) -> Any:

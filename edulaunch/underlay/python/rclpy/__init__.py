@@ -140,15 +140,12 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     if executor is None:
         executor = get_global_executor()
     if executor._spinner is not None and executor._note_nested_spin():
+        from rclpy.execution.deadlocks import note_future_wait, note_spin
         source = None if future is None or future._done else future._source
         if source is not None and not source.callback_group.can_execute(source):
-            from rclpy.execution.deadlocks import note_future_wait
             note_future_wait(f'rclpy.{function}()', source)
         else:
-            process_state().process.note('nested spin', (
-                f"rclpy.{function}() of node '{node.get_fully_qualified_name()}' inside a callback: meanwhile no callback of a "
-                'busy callback group can run, and afterwards the node is not spun any more. Use add_done_callback(), or async '
-                'and await.'))
+            note_spin(f'rclpy.{function}', node, executor)
     return executor
 
 

@@ -144,15 +144,25 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         return f'<{type(self).__name__} {self._rclpy.full_name}>'
 
 
-def _name_as_parts_of_node() -> None:
-    """Let Python's own errors say `Node.create_publisher() missing 1 required ...`, whatever file a method stands in."""
-    for part in (NodeEntities, NodeParameters, NodeGraphQueries):
-        for name, method in vars(part).items():
-            if isinstance(method, FunctionType):
-                method.__qualname__ = f'Node.{name}'
+def _refuse_setting(name: str, made: property) -> property:
+    def refuse(node: object, value: object) -> None:
+        raise AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter\n"
+                             f'  help: every node has its own `{name}`; choose another name, such as `self.{name}_`')
+
+    return made.setter(refuse)
 
 
-_name_as_parts_of_node()
+def _finish_node_class() -> None:
+    """Let Python's own errors name the class Node, whatever file a method stands in, and say what is wrong with `self.timers = []`."""
+    for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
+        for name, member in list(vars(part).items()):
+            if isinstance(member, FunctionType):
+                member.__qualname__ = f'Node.{name}'
+            elif isinstance(member, property) and member.fset is None:
+                setattr(part, name, _refuse_setting(name, member))
+
+
+_finish_node_class()
 
 
 def _start_services(node: Node, parameters: bool, logger: bool) -> None:

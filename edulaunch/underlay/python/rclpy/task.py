@@ -186,7 +186,8 @@ class Task(Future):
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
         """A callback that waits keeps its group: a client of the same group gets no answer."""
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
-            from rclpy.execution.deadlocks import coroutine_place, note_future_wait
+            from rclpy.execution.deadlocks import note_future_wait
+            from rclpy.impl.student_place import coroutine_place
             note_future_wait('await', source, coroutine_place(self._running))
 
     def executing(self) -> bool:

@@ -51,8 +51,8 @@ def wrong_class_help(given: Any, interface: Any, part: str) -> str:
     """What to add to ROS 2's empty TypeError when something else is given than a `Service.Request` or the like."""
     wanted = f'{interface.__name__}.{part}'
     if isinstance(given, type):
-        return f'\n  help: a {wanted} object is needed, not a class: write {wanted}() with its brackets'
-    return f'\n  help: a {wanted} is needed, not a {type(given).__name__}'
+        return f'\n  help: an object is needed, not a class: write {wanted}() with its brackets'
+    return f'\n  help: an object of {wanted} is needed, not of {type(given).__name__}'
 
 
 def _has(cls: Any, name: str) -> bool:

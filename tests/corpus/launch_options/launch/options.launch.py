@@ -29,7 +29,7 @@ def generate_launch_description():
         Node(package='launch_options', executable='relay', namespace='lonely',
              remappings=[('in', '/chain/last'), ('~/count', 'counter')],
              condition=UnlessCondition(LaunchConfiguration('loud'))),
-        ExecuteProcess(cmd=['echo', 'loud'], condition=IfCondition(
+        ExecuteProcess(cmd=['ros2', 'node', 'list'], condition=IfCondition(
             PythonExpression(["'", word, "' == 'shout'"]))),
         IncludeLaunchDescription(
             PythonLaunchDescriptionSource(PathJoinSubstitution(

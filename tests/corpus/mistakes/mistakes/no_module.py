@@ -1,5 +1,5 @@
 import rclpy
-import cv2
+from gazebo_msgs.srv import SpawnEntity
 
 
 def main():

@@ -12,7 +12,7 @@ class Walker(Robot):
 
 class Flyer(Robot):
     def __init__(self):
-        super().__init__(node_name='flyer', namespace='sky')
+        super().__init__('flyer', namespace='sky')
         self.create_timer(0.7, self.greet)
         self.get_logger().info(describe(self) + ' ' + GREETINGS[1])
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import signal
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
@@ -13,6 +14,7 @@ from ..events.process.process_started import ProcessStarted
 from ..events.process.process_stderr import ProcessStderr
 from ..events.process.process_stdout import ProcessStdout
 from ..events.process.process_targeted_event import ProcessTargetedEvent
+from ..events.process.running_process_event import RunningProcessEvent
 from ..events.process.shutdown_process import ShutdownProcess
 from ..events.process.signal_process import SignalProcess
 from ..events.shutdown import Shutdown
@@ -57,22 +59,25 @@ class ProcessWatch(BaseEventHandler):
     def __init__(self, action: ExecuteLocal, details: dict[str, Any], options: WatchOptions,
                  loop: asyncio.AbstractEventLoop) -> None:
         super().__init__(matcher=self._concerns)
-        self._event_keys = (
-            (ProcessIO, action), (ProcessStarted, action), (ProcessExited, action), (Shutdown, None),
-            (ShutdownProcess, None), (SignalProcess, None))
+        self._event_keys = (RunningProcessEvent, action), (Shutdown, None), (ProcessTargetedEvent, None)
         self._action = action
         self._details = details
         self._options = options
         self._run: ProcessRun | None = None
         self._retries = 0
-        self._asked_to_end = loop.create_future()
+        self._loop = loop
+        self._is_asked_to_end = False
+        self._delayed: asyncio.Future[None] | None = None
         self._ends_on_start: bool | None = None
         self._timers: list[Any] = []
-        self._logger = get_logger(details['name'])
         self.completed: asyncio.Future[None] = loop.create_future()
         self.return_code: int | None = None
         normalize_output_configuration(options.output)
         self._lines: dict[str, OutputLines] = {}
+
+    @cached_property
+    def _logger(self) -> Any:
+        return get_logger(self._details['name'])
 
     def text_of(self, stream: str) -> str:
         """What was written to 'stdout' or 'stderr' so far."""
@@ -144,6 +149,7 @@ class ProcessWatch(BaseEventHandler):
 
         from ._process_run import ProcessRun
         details = self._details
+        details['cmd'] = self._action.process_description.final_cmd
         spec = ProcessSpec(
             argv=tuple(details['cmd']), name=details['name'], cwd=details['cwd'], env=details['env'],
             shell=self._options.shell, origin=self._action.origin, **self._action._process_spec_details())
@@ -157,15 +163,17 @@ class ProcessWatch(BaseEventHandler):
     async def _is_to_respawn(self, context: LaunchContext) -> bool:
         """Whether the program is to be started again; waits for the delay."""
         options = self._options
-        if context.is_shutdown or self._asked_to_end.done() or not options.respawn:
+        if context.is_shutdown or self._is_asked_to_end or not options.respawn:
             return False
         if 0 <= options.respawn_max_retries <= self._retries:
             return False
         self._retries += 1
         if options.respawn_delay is not None and options.respawn_delay > 0.0:
             import asyncio
-            await asyncio.wait([self._asked_to_end], timeout=options.respawn_delay)
-        return not self._asked_to_end.done()
+            self._delayed = self._loop.create_future()
+            await asyncio.wait([self._delayed], timeout=options.respawn_delay)
+            self._delayed.cancel()
+        return not self._is_asked_to_end
 
     # -- events
 
@@ -213,13 +221,15 @@ class ProcessWatch(BaseEventHandler):
 
     def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
         """Begin to end the process: timers for stronger signals to visit, and the first signal."""
-        if self._asked_to_end.done() or self.completed.done():
+        if self._is_asked_to_end or self.completed.done():
             return None
         if self._run is None:
             self._ends_on_start = send_sigint
             return None
         from ._escalation import escalation_timers, request_signal
-        self._asked_to_end.set_result(None)
+        self._is_asked_to_end = True
+        if self._delayed is not None and not self._delayed.done():
+            self._delayed.set_result(None)
         context.extend_locals({'process_name': self._details['name']})
         self._timers = escalation_timers(self._action, self._logger)
         return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]

@@ -9,24 +9,20 @@ import launch.logging
 from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitutions.local_substitution import LocalSubstitution
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from .._names import validated_name, validated_namespace
+from .._node_words import NODE_NAME, NODE_NAMESPACE
 from .._parameter_arguments import ParameterArguments
-from ..parameters_type import SomeParameters
-from ..remap_rule_type import SomeRemapRules
+from ..parameters_type import Parameters, SomeParameters
+from ..remap_rule_type import RemapRule, SomeRemapRules
 from ..substitutions.executable_in_package import ExecutableInPackage
-from ..utilities import (
-    add_node_name,
-    get_node_name_count,
-    make_namespace_absolute,
-    normalize_parameters,
-    normalize_remap_rules,
-    prefix_namespace,
-)
+from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
+from ..utilities.normalize_parameters import plain_or_normalized
+from ..utilities.normalize_remap_rule import normalize_remap_rules, plain_or_normalized_rules
+from ..utilities.track_node_names import add_node_name, get_node_name_count
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -80,11 +76,11 @@ class Node(ExecuteProcess):
             cmd += ['--ros-args', *ros_arguments]
         cmd.append('--ros-args')
         if name is not None:
-            cmd += ['-r', LocalSubstitution("ros_specific_arguments['name']", description='node name')]
+            cmd += ['-r', NODE_NAME]
         if parameters is not None:
             ensure_argument_type(parameters, (list,), 'parameters', 'Node')
-        self.__parameters = None if parameters is None else normalize_parameters(parameters)
-        self.__remappings = [] if remappings is None else list(normalize_remap_rules(remappings))
+        self.__own_parameters = None if parameters is None else plain_or_normalized(parameters)
+        self.__own_remappings = () if remappings is None else plain_or_normalized_rules(remappings)
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.__package = package
         self.__node_executable = executable
@@ -95,11 +91,29 @@ class Node(ExecuteProcess):
         self.__expanded_node_name = self.UNSPECIFIED_NODE_NAME
         self.__expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
         self.__final_node_name: str | None = None
-        self.__expanded_parameter_arguments: list[tuple[str, bool]] | None = None
         self.__expanded_remappings: list[tuple[str, str]] = []
         self.__substitutions_performed = False
         self.__parameter_arguments: ParameterArguments | None = None
-        self.__spec_details: dict[str, Any] = {}
+        self.__package_and_executable: tuple[str | None, str | None] = None, None
+
+    @property
+    def __parameters(self) -> Parameters | None:
+        """The parameters, normalized; for those who look where upstream keeps them."""
+        return self.__own_parameters
+
+    @property
+    def __remappings(self) -> list[RemapRule]:
+        """The remap rules, normalized; likewise."""
+        return list(normalize_remap_rules(self.__own_remappings))
+
+    @property
+    def __expanded_parameter_arguments(self) -> list[tuple[str, bool]] | None:
+        """(path, True) and (`name:=value`, False) in order, after execution; likewise. The files exist."""
+        arguments = self.__parameter_arguments
+        if arguments is None or not (arguments.items or self.__own_parameters is not None):
+            return None
+        arguments.keep_promises()
+        return arguments.items
 
     @property
     def node_package(self) -> SomeSubstitutionsType | None:
@@ -148,7 +162,7 @@ class Node(ExecuteProcess):
                 }
             }
         )
-        self.__spec_details = self.__make_spec_details(context)
+        self.__package_and_executable = _text(context, self.__package), _text(context, self.__node_executable)
         result = super().execute(context)
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name)
@@ -163,21 +177,12 @@ class Node(ExecuteProcess):
     def _process_spec_details(self) -> dict[str, Any]:
         """What a checker may want to know of the node: package, executable, and where its parameter values
         were written."""
-        return self.__spec_details
-
-    def __make_spec_details(self, context: LaunchContext) -> dict[str, Any]:
-        def text(value: SomeSubstitutionsType | None) -> str | None:
-            return (
-                None
-                if value is None
-                else perform_substitutions(context, normalize_to_list_of_substitutions(value))
-            )
-
         assert self.__parameter_arguments is not None
+        package, executable = self.__package_and_executable
         return {
-            'package': text(self.__package),
-            'executable': text(self.__node_executable),
-            'parameter_origins': self.__parameter_arguments.origins,
+            'package': package,
+            'executable': executable,
+            'parameter_origins': self.__parameter_arguments.origins(),
         }
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
@@ -201,20 +206,17 @@ class Node(ExecuteProcess):
         self.__expand_remappings(context)
 
     def __expand_name(self, context: LaunchContext) -> None:
-        if self.__node_name is not None:
-            name = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_name))
+        name = _text(context, self.__node_name)
+        if name is not None:
             self.__expanded_node_name = validated_name(name)
-        given: str | None = None
-        if self.__node_namespace is not None:
-            given = perform_substitutions(context, normalize_to_list_of_substitutions(self.__node_namespace))
         namespace = make_namespace_absolute(
-            prefix_namespace(context.launch_configurations.get('ros_namespace'), given)
+            prefix_namespace(
+                context.launch_configurations.get('ros_namespace'), _text(context, self.__node_namespace)
+            )
         )
         if namespace is not None:
             self.__expanded_node_namespace = namespace
-            self.__extend_command(
-                '-r', LocalSubstitution("ros_specific_arguments['ns']", description='node namespace')
-            )
+            self.process_description._add_words(('-r', NODE_NAMESPACE))
             validated_namespace(namespace)
 
     def __expand_parameters(self, context: LaunchContext) -> None:
@@ -222,21 +224,26 @@ class Node(ExecuteProcess):
         node_key = self.node_name if self.is_node_name_fully_specified() else '/**'
         arguments = self.__parameter_arguments = ParameterArguments(self.node_name, node_key, self.origin)
         arguments.add_global(context.launch_configurations.get('global_params', ()))
-        if self.__parameters is not None:
-            arguments.add_own(context, self.__parameters)
-        if arguments.items or self.__parameters is not None:
-            self.__expanded_parameter_arguments = arguments.items
+        if self.__own_parameters is not None:
+            arguments.add_own(context, self.__own_parameters)
+        words: list[str] = []
         for text, is_file in arguments.items:
-            self.__extend_command('--params-file' if is_file else '-p', text)
+            words += ('--params-file' if is_file else '-p', text)
+        if words:
+            self.process_description._add_words(words)
+            self.process_description._before_look = arguments.keep_promises
 
     def __expand_remappings(self, context: LaunchContext) -> None:
-        self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
-        self.__expanded_remappings += [
-            (perform_substitutions(context, source), perform_substitutions(context, target))
-            for source, target in self.__remappings
-        ]
-        for source_name, target_name in self.__expanded_remappings:
-            self.__extend_command('-r', f'{source_name}:={target_name}')
+        rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
+        for source, target in self.__own_remappings:
+            rules.append((_text(context, source) or '', _text(context, target) or ''))
+        words: list[str] = []
+        for source_name, target_name in rules:
+            words += ('-r', f'{source_name}:={target_name}')
+        self.process_description._add_words(words)
 
-    def __extend_command(self, *words: SomeSubstitutionsType) -> None:
-        self.cmd.extend(normalize_to_list_of_substitutions(word) for word in words)
+
+def _text(context: LaunchContext, value: SomeSubstitutionsType | None) -> str | None:
+    if value is None or isinstance(value, str):
+        return value
+    return perform_substitutions(context, normalize_to_list_of_substitutions(value))

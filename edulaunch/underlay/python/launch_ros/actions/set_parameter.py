@@ -10,6 +10,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
+from .._parameter_origins import GlobalParameter
 from ..utilities import normalize_parameter_dict
 from ..utilities.evaluate_parameters import evaluate_parameter_dict
 
@@ -45,5 +46,7 @@ class SetParameter(Action):
     def execute(self, context: LaunchContext) -> None:
         """Add it to the launch configuration `global_params`."""
         evaluated = evaluate_parameter_dict(context, self.__param_dict)
-        added = [(perform_substitutions(context, self.name), value) for value in evaluated.values()]
-        context.launch_configurations.setdefault('global_params', []).extend(added)
+        for value in evaluated.values():
+            added = GlobalParameter((perform_substitutions(context, self.name), value))
+            added.origin = self.origin
+            context.launch_configurations.setdefault('global_params', []).append(added)

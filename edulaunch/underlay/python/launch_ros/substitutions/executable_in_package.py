@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._engine import process_state
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -43,10 +44,17 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def perform(self, context: LaunchContext) -> str:
         """The path; the file need not exist for an entry point, which the index knows."""
-        from edulaunch.processes import current_process
-
         executable = perform_substitutions(context, self.executable)
         package = perform_substitutions(context, self.package)
+        found: dict[tuple[str, str], str] = process_state('launch_ros.executables', dict)
+        path = found.get((package, executable))
+        if path is None:
+            path = found[package, executable] = self.__find(context, package, executable)
+        return path
+
+    def __find(self, context: LaunchContext, package: str, executable: str) -> str:
+        from edulaunch.processes import current_process
+
         prefix = super().perform(context)
         folder = os.path.join(prefix, 'lib', package)
         index = current_process().index

@@ -11,6 +11,7 @@ from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from ..parameter_descriptions import ParameterFile, ParameterValue
 from ..parameters_type import EvaluatedParameters, EvaluatedParameterValue, Parameters, ParametersDict
+from .normalize_parameters import PlainParameters
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -29,7 +30,7 @@ def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> Evalu
     :param parameters: what :func:`~launch_ros.utilities.normalize_parameters` returned.
     :raises TypeError: for a value that no ROS parameter can have; it names the parameter.
     """
-    return tuple(_evaluate(context, item) for item in parameters)
+    return tuple([_evaluate(context, item) for item in parameters])
 
 
 def _evaluate(context: LaunchContext, item: Any) -> Any:
@@ -42,10 +43,13 @@ def evaluate_parameter_dict(
     context: LaunchContext, parameters: ParametersDict
 ) -> dict[str, EvaluatedParameterValue]:
     """Names and values of one normalized dict."""
+    if type(parameters) is PlainParameters:
+        return dict(parameters)
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)
-        evaluated[name] = _evaluate_value(context, name, value)
+        evaluated[name] = (value.evaluate(context) if type(value) is ParameterValue
+                           else _evaluate_value(context, name, value))
     return evaluated
 
 

@@ -31,6 +31,33 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
     return [_normalize(item) for item in parameters]
 
 
+_PLAIN = frozenset((str, bool, int, float))
+
+
+class PlainParameters(dict[str, Any]):
+    """Texts as names, and scalars as values: nothing is left to evaluate."""
+
+
+def plain_or_normalized(parameters: SomeParameters) -> Parameters:
+    """As :func:`normalize_parameters`, but dicts of plain names and values, which are nearly all, stay as they
+    are.
+
+    :raises TypeError: as that.
+    """
+    if not isinstance(parameters, (list, tuple)):
+        return normalize_parameters(parameters)
+    return [PlainParameters(item) if _is_plain(item) else _normalize(item) for item in parameters]
+
+
+def _is_plain(item: Any) -> bool:
+    if type(item) is not dict:
+        return False
+    for name, value in item.items():
+        if type(name) is not str or type(value) not in _PLAIN:
+            return False
+    return True
+
+
 def _normalize(item: Any) -> Any:
     if isinstance(item, Mapping):
         return normalize_parameter_dict(item)

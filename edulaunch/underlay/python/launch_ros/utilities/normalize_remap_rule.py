@@ -27,3 +27,15 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterable[RemapRule]:
     """:func:`normalize_remap_rule` of each, one by one."""
     return (normalize_remap_rule(rule) for rule in remap_rules)
+
+
+def plain_or_normalized_rules(remap_rules: SomeRemapRules) -> list[SomeRemapRule]:
+    """Pairs of texts stay as they are; other rules are normalized at once.
+
+    :raises TypeError: as :func:`normalize_remap_rule`.
+    """
+    return [rule if _is_plain(rule) else normalize_remap_rule(rule) for rule in remap_rules]
+
+
+def _is_plain(rule: SomeRemapRule) -> bool:
+    return isinstance(rule, tuple) and len(rule) == 2 and type(rule[0]) is str and type(rule[1]) is str

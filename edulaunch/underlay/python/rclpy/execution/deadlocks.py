@@ -1,17 +1,16 @@
 """Waits that can never end, put into words: ROS 2 only hangs, here the recording says who waits for what, and where."""
 from __future__ import annotations
 
-import os
-import sys
 from typing import TYPE_CHECKING, Any
 
-import edulaunch
 from edulaunch.processes.current import current_process
+from rclpy.impl.student_place import student_place
 
 if TYPE_CHECKING:
+    from rclpy.executors import Executor
+    from rclpy.node import Node
     from rclpy.readiness import Entity
 
-ENGINE = os.path.dirname(os.path.abspath(edulaunch.__file__)) + os.sep
 LATER = 'Use {}_async() with add_done_callback(), or give the {} a callback group of its own and spin a MultiThreadedExecutor.'
 INSTEAD = 'Use add_done_callback() in place of waiting, or async and await with the client in a callback group of its own.'
 POLLS = 5
@@ -22,7 +21,7 @@ def note_wait(waiting: str, entity: Entity, awaited: str, advice: str, place: st
     """Note that code running in a callback waits, by `waiting`, for what only `entity` can bring: `awaited`."""
     callback = _name_of(_running_entity(entity))
     current_process().note('deadlock', (
-        f'{waiting} in {callback} of node {_node_of(entity)}{place or _student_place()} waits for ever: {awaited} can only be '
+        f'{waiting} in {callback} of node {_node_of(entity)}{place or student_place()} waits for ever: {awaited} can only be '
         f'taken when {callback} has ended. {advice}'))
 
 
@@ -36,11 +35,27 @@ def note_future_wait(waiting: str, entity: Any, place: str = '') -> None:
     note_wait(waiting, entity, entity._awaited_words(), INSTEAD, place)
 
 
+def note_spin(function: str, node: Node, executor: Executor) -> None:
+    """Note that a node is spun inside one of its callbacks; that hangs when all that is ready to come is shut out by it."""
+    core = node._rclpy
+    others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
+    callback = _name_of(executor._running_entity())
+    start = f"{function}() in {callback} of node '{node.get_fully_qualified_name()}'{student_place()}"
+    if any(entity.callback_group.can_execute(entity) for entity in others):
+        current_process().note('nested spin', (
+            f'{start}: until {callback} has ended no other callback of its group can run, and afterwards the node is not spun '
+            'any more. Use add_done_callback(), or async and await.'))
+    else:
+        current_process().note('deadlock', (
+            f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for its end. '
+            f'Return from {callback} and let the next message or timer go on.'))
+
+
 def note_rate(entity: Entity) -> None:
     """Note a `rate.sleep()` where nobody is left to call the rate's timer."""
     callback = _name_of(_running_entity(entity))
     current_process().note('deadlock', (
-        f'rate.sleep() in {callback} of node {_node_of(entity)}{_student_place()} waits for ever: the executor that would call '
+        f'rate.sleep() in {callback} of node {_node_of(entity)}{student_place()} waits for ever: the executor that would call '
         f'the timer of the rate is busy with {callback}. Let a timer call you, or spin in another thread.'))
 
 
@@ -63,22 +78,3 @@ def _node_of(entity: Entity) -> str:
     executor = entity._ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
     return next((f"'{node.get_fully_qualified_name()}'" for node in nodes if node._rclpy.ready_list is entity._ready_list), '?')
-
-
-def _student_place() -> str:
-    """Where in the student's code the running call stands: ` (file.py:12)`."""
-    frame = sys._getframe()
-    while frame is not None and frame.f_code.co_filename.startswith((ENGINE, '<')):
-        frame = frame.f_back   # type: ignore[assignment]
-    return '' if frame is None else f' ({os.path.basename(frame.f_code.co_filename)}:{frame.f_lineno})'
-
-
-def coroutine_place(coroutine: Any) -> str:
-    """Where a coroutine waits, in the student's code."""
-    place = ''
-    while getattr(coroutine, 'cr_frame', None) is not None:
-        file = coroutine.cr_frame.f_code.co_filename
-        if not file.startswith((ENGINE, '<')):
-            place = f' ({os.path.basename(file)}:{coroutine.cr_frame.f_lineno})'
-        coroutine = coroutine.cr_await
-    return place

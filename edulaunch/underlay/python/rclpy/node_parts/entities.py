@@ -153,6 +153,8 @@ class NodeEntities:
         """
         core = self._rclpy
         check_is_valid_srv_type(srv_type)
+        if callback is None:
+            _note_missing_callback(core, 'create_service')
         name = core.resolve(srv_name, 'service')
         group = callback_group or core.default_callback_group
         service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
@@ -168,23 +170,16 @@ class NodeEntities:
         :param clock: the clock that it goes by; the node's own by default.
         :param autostart: False makes it cancelled, until `reset()`.
         """
-        core = self._rclpy
-        period_ns = int(float(timer_period_sec) * S_TO_NS)
-        if period_ns < 0:
-            raise RCLError('Failed to create timer: timer period must be non-negative')
-        group = callback_group or core.default_callback_group
-        timer = Timer(callback, group, period_ns, clock or core.clock, context=core.context, autostart=autostart,
-                      ready_list=core.ready_list, number=core.next_number())
-        group.add_entity(timer)
-        core.timers.append(timer)
-        return timer
+        if callback is None:
+            _note_missing_callback(self._rclpy, 'create_timer')
+        return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Make a rate of `frequency` per second. Raises ValueError unless that is positive."""
         if frequency <= 0:
             raise ValueError('frequency must be > 0')
         from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-        timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
+        timer = _new_timer(self._rclpy, 1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock, True)
         rate = Rate(timer, context=self._rclpy.context)
         self._rclpy.rates.append(rate)
         return rate
@@ -261,6 +256,27 @@ def _destroy(entities: list[Any], entity: Any) -> bool:
     except InvalidHandle:
         return False
     return True
+
+
+def _new_timer(core: NodeCore, period_s: float, callback: Callable[[], Any] | None, group: CallbackGroup | None,
+               clock: Clock | None, autostart: bool) -> Timer:
+    period_ns = int(float(period_s) * S_TO_NS)
+    if period_ns < 0:
+        raise RCLError('Failed to create timer: timer period must be non-negative')
+    group = group or core.default_callback_group
+    timer = Timer(callback, group, period_ns, clock or core.clock, context=core.context, autostart=autostart,
+                  ready_list=core.ready_list, number=core.next_number())
+    group.add_entity(timer)
+    core.timers.append(timer)
+    return timer
+
+
+def _note_missing_callback(core: NodeCore, function: str) -> None:
+    """The result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
+    from rclpy.impl.student_place import student_place
+    core.process.note('mistake', (
+        f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. Give the "
+        'function itself, without brackets: self.tick, not self.tick()'))
 
 
 def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:

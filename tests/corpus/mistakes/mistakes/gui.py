@@ -1,7 +1,0 @@
-import tkinter as tk
-import rclpy
-
-
-def main():
-    rclpy.init()
-    root = tk.Tk()

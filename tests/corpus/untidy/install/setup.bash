@@ -1,0 +1,1 @@
+# made on another machine

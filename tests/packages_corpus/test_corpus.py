@@ -1,0 +1,72 @@
+"""Every package of the corpus does here, second by second, what it does with ROS 2; and the same again in every run."""
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from .cases import CASES, CORPUS
+from .journal import journal, run_case
+
+HERE = Path(__file__).resolve().parent
+PROGRAM = """
+import sys
+sys.path.insert(0, {root!r})
+from tests.packages_corpus.cases import CASES
+from tests.packages_corpus.journal import run_case
+for name, case in CASES.items():
+    for seed in {seeds} if case.random else (0,):
+        print(name, seed, run_case(name, seed).digest())
+"""
+
+
+def expected(name: str) -> list[str]:
+    """The lines that must come; comments are left out."""
+    text = (HERE / 'expected' / f'{name}.txt').read_text(encoding='utf-8')
+    return [line for line in text.splitlines() if not line.startswith('#')]
+
+
+def with_wildcards(lines: list[str], wanted: list[str]) -> list[str]:
+    """A wanted line that ends with ` ...` fits every line that begins so (texts that differ between Python versions)."""
+    fits = [want.endswith(' ...') and line.startswith(want[:-4]) for line, want in zip(lines, wanted, strict=False)]
+    return [want if fit else line for line, want, fit in zip(lines, wanted, fits, strict=False)] + lines[len(fits):]
+
+
+@pytest.mark.parametrize('name', CASES)
+def test_a_package_does_what_it_does_with_ros(name: str) -> None:
+    wanted = expected(name)
+    assert with_wildcards(journal(run_case(name), name), wanted) == wanted
+
+
+def test_every_package_is_run_and_every_expectation_is_used() -> None:
+    folders = sorted(path.name for path in CORPUS.iterdir() if path.is_dir())
+    assert folders == sorted(CASES) == sorted(path.stem for path in (HERE / 'expected').iterdir())
+
+
+def start(hash_seed: str, seeds: tuple[int, ...]) -> subprocess.Popen[str]:
+    program = PROGRAM.format(root=str(HERE.parents[1]), seeds=seeds)
+    return subprocess.Popen([sys.executable, '-c', program], stdout=subprocess.PIPE, text=True,
+                            env={**os.environ, 'PYTHONHASHSEED': hash_seed})
+
+
+@pytest.fixture(scope='module')
+def digests() -> list[dict[tuple[str, str], str]]:
+    """By (package, seed), from two processes with different hash seeds."""
+    children = [start('1', (0, 1)), start('2', (0, 1))]
+    texts = [child.communicate()[0] for child in children]
+    assert [child.returncode for child in children] == [0, 0]
+    return [{(name, seed): digest for name, seed, digest in map(str.split, text.splitlines())} for text in texts]
+
+
+def test_every_run_is_the_same_in_another_process(digests: list[dict[tuple[str, str], str]]) -> None:
+    first, second = digests
+    assert [key for key in first if first[key] != second.get(key)] == []
+    assert {name for name, _ in first} == set(CASES)
+
+
+@pytest.mark.parametrize('name', [name for name, case in CASES.items() if case.random])
+def test_another_seed_gives_another_run(name: str, digests: list[dict[tuple[str, str], str]]) -> None:
+    assert digests[0][name, '0'] != digests[0][name, '1']

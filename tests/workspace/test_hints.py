@@ -1,0 +1,69 @@
+"""Help below ROS's errors, for what is in the sources and would not be installed."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import edulaunch
+from edulaunch.packages import Index
+from edulaunch.workspace.hints import executable_hint, installed_file_hint, launch_file_hint, package_hint
+
+
+@pytest.fixture
+def robo(workspace: Any, node: str) -> Any:
+    workspace.python('robo', 'drive = robo.drive:main')
+    workspace.write('robo/robo/drive.py', node)
+    workspace.write('robo/robo/brake.py', node)
+    workspace.write('robo/launch/go.launch.py', 'def generate_launch_description():\n    return None\n')
+    workspace.write('robo/config/wheels.yaml', '{}')
+    return workspace
+
+
+@pytest.fixture
+def index(robo: Any) -> Index:
+    return Index([], [robo.folder])
+
+
+def test_ros2_launch_tells_of_a_launch_file_that_is_not_installed(robo: Any) -> None:
+    with pytest.raises(edulaunch.UnusableInput) as caught:
+        edulaunch.run('robo', 'go.launch.py', workspaces=[robo.folder])
+    assert str(caught.value.help).startswith(f'{robo.folder}/robo/launch/go.launch.py is there but not installed: add (os.path.join(')
+
+
+def test_a_node_action_tells_of_a_missing_entry_point(robo: Any, launch_text: Any) -> None:
+    robo.write('go.launch.py', launch_text(('robo', 'brake')))
+    with pytest.raises(edulaunch.LaunchFileError) as caught:
+        edulaunch.run(robo.folder / 'go.launch.py', workspaces=[robo.folder])
+    assert str(caught.value.help).endswith("setup.py has no entry point for it: add 'brake = robo.brake:main' to console_scripts")
+
+
+def test_a_file_that_is_only_in_the_source(index: Index, robo: Any) -> None:
+    share = index.share('robo')
+    assert installed_file_hint(index, f'{share}/config/wheels.yaml') == (
+        f'{robo.folder}/robo/config/wheels.yaml is there but not installed: '
+        "add (os.path.join('share', package_name, 'config'), glob('config/*')) to data_files of setup.py")
+    assert installed_file_hint(index, f'{share}/config/other.yaml') is None
+
+
+def test_what_nobody_has_gets_no_hint(index: Index) -> None:
+    assert launch_file_hint(index, 'robo', 'other.launch.py') is None
+    assert executable_hint(index, 'robo', 'fly') is None
+    assert launch_file_hint(index, 'turtlesim', 'x.launch.py') is None
+
+
+def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) -> None:
+    robo.write('empty_folder/notes.txt')
+    robo.manifest('zzz', 'ament_python', folder='ignored_one')
+    robo.write('ignored_one/COLCON_IGNORE')
+    assert package_hint(index, 'robbo') == "did you mean the package 'robo'?"
+    assert package_hint(index, 'empty_folder') == f'there is a folder {robo.folder}/empty_folder, but it has no package.xml'
+    assert 'is left out because of the file COLCON_IGNORE' in package_hint(index, 'ignored_one')
+    assert package_hint(index, 'qqqqq') == f'no package.xml below {robo.folder} has the <name> qqqqq'
+    assert 'name its workspace: --workspace DIR' in package_hint(Index(), 'qqqqq')
+
+
+def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
+    robo.write('robo/setup.cfg', '')
+    assert 'setup.cfg does not put executables into lib/robo' in (executable_hint(Index([], [robo.folder]), 'robo', 'drive') or '')
