@@ -18,13 +18,12 @@ if TYPE_CHECKING:
 
     from edulaunch.check import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
-    from edulaunch.plan import make_plan as plan
     from edulaunch.recording import Recording
     from edulaunch.session import Session, run
     from edulaunch.sourcing import source
 
 __version__ = '0.1.0'
-__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'plan', 'run', 'source']
+__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'run', 'source']
 
 _PLACES = {
     'EdulaunchError': ('errors', 'EdulaunchError'),
@@ -33,7 +32,6 @@ _PLACES = {
     'Session': ('session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
     'check': ('check', 'check'),
-    'plan': ('plan', 'make_plan'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),
 }

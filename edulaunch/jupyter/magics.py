@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from typing import Any
 
 from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
@@ -12,18 +13,14 @@ from edulaunch.jupyter.terminal import Terminal
 from edulaunch.recording import Recording
 
 
-def _write(stream: str, text: str) -> None:
-    """Both streams of a program come out in one, in order, as on a terminal."""
-    sys.stdout.write(text)
-
-
 @magics_class
 class RosMagics(Magics):
     """`%ros2`, `%source` and `%recording`."""
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
-        self.terminal = Terminal(_write)
+        self._said: list[str] = []
+        self.terminal = Terminal(lambda stream, text: self._said.append(text))
 
     @no_var_expand
     @line_magic
@@ -37,27 +34,32 @@ class RosMagics(Magics):
 
         Brackets and dollar signs are passed on as they are.
         """
-        found: Recording | None = _told(lambda: self.terminal.ros2(line))
+        found: Recording | None = self._told(lambda: self.terminal.ros2(line))
         return found
 
     @no_var_expand
     @line_magic
     def source(self, line: str) -> None:
         """Use the packages of a workspace: `%source my_ws` or, as in a shell, `%source my_ws/install/setup.bash`."""
-        _told(lambda: self.terminal.source(line.strip().strip('\'"')))
+        self._told(lambda: self.terminal.source(line.strip().strip('\'"')))
 
     @line_magic
     def recording(self, line: str) -> Recording:
         """The Recording of the simulated machine from its start until now."""
-        found: Recording = _told(self.terminal.recording)
+        found: Recording = self._told(self.terminal.recording)
         return found
 
+    def _told(self, action: Callable[[], Any]) -> Any:
+        """Do it, and print what it said in one piece: both streams in order, and one output in the cell whatever the machine's speed.
 
-def _told(action: Any) -> Any:
-    """Errors of the user's are shown as their message alone: no traceback through edulaunch."""
-    try:
-        return action()
-    except EdulaunchError as error:
-        text = f'{type(error).__name__}: {error}'
-        error._render_traceback_ = lambda: text.splitlines()  # type: ignore[attr-defined]
-        raise
+        Errors of the user's are shown as their message alone: no traceback through edulaunch.
+        """
+        try:
+            return action()
+        except EdulaunchError as error:
+            text = f'{type(error).__name__}: {error}'
+            error._render_traceback_ = lambda: text.splitlines()  # type: ignore[attr-defined]
+            raise
+        finally:
+            sys.stdout.write(''.join(self._said))
+            self._said.clear()

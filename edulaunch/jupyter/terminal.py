@@ -10,6 +10,7 @@ from collections.abc import Callable
 
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
+from edulaunch.jupyter.outer_loop import outer_loop_set_aside
 from edulaunch.jupyter.snapshot import snapshot
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
@@ -47,9 +48,10 @@ class Terminal:
         except ValueError as error:
             raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
         seconds, seed = _take_number(words, '--for'), _take_number(words, '--seed')
-        if words[:1] == ['launch'] and not ONLY_SHOWS & set(words):
-            return self._launch(words[1:], LAUNCH_S if seconds is None else seconds, int(seed or 0))
-        self._command(words, seconds)
+        with outer_loop_set_aside():
+            if words[:1] == ['launch'] and not ONLY_SHOWS & set(words):
+                return self._launch(words[1:], LAUNCH_S if seconds is None else seconds, int(seed or 0))
+            self._command(words, seconds)
         return None
 
     def source(self, path: str) -> None:

@@ -74,7 +74,7 @@ class TopicRecord(NamedTuple):
     type: str
     publishers: list[str]
     subscriptions: list[str]
-    count: int
+    count: int  # type: ignore[assignment]  # hides tuple.count, which nobody needs here
 
 
 class Parameter(NamedTuple):

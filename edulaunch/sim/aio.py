@@ -32,7 +32,7 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
     """asyncio's own loop with simulated time: `time()` is seconds since the start of the simulation."""
 
     def __init__(self, task: Task) -> None:
-        super().__init__()  # type: ignore[no-untyped-call]
+        super().__init__()
         self.task = task
         self._selector = _Turns(self)
         self._clock_resolution = 1e-9

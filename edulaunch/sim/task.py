@@ -196,7 +196,7 @@ class AmbientTask(Task):
         return True
 
 
-class _TaskGreenlet(greenlet):
+class _TaskGreenlet(greenlet):  # type: ignore[misc]
     """A greenlet that knows its task."""
 
     task: Task

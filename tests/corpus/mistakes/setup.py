@@ -38,7 +38,6 @@ setup(
             'result_too_early = mistakes.result_too_early:main',
             'called_callback = mistakes.called_callback:main',
             'two_arguments = mistakes.two_arguments:main',
-            'syntax = mistakes.syntax:main',
             'no_module = mistakes.no_module:main',
             'message_class = mistakes.message_class:main',
             'not_a_service = mistakes.not_a_service:main',

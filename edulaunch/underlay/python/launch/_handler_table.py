@@ -26,6 +26,7 @@ class HandlerTable:
         self._ranks: dict[int, list[int]] = {}
         self._groups: dict[Key, Ranked] = {}
         self._types: Counter[Any] = Counter()
+        self._known_answers: dict[type, bool] = {}
         self._first = 0
         self._last = 0
 
@@ -51,6 +52,8 @@ class HandlerTable:
         for key in _keys(handler):
             self._groups.setdefault(key, {})[rank] = handler
             self._types[key[0]] += 1
+            if self._types[key[0]] == 1:
+                self._known_answers.clear()
 
     def remove(self, handler: BaseEventHandler) -> None:
         """Forget the handler (once, if it was added more often).
@@ -70,11 +73,16 @@ class HandlerTable:
             if not group:
                 del self._groups[key]
             self._types -= Counter([key[0]])
+            self._known_answers.clear()
 
     def may_handle(self, event_type: type) -> bool:
         """Whether any handler could accept an event of this type. Quick; True is no promise."""
-        types = self._types
-        return None in types or any(base in types for base in event_type.__mro__)
+        answer = self._known_answers.get(event_type)
+        if answer is None:
+            types = self._types
+            answer = None in types or any(base in types for base in event_type.__mro__)
+            self._known_answers[event_type] = answer
+        return answer
 
     def candidates(self, event: Event) -> list[BaseEventHandler]:
         """The handlers that could accept the event, first asked first."""

@@ -5,7 +5,7 @@ from collections import deque
 from collections.abc import Iterable, MutableMapping
 from typing import TYPE_CHECKING, Any
 
-from ._engine import environment
+from ._engine import environment, process_state
 from ._handler_table import HandlerTable
 from ._locals_view import LocalsView
 from ._run_notes import names_read
@@ -42,6 +42,7 @@ class LaunchContext:
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
         self._names_read = names_read()
+        self._process_counter = process_state('launch.process_counter', lambda: [0])
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.__logger: Logger | None = None
@@ -120,8 +121,8 @@ class LaunchContext:
         return {**self.__globals, **self.__locals}
 
     def _local(self, name: str) -> Any:
-        """One local or global that is known to be there."""
-        return self.__locals[name] if name in self.__locals else self.__globals[name]
+        """One local or global, None when there is none."""
+        return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
     def extend_globals(self, extensions: dict[str, Any]) -> None:
         """Add globals, which no pop takes away."""

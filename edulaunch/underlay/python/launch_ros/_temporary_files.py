@@ -6,6 +6,8 @@ import os
 import weakref
 from collections.abc import Callable
 
+from launch._engine import process_state
+
 Written = tuple[str, int]
 """Path and inode: the file is only removed while it is still the one that was written."""
 
@@ -40,12 +42,16 @@ class TemporaryFiles:
         :param content: any text that differs when the file's text does.
         :param make: gives the file's text.
         """
-        import hashlib
         import tempfile
+        import zlib
 
-        digest = hashlib.sha256(f'{self._owner}\n{self._count}\n{content}'.encode()).hexdigest()[:8]
+        key = f'{self._owner}\n{self._count}\n{content}'
         self._count += 1
-        path = f'{tempfile.gettempdir()}{os.sep}launch_params_{digest}'
+        digest = zlib.crc32(key.encode())
+        keys: dict[int, str] = process_state('launch_ros.parameter_files', dict)
+        while keys.setdefault(digest, key) != key:
+            digest = zlib.crc32(b'another', digest)
+        path = f'{tempfile.gettempdir()}{os.sep}launch_params_{digest:08x}'
         self._promised.append((path, make))
         return path
 

@@ -72,7 +72,8 @@ class ProcessWatch(BaseEventHandler):
         self._timers: list[Any] = []
         self.completed: asyncio.Future[None] = loop.create_future()
         self.return_code: int | None = None
-        normalize_output_configuration(options.output)
+        if options.output != 'log':
+            normalize_output_configuration(options.output)
         self._lines: dict[str, OutputLines] = {}
 
     @cached_property

@@ -55,17 +55,21 @@ class ExecuteLocal(Action):
         super().__init__(**kwargs)
         self.__process_description = process_description
         self.__shell = shell
-        self.__sigterm_timeout = normalize_to_list_of_substitutions(sigterm_timeout)
-        self.__sigkill_timeout = normalize_to_list_of_substitutions(sigkill_timeout)
+        self.__sigterm_timeout: list[Substitution] = (
+            [SIGTERM_TIMEOUT] if sigterm_timeout is SIGTERM_TIMEOUT
+            else normalize_to_list_of_substitutions(sigterm_timeout))
+        self.__sigkill_timeout: list[Substitution] = (
+            [SIGKILL_TIMEOUT] if sigkill_timeout is SIGKILL_TIMEOUT
+            else normalize_to_list_of_substitutions(sigkill_timeout))
         self.__emulate_tty = emulate_tty
         self.__output: Any = environment().get('OVERRIDE_LAUNCH_PROCESS_OUTPUT', output)
-        if not isinstance(self.__output, dict):
+        if not isinstance(self.__output, (str, dict)):
             self.__output = normalize_to_list_of_substitutions(self.__output)
         self.__output_format = output_format
         self.__cached_output = cached_output
         self.__log_cmd = log_cmd
         self.__on_exit = on_exit
-        self.__respawn = normalize_typed_substitution(respawn, bool)
+        self.__respawn = respawn if respawn is False else normalize_typed_substitution(respawn, bool)
         self.__respawn_delay = respawn_delay
         self.__respawn_max_retries = respawn_max_retries
         self.__process_details: dict[str, Any] | None = None
@@ -100,7 +104,8 @@ class ExecuteLocal(Action):
     @property
     def output(self) -> Any:
         """Where the output goes: a dictionary, or substitutions for a name (once executed, the name)."""
-        return self.__output
+        is_given_name = isinstance(self.__output, str) and not self.__executed
+        return normalize_to_list_of_substitutions(self.__output) if is_given_name else self.__output
 
     @property
     def process_details(self) -> dict[str, Any] | None:
@@ -145,7 +150,8 @@ class ExecuteLocal(Action):
         self.__process_details = {
             'action': self, 'name': description.final_name, 'cmd': description._command,
             'cwd': description.final_cwd, 'env': description.final_env}
-        self.__respawn = perform_typed_substitution(context, self.__respawn, bool)
+        if self.__respawn is not False:
+            self.__respawn = perform_typed_substitution(context, self.__respawn, bool)
         self.__respawn_delay = _performed(context, self.__respawn_delay, float)
         self.__respawn_max_retries = _performed(context, self.__respawn_max_retries, int)
         self.__shell = _performed(context, self.__shell, bool)
@@ -173,7 +179,7 @@ class ExecuteLocal(Action):
 
     def __schedule(self, context: LaunchContext) -> None:
         from ._process_watch import ProcessWatch, WatchOptions
-        if not isinstance(self.__output, dict):
+        if not isinstance(self.__output, (str, dict)):
             self.__output = perform_substitutions(context, self.__output)
         template = None if self.__output_format == DEFAULT_OUTPUT_FORMAT else self.__output_format
         assert self.__process_details is not None

@@ -7,7 +7,6 @@ import shlex
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from .._engine import process_state
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..substitutions.launch_configuration import LaunchConfiguration
@@ -79,7 +78,7 @@ class Executable:
     def _add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
         """Add words at the end of the command line. Texts become substitutions only when somebody looks."""
         self.__words += [
-            word if isinstance(word, (str, Substitution)) else normalize_to_list_of_substitutions(word)
+            word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)
             for word in words]
 
     @property
@@ -130,13 +129,13 @@ class Executable:
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
         """Evaluate everything in `context`, and give the process the next number."""
-        cmd = [word if isinstance(word, str) else perform_substitutions(context, word) if isinstance(word, list)
-               else word.perform(context) for word in self.__words]
+        cmd = [word if type(word) is str else _performed(context, word) for word in self.__words]
         prefix = self.__prefix_words(context, cmd[0])
         self._command = [*prefix, *cmd] if prefix else cmd
         name = (os.path.basename(self._command[0]) if self.__name is None
                 else perform_substitutions(context, self.__name))
-        self.__final_name = f'{name}-{_next_process_number()}'
+        context._process_counter[0] += 1
+        self.__final_name = f'{name}-{context._process_counter[0]}'
         self.__final_cwd = None if self.__cwd is None else perform_substitutions(context, self.__cwd)
         self.__final_env = (
             dict(context.environment) if self.__env is None else _perform_variables(context, self.__env))
@@ -155,10 +154,8 @@ class Executable:
         return shlex.split(prefix)
 
 
-def _next_process_number() -> int:
-    counter = process_state('launch.process_counter', lambda: [0])
-    counter[0] += 1
-    return counter[0]
+def _performed(context: LaunchContext, word: Substitution | Substitutions) -> str:
+    return perform_substitutions(context, word) if isinstance(word, list) else word.perform(context)
 
 
 def _normalize_variables(variables: Variables | None) -> list[tuple[Substitutions, Substitutions]] | None:

@@ -22,7 +22,7 @@ from ..substitutions.executable_in_package import ExecutableInPackage
 from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
 from ..utilities.normalize_parameters import plain_or_normalized
 from ..utilities.normalize_remap_rule import normalize_remap_rules, plain_or_normalized_rules
-from ..utilities.track_node_names import add_node_name, get_node_name_count
+from ..utilities.track_node_names import add_node_name
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -77,7 +77,7 @@ class Node(ExecuteProcess):
         cmd.append('--ros-args')
         if name is not None:
             cmd += ['-r', NODE_NAME]
-        if parameters is not None:
+        if parameters is not None and not isinstance(parameters, list):
             ensure_argument_type(parameters, (list,), 'parameters', 'Node')
         self.__own_parameters = None if parameters is None else plain_or_normalized(parameters)
         self.__own_remappings = () if remappings is None else plain_or_normalized_rules(remappings)
@@ -147,9 +147,8 @@ class Node(ExecuteProcess):
 
     def is_node_name_fully_specified(self) -> bool:
         """Whether both name and namespace are known to the launch file."""
-        return not any(
-            part in self.node_name for part in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
-        )
+        name = self.node_name
+        return self.UNSPECIFIED_NODE_NAME not in name and self.UNSPECIFIED_NODE_NAMESPACE not in name
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Resolve names, parameters and remappings, and schedule the process."""
@@ -165,8 +164,7 @@ class Node(ExecuteProcess):
         self.__package_and_executable = _text(context, self.__package), _text(context, self.__node_executable)
         result = super().execute(context)
         if self.is_node_name_fully_specified():
-            add_node_name(context, self.node_name)
-            count = get_node_name_count(context, self.node_name)
+            count = add_node_name(context, self.node_name)
             if count > 1:
                 launch.logging.get_logger(self.process_description.final_name).warning(
                     f'there are now at least {count} nodes with the name {self.node_name} '
@@ -216,8 +214,8 @@ class Node(ExecuteProcess):
         )
         if namespace is not None:
             self.__expanded_node_namespace = namespace
-            self.process_description._add_words(('-r', NODE_NAMESPACE))
             validated_namespace(namespace)
+            self.process_description._add_words(('-r', NODE_NAMESPACE))
 
     def __expand_parameters(self, context: LaunchContext) -> None:
         """Global parameters first, so that the node's own can overwrite them."""

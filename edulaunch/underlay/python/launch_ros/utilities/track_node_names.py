@@ -10,16 +10,18 @@ if TYPE_CHECKING:
 _KEY = 'unique_ros_node_names'
 
 
-def add_node_name(context: LaunchContext, node_name: str) -> None:
-    """Count a node with this full name."""
-    counts = context.get_locals_as_dict().get(_KEY)
+def add_node_name(context: LaunchContext, node_name: str) -> int:
+    """Count a node with this full name; gives how many there are now."""
+    counts = context._local(_KEY)
     if counts is None:
         counts = {}
         context.extend_globals({_KEY: counts})
-    counts[node_name] = counts.get(node_name, 0) + 1
+    count: int = counts.get(node_name, 0) + 1
+    counts[node_name] = count
+    return count
 
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
     """How often the name was counted."""
-    count: int = context.get_locals_as_dict().get(_KEY, {}).get(node_name, 0)
-    return count
+    counts: dict[str, int] = context._local(_KEY) or {}
+    return counts.get(node_name, 0)

@@ -1,0 +1,24 @@
+"""The notebook's own asyncio loop, set aside while simulated time passes."""
+
+from __future__ import annotations
+
+import sys
+from asyncio import events
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def outer_loop_set_aside() -> Iterator[None]:
+    """Let simulated programs run as if no loop ran around them, and give the notebook its loop back afterwards.
+
+    A launch that goes on living is left in the middle of a loop of its own; without this the kernel would take that one, or none,
+    for the loop that runs.
+    """
+    outer, hooks = events._get_running_loop(), sys.get_asyncgen_hooks()
+    events._set_running_loop(None)
+    try:
+        yield
+    finally:
+        events._set_running_loop(outer)
+        sys.set_asyncgen_hooks(*hooks)

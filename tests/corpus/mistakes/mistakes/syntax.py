@@ -1,4 +1,0 @@
-import rclpy
-
-def main()
-    rclpy.init()
