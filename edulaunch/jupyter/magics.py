@@ -50,7 +50,7 @@ class RosMagics(Magics):
         return found
 
     def _told(self, action: Callable[[], Any]) -> Any:
-        """Do it, and print what it said in one piece: both streams in order, and one output in the cell whatever the machine's speed.
+        """Do it, and print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed.
 
         Errors of the user's are shown as their message alone: no traceback through edulaunch.
         """

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from tests.browser.lab import Lab
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
+
 from tests.browser.lab import Lab
 from tests.lessons.notebook import ORDER, Lesson
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
 from tests.lessons.notebook import LESSONS, ORDER, Lesson, Walk
 
 

@@ -21,7 +21,7 @@ class Cell(NamedTuple):
     source: str
     tags: list[str]
     outputs: list[dict[str, Any]]
-    count: int | None
+    number: int | None
 
     @property
     def lines(self) -> list[str]:

@@ -7,6 +7,7 @@ import statistics
 
 import pytest
 import yaml
+
 from tests.lessons.notebook import LESSONS, ORDER, Cell, Lesson
 
 FIRST_USES = {
@@ -52,7 +53,7 @@ def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
 
 
 def test_outputs_are_stored_of_one_clean_run(lesson: Lesson) -> None:
-    assert [cell.count for cell in lesson.code] == list(range(1, len(lesson.code) + 1))
+    assert [cell.number for cell in lesson.code] == list(range(1, len(lesson.code) + 1))
     assert all('execution' not in row['metadata'] for row in lesson.raw['cells'])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+
 from tests.lessons.notebook import Walk
 
 Begin = Callable[[str], Walk]

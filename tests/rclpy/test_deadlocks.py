@@ -53,7 +53,7 @@ def test_a_wait_for_a_client_of_the_same_group_is_explained(world: World, wait: 
     world.run(5)
     (kind, text), = world.tracer.notes
     assert (kind, text.split(' (')[0]) == ('deadlock', f"{words} in on_timer() of node '/node'")
-    assert "(test_deadlocks.py:" in text
+    assert '(test_deadlocks.py:' in text
     assert "the reply of service '/nothing' can only be taken when on_timer() has ended" in text
 
 

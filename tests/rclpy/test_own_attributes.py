@@ -6,13 +6,12 @@ from typing import Any
 
 import pytest
 import rclpy
+from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, ActionServer
 from rclpy.lifecycle import LifecycleNode
 from rclpy.node import Node
 from std_msgs.msg import String
 from std_srvs.srv import Empty
-
-from example_interfaces.action import Fibonacci
 
 from .conftest import World
 

@@ -7,8 +7,8 @@ are asked, in the same order as upstream.
 """
 from __future__ import annotations
 
-from collections import Counter, deque
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from .event import Event
@@ -17,6 +17,7 @@ from .event_handler import BaseEventHandler
 Key = tuple[Any, int]
 """Event type (None: any) and id of the action (0: any)."""
 Ranked = dict[int, BaseEventHandler]
+_ANY: Sequence[tuple[type | None, Any]] = ((None, None),)
 
 
 class HandlerTable:
@@ -25,7 +26,7 @@ class HandlerTable:
     def __init__(self) -> None:
         self._ranks: dict[int, list[int]] = {}
         self._groups: dict[Key, Ranked] = {}
-        self._types: Counter[Any] = Counter()
+        self._types: dict[type | None, int] = {}
         self._known_answers: dict[type, bool] = {}
         self._first = 0
         self._last = 0
@@ -49,11 +50,16 @@ class HandlerTable:
             self._first -= 1
             rank = self._first
         self._ranks.setdefault(id(handler), []).append(rank)
-        for key in _keys(handler):
-            self._groups.setdefault(key, {})[rank] = handler
-            self._types[key[0]] += 1
-            if self._types[key[0]] == 1:
+        groups = self._groups
+        for event_type, action in handler._event_keys or _ANY:
+            key = event_type, id(action) if action is not None else 0
+            group = groups.get(key)
+            if group is None:
+                groups[key] = {rank: handler}
+                self._types[event_type] = self._types.get(event_type, 0) + 1
                 self._known_answers.clear()
+            else:
+                group[rank] = handler
 
     def remove(self, handler: BaseEventHandler) -> None:
         """Forget the handler (once, if it was added more often).
@@ -67,20 +73,21 @@ class HandlerTable:
         ranks.remove(rank)
         if not ranks:
             del self._ranks[id(handler)]
-        for key in _keys(handler):
+        for event_type, action in handler._event_keys or _ANY:
+            key = event_type, id(action) if action is not None else 0
             group = self._groups[key]
             del group[rank]
             if not group:
                 del self._groups[key]
-            self._types -= Counter([key[0]])
-            self._known_answers.clear()
+                self._types[event_type] -= 1
+                self._known_answers.clear()
 
     def may_handle(self, event_type: type) -> bool:
         """Whether any handler could accept an event of this type. Quick; True is no promise."""
         answer = self._known_answers.get(event_type)
         if answer is None:
             types = self._types
-            answer = None in types or any(base in types for base in event_type.__mro__)
+            answer = bool(types.get(None)) or any(types.get(base) for base in event_type.__mro__)
             self._known_answers[event_type] = answer
         return answer
 
@@ -103,9 +110,3 @@ class HandlerTable:
             for group in found:
                 ranked.update(group)
         return [ranked[rank] for rank in sorted(ranked)]
-
-
-def _keys(handler: BaseEventHandler) -> list[Key]:
-    if handler._event_keys is None:
-        return [(None, 0)]
-    return [(event_type, 0 if action is None else id(action)) for event_type, action in handler._event_keys]

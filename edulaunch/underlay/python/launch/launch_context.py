@@ -5,7 +5,7 @@ from collections import deque
 from collections.abc import Iterable, MutableMapping
 from typing import TYPE_CHECKING, Any
 
-from ._engine import environment, process_state
+from ._engine import environment, process_state, running_process
 from ._handler_table import HandlerTable
 from ._locals_view import LocalsView
 from ._run_notes import names_read
@@ -42,6 +42,7 @@ class LaunchContext:
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
         self._names_read = names_read()
+        self._state = running_process().state
         self._process_counter = process_state('launch.process_counter', lambda: [0])
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None

@@ -6,8 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ._parameter_text import parameter_file_text
-from ._temporary_files import TemporaryFiles
+from ._temporary_files import TemporaryFiles, temporary_path
 from .parameter_descriptions import Parameter
 from .parameters_type import Parameters
 from .utilities.evaluate_parameters import evaluate_parameters
@@ -23,19 +22,22 @@ if TYPE_CHECKING:
 class ParameterArguments:
     """The parameters of one node.
 
+    Generated files are only named here: writing them takes longer than everything else that a launch file asks
+    for, and a dry run needs none. :meth:`write_files` comes before anybody reads them.
+
+    :param number: of the node's process; it keeps the files of equal nodes apart.
     :param node_name: the node's name as far as it is known.
     :param node_key: what stands above the values in generated files: the node's full name, or `/**`.
-    :param origin: where the launch file made the node.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
     """
 
-    def __init__(self, node_name: str, node_key: str, origin: Origin | None) -> None:
+    def __init__(self, number: int, node_name: str, node_key: str) -> None:
         self.items: list[tuple[str, bool]] = []
+        self._owner = f'{number} {node_name} {node_key}'
         self._node_key = node_key
-        self._origin = origin
-        place = 'launch file' if origin is None else f'{os.path.basename(origin.file)} line {origin.line}'
-        self._files = TemporaryFiles(f'{node_name} {place}')
         self._sources: list[tuple[Any, Any]] = []
+        self._unwritten: list[tuple[str, dict[str, Any]]] = []
+        self._files: TemporaryFiles | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
@@ -53,20 +55,24 @@ class ParameterArguments:
         """The node's own, normalized ones."""
         for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=True):
             if isinstance(value, dict):
-                self.items.append((self._promise(value), True))
+                path = temporary_path(f'{self._owner} {len(self.items)} {value}')
+                self._unwritten.append((path, value))
+                self.items.append((path, True))
                 self._sources.append((value, written))
             elif isinstance(value, Parameter):
                 self._add_rule(context, value)
             else:
                 self._add_file(value)
 
-    def keep_promises(self) -> None:
-        """Write the generated files that :attr:`items` names."""
-        self._files.keep_promises()
+    def write_files(self) -> None:
+        """Write the generated files that :attr:`items` names, unless they are there."""
+        from ._parameter_text import parameter_file_text
 
-    def _promise(self, values: dict[str, Any]) -> str:
-        key = self._node_key
-        return self._files.promise(f'{key}\n{values}', lambda: parameter_file_text(key, values))
+        unwritten, self._unwritten = self._unwritten, []
+        if unwritten and self._files is None:
+            self._files = TemporaryFiles()
+        for path, values in unwritten:
+            self._files.write(path, parameter_file_text(self._node_key, values))  # type: ignore[union-attr]
 
     def _add_file(self, path: Path) -> None:
         if path.is_file():
@@ -86,19 +92,22 @@ class ParameterArguments:
         self.items.append((f'{name}:={yaml.safe_dump(value)}', False))
         self._sources.append((name, parameter))
 
-    def origins(self) -> dict[str, str]:
-        """Parameter name -> where its value was written, for values that do not come from a file."""
-        from ._parameter_origins import origin_of_global, origins_of, names_in_file
+    def origins(self, node: Origin | None) -> dict[str, str]:
+        """Parameter name -> where its value was written, for values that do not come from a file.
+
+        :param node: where the launch file made the node.
+        """
+        from ._parameter_origins import names_in_file, origin_of_global, origins_of
 
         found: dict[str, str] = {}
         for what, written in self._sources:
             if isinstance(what, dict):
-                found.update(origins_of(what, written, self._origin))
+                found.update(origins_of(what, written, node))
             elif not isinstance(what, str):
                 for name in names_in_file(what):
                     found.pop(name, None)
             elif isinstance(written, tuple):
                 found[what] = origin_of_global(written)
             else:
-                found.update(origins_of({what: None}, {what: written}, self._origin))
+                found.update(origins_of({what: None}, {what: written}, node))
         return found

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import weakref
-from collections.abc import Callable
 
 from launch._engine import process_state
 
@@ -12,56 +11,33 @@ Written = tuple[str, int]
 """Path and inode: the file is only removed while it is still the one that was written."""
 
 
+def temporary_path(key: str) -> str:
+    """The path `launch_params_XXXXXXXX` in the temporary folder, for a file to be written later.
+
+    The name is made from `key`, so that command lines (which are recorded) repeat from run to run. Two keys of
+    one launch never get the same path.
+    """
+    import tempfile
+    import zlib
+
+    digest = zlib.crc32(key.encode())
+    keys: dict[int, str] = process_state('launch_ros.parameter_files', dict)
+    while keys.setdefault(digest, key) != key:
+        digest = zlib.crc32(b'another', digest)
+    return f'{tempfile.gettempdir()}{os.sep}launch_params_{digest:08x}'
+
+
 class TemporaryFiles:
-    """Files `launch_params_XXXXXXXX` in the temporary folder.
+    """Files that are removed together with this object.
 
-    The name is made from the content, the owner and a count, so that command lines (which are recorded)
-    repeat from run to run.
     Two runs at the same time may write the same file: each replaces it whole, with equal content.
-
-    :param owner: a text that tells apart the owners in one run.
     """
 
-    def __init__(self, owner: str = '') -> None:
-        self._owner = owner
-        self._count = 0
-        self._promised: list[tuple[str, Callable[[], str]]] = []
+    def __init__(self) -> None:
         self._written: list[Written] = []
 
-    def write(self, text: str) -> str:
-        """Write a new file; gives its path."""
-        path = self.promise(text, lambda: text)
-        self.keep_promises()
-        return path
-
-    def promise(self, content: str, make: Callable[[], str]) -> str:
-        """The path of a file that stands there after :meth:`keep_promises`.
-
-        Writing takes longer than everything else that a launch file asks for, and most dry runs need no file.
-
-        :param content: any text that differs when the file's text does.
-        :param make: gives the file's text.
-        """
-        import tempfile
-        import zlib
-
-        key = f'{self._owner}\n{self._count}\n{content}'
-        self._count += 1
-        digest = zlib.crc32(key.encode())
-        keys: dict[int, str] = process_state('launch_ros.parameter_files', dict)
-        while keys.setdefault(digest, key) != key:
-            digest = zlib.crc32(b'another', digest)
-        path = f'{tempfile.gettempdir()}{os.sep}launch_params_{digest:08x}'
-        self._promised.append((path, make))
-        return path
-
-    def keep_promises(self) -> None:
-        """Write what was promised."""
-        promised, self._promised = self._promised, []
-        for path, make in promised:
-            self._write(path, make())
-
-    def _write(self, path: str, text: str) -> None:
+    def write(self, path: str, text: str) -> None:
+        """Write a file, whole at once."""
         import tempfile
 
         handle, draft = tempfile.mkstemp(prefix='launch_params_')

@@ -12,7 +12,7 @@ from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_t
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
-from ._temporary_files import TemporaryFiles
+from ._temporary_files import TemporaryFiles, temporary_path
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -156,9 +156,16 @@ class ParameterFile:
         path = Path(perform_substitutions(context, self.__param_file))
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:
-            path = Path(self.__files.write(_substituted(context, path)))
+            path = self.__write(path, _substituted(context, path))
         self.__evaluated = path
         return path
+
+    def __write(self, source: Path, text: str) -> Path:
+        from pathlib import Path
+
+        path = temporary_path(f'{source}\n{text}')
+        self.__files.write(path, text)
+        return Path(path)
 
     def cleanup(self) -> None:
         """Remove the temporary file, if there is one."""

@@ -3,9 +3,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.time import Time
+
 from message_filters.simple_filter import SimpleFilter
 from message_filters.stamps import stamp_of
-from rclpy.time import Time
 
 
 class Cache(SimpleFilter):

@@ -5,9 +5,10 @@ from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from message_filters.simple_filter import SimpleFilter
 from rclpy.duration import Duration
 from rclpy.time import Time
+
+from message_filters.simple_filter import SimpleFilter
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -4,9 +4,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from rclpy.time import Time
+
 from edulaunch.sim.sync import Lock
 from message_filters.simple_filter import SimpleFilter
-from rclpy.time import Time
 
 Queue = dict[int, Any]
 """Messages of one topic by their stamp in nanoseconds."""

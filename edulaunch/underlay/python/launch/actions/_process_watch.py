@@ -67,7 +67,7 @@ class ProcessWatch(BaseEventHandler):
         self._retries = 0
         self._loop = loop
         self._is_asked_to_end = False
-        self._delayed: asyncio.Future[None] | None = None
+        self._respawn: asyncio.TimerHandle | None = None
         self._ends_on_start: bool | None = None
         self._timers: list[Any] = []
         self.completed: asyncio.Future[None] = loop.create_future()
@@ -103,29 +103,24 @@ class ProcessWatch(BaseEventHandler):
 
     # -- running
 
-    async def run(self, context: LaunchContext) -> None:
-        """Run the program, and again as long as it is to be respawned.
+    def begin(self, context: LaunchContext) -> None:
+        """Start the program, unless launch has given up meanwhile. Called on launch's loop.
 
         A mistake that comes up here ends the action; the launch service reports it.
         """
+        self._respawn = None
+        if context._starts_are_abandoned:
+            self._finish()
+            return
         try:
-            while not context._starts_are_abandoned:
-                returncode = await self._run_once(context)
-                if returncode is None or not await self._is_to_respawn(context):
-                    break
+            self._begin(context)
         except Exception as error:
-            self.completed.set_exception(error)
-        else:
-            self.completed.set_result(None)
-        for timer in self._timers:
-            timer.cancel()
+            self._finish(error)
 
-    async def _run_once(self, context: LaunchContext) -> int | None:
-        """Start the program and wait for its end; None when it cannot be started."""
+    def _begin(self, context: LaunchContext) -> None:
         details = self._details
-        shown = ' '.join(part for part in details['cmd'] if part.strip())
         if self._options.log_cmd:
-            self._logger.info(f"process details: cmd='{shown}', cwd='{details['cwd']}', "
+            self._logger.info(f"process details: cmd='{self._shown_command()}', cwd='{details['cwd']}', "
                               f"custom_env?={details['env'] is not None}")
         _check_emulate_tty(context)
         try:
@@ -133,17 +128,46 @@ class ProcessWatch(BaseEventHandler):
         except Exception:
             import traceback
             self._logger.error(f'exception occurred while executing process:\n{traceback.format_exc()}')
-            return None
+            self._finish()
+            return
         pid = details['pid'] = self._run.pid
         self._logger.info(f'process started with pid [{pid}]')
-        await context.emit_event(ProcessStarted(**details))
-        self.return_code = await self._run.complete
-        if self.return_code == 0:
+        context.emit_event_sync(ProcessStarted(**details))
+        self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
+
+    def _end(self, context: LaunchContext, returncode: int) -> None:
+        """The program has ended: say so, and start it again when that is wanted."""
+        self.return_code = returncode
+        pid = self._details['pid']
+        if returncode == 0:
             self._logger.info(f'process has finished cleanly [pid {pid}]')
         else:
-            self._logger.error(f"process has died [pid {pid}, exit code {self.return_code}, cmd '{shown}'].")
-        await context.emit_event(ProcessExited(returncode=self.return_code, **details))
-        return self.return_code
+            self._logger.error(
+                f"process has died [pid {pid}, exit code {returncode}, cmd '{self._shown_command()}'].")
+        context.emit_event_sync(ProcessExited(returncode=returncode, **self._details))
+        options = self._options
+        if context.is_shutdown or self._is_asked_to_end or not options.respawn or (
+                0 <= options.respawn_max_retries <= self._retries):
+            self._finish()
+            return
+        self._retries += 1
+        if options.respawn_delay is not None and options.respawn_delay > 0.0:
+            self._respawn = self._loop.call_later(options.respawn_delay, self.begin, context)
+        else:
+            self.begin(context)
+
+    def _finish(self, error: Exception | None = None) -> None:
+        """The action is over."""
+        if not self.completed.done():
+            if error is None:
+                self.completed.set_result(None)
+            else:
+                self.completed.set_exception(error)
+        for timer in self._timers:
+            timer.cancel()
+
+    def _shown_command(self) -> str:
+        return ' '.join(part for part in self._details['cmd'] if part.strip())
 
     def _start(self, context: LaunchContext) -> ProcessRun:
         from edulaunch.processes import ProcessSpec
@@ -160,21 +184,6 @@ class ProcessWatch(BaseEventHandler):
             context.emit_event_sync(event_type(text=text.encode('utf-8', 'surrogateescape'), **details))
 
         return ProcessRun(context.asyncio_loop, spec, on_output)
-
-    async def _is_to_respawn(self, context: LaunchContext) -> bool:
-        """Whether the program is to be started again; waits for the delay."""
-        options = self._options
-        if context.is_shutdown or self._is_asked_to_end or not options.respawn:
-            return False
-        if 0 <= options.respawn_max_retries <= self._retries:
-            return False
-        self._retries += 1
-        if options.respawn_delay is not None and options.respawn_delay > 0.0:
-            import asyncio
-            self._delayed = self._loop.create_future()
-            await asyncio.wait([self._delayed], timeout=options.respawn_delay)
-            self._delayed.cancel()
-        return not self._is_asked_to_end
 
     # -- events
 
@@ -229,8 +238,9 @@ class ProcessWatch(BaseEventHandler):
             return None
         from ._escalation import escalation_timers, request_signal
         self._is_asked_to_end = True
-        if self._delayed is not None and not self._delayed.done():
-            self._delayed.set_result(None)
+        if self._respawn is not None:
+            self._respawn.cancel()
+            self._loop.call_soon(self._finish)
         context.extend_locals({'process_name': self._details['name']})
         self._timers = escalation_timers(self._action, self._logger)
         return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]

@@ -204,7 +204,7 @@ class ExecuteLocal(Action):
         for handler in (*handlers, watch):
             context.register_event_handler(handler)
         self.__watch = watch
-        context.asyncio_loop.create_task(watch.run(context))
+        context.asyncio_loop.call_soon(watch.begin, context)
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the process has ended for good."""

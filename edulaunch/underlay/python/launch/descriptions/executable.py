@@ -50,8 +50,8 @@ class Executable:
         self.__given_prefix = None if prefix is None else normalize_to_list_of_substitutions(prefix)
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
-        self.__env = _normalize_variables(env)
-        self.__additional_env = _normalize_variables(additional_env)
+        self.__env = None if env is None else _normalize_variables(env)
+        self.__additional_env = None if additional_env is None else _normalize_variables(additional_env)
         self.__final_name: str | None = None
         self._command: list[str] | None = None
         self._before_look: Callable[[], object] | None = None
@@ -158,9 +158,7 @@ def _performed(context: LaunchContext, word: Substitution | Substitutions) -> st
     return perform_substitutions(context, word) if isinstance(word, list) else word.perform(context)
 
 
-def _normalize_variables(variables: Variables | None) -> list[tuple[Substitutions, Substitutions]] | None:
-    if variables is None:
-        return None
+def _normalize_variables(variables: Variables) -> list[tuple[Substitutions, Substitutions]]:
     return [(normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value))
             for key, value in variables.items()]
 

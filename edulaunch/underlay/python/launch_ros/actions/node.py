@@ -9,6 +9,7 @@ import launch.logging
 from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import Substitution
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
@@ -27,6 +28,8 @@ from ..utilities.track_node_names import add_node_name
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
+
+Words = list[str | Substitution]
 
 
 class Node(ExecuteProcess):
@@ -112,7 +115,7 @@ class Node(ExecuteProcess):
         arguments = self.__parameter_arguments
         if arguments is None or not (arguments.items or self.__own_parameters is not None):
             return None
-        arguments.keep_promises()
+        arguments.write_files()
         return arguments.items
 
     @property
@@ -180,7 +183,7 @@ class Node(ExecuteProcess):
         return {
             'package': package,
             'executable': executable,
-            'parameter_origins': self.__parameter_arguments.origins(),
+            'parameter_origins': self.__parameter_arguments.origins(self.origin),
         }
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
@@ -189,8 +192,9 @@ class Node(ExecuteProcess):
         if self.__substitutions_performed:
             return
         self.__substitutions_performed = True
+        words: Words = []
         try:
-            self.__expand_name(context)
+            self.__expand_name(context, words)
         except Exception:
             launch.logging.get_logger('launch_ros.actions.node').error(
                 'Error while expanding or validating node name or namespace for '
@@ -200,10 +204,11 @@ class Node(ExecuteProcess):
             raise
         namespace = '' if self.__expanded_node_namespace == '/' else self.__expanded_node_namespace
         self.__final_node_name = f'{namespace}/{self.__expanded_node_name}'
-        self.__expand_parameters(context)
-        self.__expand_remappings(context)
+        self.__expand_parameters(context, words)
+        self.__expand_remappings(context, words)
+        self.process_description._add_words(words)
 
-    def __expand_name(self, context: LaunchContext) -> None:
+    def __expand_name(self, context: LaunchContext, words: Words) -> None:
         name = _text(context, self.__node_name)
         if name is not None:
             self.__expanded_node_name = validated_name(name)
@@ -215,30 +220,27 @@ class Node(ExecuteProcess):
         if namespace is not None:
             self.__expanded_node_namespace = namespace
             validated_namespace(namespace)
-            self.process_description._add_words(('-r', NODE_NAMESPACE))
+            words += ('-r', NODE_NAMESPACE)
 
-    def __expand_parameters(self, context: LaunchContext) -> None:
+    def __expand_parameters(self, context: LaunchContext, words: Words) -> None:
         """Global parameters first, so that the node's own can overwrite them."""
-        node_key = self.node_name if self.is_node_name_fully_specified() else '/**'
-        arguments = self.__parameter_arguments = ParameterArguments(self.node_name, node_key, self.origin)
+        name = self.node_name
+        node_key = name if self.is_node_name_fully_specified() else '/**'
+        arguments = self.__parameter_arguments = ParameterArguments(context._process_counter[0], name, node_key)
         arguments.add_global(context.launch_configurations.get('global_params', ()))
         if self.__own_parameters is not None:
             arguments.add_own(context, self.__own_parameters)
-        words: list[str] = []
+        if arguments.items:
+            self.process_description._before_look = arguments.write_files
         for text, is_file in arguments.items:
             words += ('--params-file' if is_file else '-p', text)
-        if words:
-            self.process_description._add_words(words)
-            self.process_description._before_look = arguments.keep_promises
 
-    def __expand_remappings(self, context: LaunchContext) -> None:
+    def __expand_remappings(self, context: LaunchContext, words: Words) -> None:
         rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
         for source, target in self.__own_remappings:
             rules.append((_text(context, source) or '', _text(context, target) or ''))
-        words: list[str] = []
         for source_name, target_name in rules:
             words += ('-r', f'{source_name}:={target_name}')
-        self.process_description._add_words(words)
 
 
 def _text(context: LaunchContext, value: SomeSubstitutionsType | None) -> str | None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import process_state
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -29,12 +28,13 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)
-        self.__executable = normalize_to_list_of_substitutions(executable)
+        self.__executable = (
+            executable if type(executable) is str else normalize_to_list_of_substitutions(executable))
 
     @property
     def executable(self) -> list[Substitution]:
         """The executable's name."""
-        return self.__executable
+        return normalize_to_list_of_substitutions(self.__executable)
 
     def describe(self) -> str:
         """As `ros2 launch -s` shows it."""
@@ -44,9 +44,10 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def perform(self, context: LaunchContext) -> str:
         """The path; the file need not exist for an entry point, which the index knows."""
-        executable = perform_substitutions(context, self.executable)
-        package = perform_substitutions(context, self.package)
-        found: dict[tuple[str, str], str] = process_state('launch_ros.executables', dict)
+        given = self.__executable
+        executable = given if isinstance(given, str) else perform_substitutions(context, given)
+        package = self._package_name(context)
+        found: dict[tuple[str, str], str] = context._state.setdefault('launch_ros.executables', {})
         path = found.get((package, executable))
         if path is None:
             path = found[package, executable] = self.__find(context, package, executable)

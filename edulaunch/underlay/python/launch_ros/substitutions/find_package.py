@@ -20,12 +20,16 @@ class FindPackage(Substitution):
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
-        self.__package = normalize_to_list_of_substitutions(package)
+        self.__package = package if type(package) is str else normalize_to_list_of_substitutions(package)
 
     @property
     def package(self) -> list[Substitution]:
         """The package's name."""
-        return self.__package
+        return normalize_to_list_of_substitutions(self.__package)
+
+    def _package_name(self, context: LaunchContext) -> str:
+        package = self.__package
+        return package if isinstance(package, str) else perform_substitutions(context, package)
 
     def find(self, package_name: str) -> str:
         """The path to substitute.
@@ -45,7 +49,7 @@ class FindPackage(Substitution):
         :raises PackageNotFoundError: when there is no such package.
         :raises ValueError: when this cannot be a package name.
         """
-        return self.find(perform_substitutions(context, self.package))
+        return self.find(self._package_name(context))
 
 
 class FindPackagePrefix(FindPackage):

@@ -67,7 +67,7 @@ def _running_entity(entity: Entity) -> Any:
 
 def _name_of(entity: Any) -> str:
     """The name of an entity's callback, as people call it."""
-    callback = getattr(entity, 'callback', None)
+    callback: Any = getattr(entity, 'callback', None)
     while hasattr(callback, 'func'):
         callback = callback.func
     name = getattr(callback, '__name__', None)

@@ -153,8 +153,7 @@ class NodeEntities:
         """
         core = self._rclpy
         check_is_valid_srv_type(srv_type)
-        if callback is None:
-            _note_missing_callback(core, 'create_service')
+        _check_callback(core, callback, 'create_service')
         name = core.resolve(srv_name, 'service')
         group = callback_group or core.default_callback_group
         service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
@@ -170,8 +169,7 @@ class NodeEntities:
         :param clock: the clock that it goes by; the node's own by default.
         :param autostart: False makes it cancelled, until `reset()`.
         """
-        if callback is None:
-            _note_missing_callback(self._rclpy, 'create_timer')
+        _check_callback(self._rclpy, callback, 'create_timer')
         return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -271,8 +269,10 @@ def _new_timer(core: NodeCore, period_s: float, callback: Callable[[], Any] | No
     return timer
 
 
-def _note_missing_callback(core: NodeCore, function: str) -> None:
-    """The result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
+def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
+    """Note that the result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
+    if callback is not None:
+        return
     from rclpy.impl.student_place import student_place
     core.process.note('mistake', (
         f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. Give the "

@@ -124,7 +124,7 @@ class NodeParameters:
         """The number of a parameter's type, 0 for an undeclared one where those are allowed."""
         store = self._rclpy.parameters
         if name in store.values:
-            return store.descriptor(name).type
+            return int(store.descriptor(name).type)
         if not store.allow_undeclared:
             raise ParameterNotDeclaredException(name)
         return ParameterType.NOT_SET.value
