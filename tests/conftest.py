@@ -1,6 +1,21 @@
-"""All tests see the underlay, as after `edulaunch.source()`."""
+"""All tests see the underlay, as after `edulaunch.source()`, and leave the environment as they found it."""
 from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+import pytest
 
 import edulaunch
 
 edulaunch.source()
+
+
+@pytest.fixture(autouse=True)
+def same_environment() -> Iterator[None]:
+    """Outside a simulation launch acts on this program's own environment variables: put them back after each test."""
+    before = dict(os.environ)
+    yield
+    if dict(os.environ) != before:
+        os.environ.clear()
+        os.environ.update(before)

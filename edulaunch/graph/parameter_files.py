@@ -10,8 +10,15 @@ PARAMETERS_KEY = 'ros__parameters'
 _YAML_MARKS = frozenset('\'"[]{}!&*#|>:%@`,\n')
 
 
+LAYOUT = f'write the name of the node (or /**), below it {PARAMETERS_KEY}, and below that the parameters'
+
+
 class ParameterFileError(ValueError):
-    """A parameter file or value that rcl would refuse; the text is the reason only."""
+    """A parameter file or value that rcl would refuse; the text is rcl's reason only, `help` says what to try."""
+
+    def __init__(self, reason: str, help: str | None = None) -> None:
+        super().__init__(reason)
+        self.help = help
 
 
 class Entry(NamedTuple):
@@ -63,7 +70,9 @@ class _Reader:
         except self._error as error:
             mark = getattr(error, 'problem_mark', None)
             line = '' if mark is None else f' near line {mark.line + 1}'
-            raise ParameterFileError(f'Error parsing a event{line}: {getattr(error, "problem", error)}') from None
+            problem = str(getattr(error, 'problem', error))
+            help = 'is the line indented with a tab? YAML wants spaces' if 'cannot start any token' in problem else None
+            raise ParameterFileError(f'Error parsing a event{line}: {problem}', help) from None
         if type(event).__name__ == 'AliasEvent':
             raise ParameterFileError(f'Will not support aliasing at line {line_of(event)}')
         return event
@@ -76,7 +85,7 @@ class _Reader:
         if mapping:
             root = self.next()
             if type(root).__name__ != 'MappingStartEvent':
-                raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(root)}')
+                raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(root)}', LAYOUT)
         return True
 
 
@@ -91,13 +100,19 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
         name = _key_text(key)
         value = reader.next()
         if type(value).__name__ != 'MappingStartEvent':
-            raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(value)}')
+            raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(value)}', _layout_help(path))
         if name != PARAMETERS_KEY:
             _read_nodes(reader, f'{path}/{name.strip("/")}', entries)
         elif path:
             _read_parameters(reader, path, '', entries)
         else:
-            raise ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}')
+            raise ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}', LAYOUT)
+
+
+def _layout_help(path: str) -> str:
+    """What to say of a value that stands too early; `path` is what stands above it."""
+    misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
+    return LAYOUT if misspelt is None else f"'{misspelt}' is spelled {PARAMETERS_KEY}, with two underscores"
 
 
 def _read_parameters(reader: _Reader, pattern: str, prefix: str, entries: list[Entry]) -> None:
@@ -137,7 +152,8 @@ def _read_sequence(reader: _Reader) -> list[Any]:
         item = _scalar(event)
         if items and type(item) is not type(items[0]):
             raise ParameterFileError('Sequence should be of same type. Value type '
-                                     f"'{sequence_type_name(item)}' do not belong at line_num {line_of(event)}")
+                                     f"'{sequence_type_name(item)}' do not belong at line_num {line_of(event)}",
+                                     'numbers of one list are written all with a point, or all without')
         items.append(item)
     return items
 
@@ -147,5 +163,5 @@ def _scalar(event: Any) -> Any:
     if event.style in ('"', "'") or event.tag == 'tag:yaml.org,2002:str':
         return text
     if not text:
-        raise ParameterFileError(f'No value at line {line_of(event)}')
+        raise ParameterFileError(f'No value at line {line_of(event)}', 'leave the line out, or write "" for an empty text')
     return scalar_from_text(text)

@@ -175,7 +175,7 @@ def _add_file(result: RosArguments, flag: str, path: str, read_text: Callable[[s
     except UnicodeDecodeError:
         raise _refuse('params file', flag, path, 'Error parsing a event: the file is not UTF-8 text') from None
     except ParameterFileError as error:
-        raise _refuse('params file', flag, path, str(error)) from None
+        raise _refuse('params file', flag, path, str(error), error.help) from None
     base = path.replace('\\', '/').rpartition('/')[2]
     for entry in entries:
         override = Override(entry.value, f'{base} line {entry.line}')

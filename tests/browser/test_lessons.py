@@ -40,6 +40,19 @@ def test_the_first_picture_comes_soon(lab: Lab) -> None:
         assert time.monotonic() - began < FIRST_PICTURE_S * SLOWER_MACHINES
 
 
+def test_the_slider_of_a_replay_moves_the_turtle(lab: Lab) -> None:
+    with lab.open('01_first_launch') as page:
+        page.run_all()
+        page.show('square-picture')
+        player = page.page.frame_locator('.jp-OutputArea iframe')
+        player.locator('body.ready').wait_for()
+        before = player.locator('body').inner_text()
+        player.locator('#slider').evaluate('slider => { slider.value = slider.max; slider.dispatchEvent(new Event("input")); }')
+        after = player.locator('body').inner_text()
+        page.show('square-picture', 'replay-at-the-end')
+    assert 'turtle1 (5.54, 5.54)' in before and 'turtle1 (5.53, 5.55)' in after
+
+
 def test_a_check_passes_after_the_solution_is_put_in(lab: Lab, course: Path) -> None:
     shutil.copy(course / 'solutions' / 'circle.launch.py', course / 'exercises' / 'circle.launch.py')
     with lab.open('01_first_launch') as page:

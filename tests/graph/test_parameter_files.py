@@ -35,6 +35,19 @@ def test_what_rcl_refuses_is_refused_with_its_line(text: str, reason: str) -> No
     assert str(caught.value).startswith(reason)
 
 
+@pytest.mark.parametrize(('text', 'help'), [
+    ('n:\n  ros_parameters:\n    a: 1\n', "'ros_parameters' is spelled ros__parameters, with two underscores"),
+    ('n:\n  a: 1\n', 'write the name of the node (or /**), below it ros__parameters, and below that the parameters'),
+    ('n:\n  ros__parameters:\n\ta: 1\n', 'is the line indented with a tab? YAML wants spaces'),
+    ('n:\n  ros__parameters:\n    a: [1, 2.0]\n', 'numbers of one list are written all with a point, or all without'),
+    ('n:\n  ros__parameters:\n    a:\n', 'leave the line out, or write "" for an empty text'),
+])
+def test_common_mistakes_are_helped_with(text: str, help: str) -> None:
+    with pytest.raises(ParameterFileError) as caught:
+        read_parameter_file(text)
+    assert caught.value.help == help
+
+
 @pytest.mark.parametrize(('text', 'value'), [
     ('5', 5), ('-5', -5), ('off', False), ("'5'", '5'), ('!!str off', 'off'), ('Hello world', 'Hello world'),
     ('[1, 2]', [1, 2]), ('[a, b]', ['a', 'b']), ('[]', []),

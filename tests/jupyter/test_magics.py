@@ -14,7 +14,7 @@ def shell(desk: Any) -> Iterator[Any]:
     """An IPython shell that has loaded the extension."""
     from IPython.core.interactiveshell import InteractiveShell
     InteractiveShell.clear_instance()
-    shell = InteractiveShell.instance(colors='nocolor')
+    shell: Any = InteractiveShell.instance(colors='nocolor')
     shell.history_manager.enabled = False
     shell.run_line_magic('load_ext', 'edulaunch.jupyter')
     yield shell

@@ -72,6 +72,10 @@ class FakeHost:
         self._pid += 1
         return self._pid
 
+    def overlay(self, index: Any) -> Any:
+        from edulaunch.processes.overlay import Overlay
+        return Overlay(index)
+
     def start(self, spec: Any, on_output: Any = None, on_exit: Any = None) -> FakeProgram:
         if spec.argv[0] not in self.scripts:
             raise FileNotFoundError(2, 'No such file or directory', spec.argv[0])

@@ -72,7 +72,7 @@ def test_the_launch_prefix_goes_to_programs_that_match_the_filter(launch_it: Any
         ExecuteProcess(cmd=['failing']),
     )
     assert [spec.argv for spec in host.specs] == [('quick',), ('nice', '-n', '5', 'failing')]
-    assert host.specs[1].name == 'failing-2'
+    assert host.specs[1].name == 'nice-2', 'as upstream, the prefix counts as the program'
 
 
 def test_an_own_prefix_ignores_the_filter(launch_it: Any, host: Any) -> None:

@@ -209,6 +209,22 @@ def test_a_blocking_send_goal_in_a_callback_is_explained(world: World) -> None:
     assert "waits for ever: the answer of action '/fibonacci' can only be taken" in world.tracer.notes[0][1]
 
 
+def test_a_result_given_with_the_end_is_answered_at_once(world: World) -> None:
+    def execute(goal_handle: Any) -> Any:
+        goal_handle.succeed(Fibonacci.Result(sequence=[1]))
+        sleep(1)
+        return Fibonacci.Result(sequence=[2])
+
+    log = run(world, server(execute, threads=True), client(world))
+    assert log == [(0.0, 'accepted'), (0.0, (GoalStatus.STATUS_SUCCEEDED, [1]))]
+
+
+def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
+    run(world, server(lambda goal_handle: goal_handle.succeed()), client(world))
+    assert world.output['program 0'].endswith(
+        "TypeError\n  help: the execute callback of action '/fibonacci' must return a Fibonacci.Result; it returned None\n")
+
+
 def test_a_quiet_action_client_is_nothing_to_execute(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

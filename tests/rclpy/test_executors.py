@@ -392,6 +392,26 @@ def test_spin_some_executes_each_ready_entity_once(ros: Ros, world: World) -> No
     assert ros(body) == ['0', 'next', '1']
 
 
+def test_spin_some_has_rclcpps_order(ros: Ros, world: World) -> None:
+    """Timers, subscriptions, services, clients; Python's own order has clients before services."""
+    def body() -> None:
+        node = Node('n')
+        node.create_service(Empty, 's', lambda request, response: world.say('service') or response)
+        client = node.create_client(Empty, 's')
+        executor = SingleThreadedExecutor()
+        executor.add_node(node)
+        client.call_async(Empty.Request()).add_done_callback(lambda _: world.say('client'))
+        executor._spin_some()
+        client.call_async(Empty.Request())
+        node.create_subscription(String, 'c', lambda message: world.say('subscription'), 10)
+        node.create_publisher(String, 'c', 10).publish(String())
+        node.create_timer(0.1, lambda: world.say('timer'))
+        sleep(0.1)
+        executor._spin_some()
+
+    assert ros(body) == ['service', 'timer', 'subscription', 'service', 'client']
+
+
 def test_an_executor_of_ones_own_gets_tasks_to_call(ros: Ros, world: World) -> None:
     class Own(SingleThreadedExecutor):
         def spin_once(self, timeout_sec: float | None = None) -> None:

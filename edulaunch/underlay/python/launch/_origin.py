@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import lru_cache
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -14,19 +15,19 @@ if TYPE_CHECKING:
     from edulaunch.processes import Origin
 
 FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
-Place = tuple[str, int]
+Place = tuple[str, int] | tuple[CodeType, int]
+"""File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
 
 
 def caller_outside_launch(made: object) -> Place | None:
-    """File and line of the innermost running code that is neither ours nor the constructor of `made` itself.
-    """
+    """The place in the innermost running code that is neither ours nor the constructor of `made` itself."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         code = frame.f_code
         if not code.co_filename.startswith(FACES) and not (
             code.co_name == '__init__' and _makes(code, frame, made)
         ):
-            return code.co_filename, frame.f_lineno
+            return code, frame.f_lasti
         frame = frame.f_back
     return None
 
@@ -41,7 +42,20 @@ def origin_of(place: Place | None) -> Origin | None:
     if place is None:
         return None
     from edulaunch.processes import Origin
-    return Origin(*place)
+    where, position = place
+    return Origin(where, position) if isinstance(where, str) else Origin(where.co_filename, _line_at(where, position))
+
+
+def _line_at(code: CodeType, position: int) -> int:
+    from bisect import bisect_right
+    starts, lines = _line_table(code)
+    return lines[bisect_right(starts, position) - 1]
+
+
+@lru_cache(maxsize=64)
+def _line_table(code: CodeType) -> tuple[list[int], list[int]]:
+    rows = [(start, line) for start, _, line in code.co_lines() if line is not None]
+    return [start for start, _ in rows], [line for _, line in rows]
 
 
 def note_origin(error: BaseException, entity: Any) -> None:

@@ -7,7 +7,7 @@ from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
-from rclpy.type_support import wrong_class_help
+from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
     from edulaunch.graph.services import ServiceClient
@@ -88,7 +88,7 @@ class Client(Entity):
 
     def _check_request(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
-            raise TypeError(wrong_class_help(request, self.srv_type, 'Request'))
+            raise wrong_class(request, self.srv_type, 'Request')
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False

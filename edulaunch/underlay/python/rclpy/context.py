@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 from edulaunch.sim.task import Task, current_task
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.impl.hints import hinted
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:
@@ -68,8 +69,8 @@ class Context:
         if not self._used:
             raise RuntimeError('Context must be initialized before it can be shutdown')
         if not self._ok:
-            raise RCLError('failed to shutdown: rcl_shutdown already called on the given context\n'
-                           '  help: Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead')
+            raise hinted(RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
+                         'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead')
         self._end()
 
     def try_shutdown(self) -> None:
@@ -137,7 +138,7 @@ def parse_or_raise(arguments: list[str]) -> RosArguments:
     try:
         parsed = parse_ros_arguments([str(argument) for argument in arguments])
     except RosArgumentsError as error:
-        raise RCLInvalidROSArgsError(f'Failed to parse ROS arguments: {error}') from None
+        raise hinted(RCLInvalidROSArgsError(f'Failed to parse ROS arguments: {error.message}'), error.help) from None
     if parsed.unknown:
         raise UnknownROSArgsError(repr(parsed.unknown))
     return parsed

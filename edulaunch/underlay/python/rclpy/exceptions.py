@@ -5,6 +5,7 @@ from typing import Any
 
 from edulaunch.graph.names import caret_text
 from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.impl.hints import hinted
 
 __all__ = [
     'InvalidHandle', 'InvalidNamespaceException', 'InvalidNodeNameException', 'InvalidParameterException',
@@ -117,13 +118,27 @@ class InvalidParameterException(ParameterException):
         super().__init__('Invalid parameter name', parameter, *args)
 
 
+def _type_hint(given: Any, expected: str) -> str | None:
+    """What to try for the commonest mistakes with types."""
+    kind, value = given.type_.name, given.value
+    if (kind, expected) == ('INTEGER', 'DOUBLE'):
+        return f'a double is written with its point: {float(value)}'
+    if (kind, expected) == ('DOUBLE', 'INTEGER'):
+        return f'an integer is written without a point: {int(value)}'
+    if expected == 'STRING' and kind in ('INTEGER', 'DOUBLE', 'BOOL'):
+        return 'put it in quotation marks, or YAML takes it for something else than a text'
+    return None
+
+
 class InvalidParameterTypeException(ParameterException):
     """A value has another type than the parameter was declared with."""
 
     def __init__(self, desired_parameter: Any, expected_type: str) -> None:
         super().__init__(
             f"Trying to set parameter '{desired_parameter.name}' to '{desired_parameter.value}' "
-            f"of type '{desired_parameter.type_.name}', expecting type '{expected_type}'", desired_parameter.name)
+            f"of type '{desired_parameter.type_.name}', expecting type '{expected_type}'",
+            desired_parameter.name)
+        hinted(self, _type_hint(desired_parameter, expected_type))
         self.param_name = desired_parameter.name
         self.param_type = desired_parameter.type_.name
         self.expected_type = expected_type

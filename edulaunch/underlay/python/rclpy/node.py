@@ -8,6 +8,7 @@ from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.hints import hinted
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node_parts.core import NodeCore
@@ -31,8 +32,8 @@ class _MissingCore:
     """Stands for the state of a node whose `__init__` was not called."""
 
     def __get__(self, node: object, owner: type) -> NodeCore:
-        raise AttributeError(f"'{owner.__name__}' object has no attribute '_default_callback_group'\n"
-                             "  help: call super().__init__('node_name') in __init__ before anything else of the node")
+        raise hinted(AttributeError(f"'{owner.__name__}' object has no attribute '_default_callback_group'"),
+                     "call super().__init__('node_name') in __init__ before anything else of the node")
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):
@@ -146,14 +147,14 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
 def _refuse_setting(name: str, made: property) -> property:
     def refuse(node: object, value: object) -> None:
-        raise AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter\n"
-                             f'  help: every node has its own `{name}`; choose another name, such as `self.{name}_`')
+        raise hinted(AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter"),
+                     f'every node has its own `{name}`; choose another name, such as `self.{name}_`')
 
     return made.setter(refuse)
 
 
 def _finish_node_class() -> None:
-    """Let Python's own errors name the class Node, whatever file a method stands in, and say what is wrong with `self.timers = []`."""
+    """Let Python's errors name the class Node, whatever file a method stands in, and explain `self.timers = []`."""
     for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
         for name, member in list(vars(part).items()):
             if isinstance(member, FunctionType):

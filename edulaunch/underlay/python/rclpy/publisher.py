@@ -44,8 +44,9 @@ class Publisher:
         if self._impl.destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         if not self._context._ok:
-            raise RCLError("Failed to publish: publisher's context is invalid\n  help: ROS 2 has been shut down already "
-                           '(by rclpy.shutdown() or Ctrl-C)')
+            from rclpy.impl.hints import hinted
+            raise hinted(RCLError("Failed to publish: publisher's context is invalid"),
+                         'ROS 2 has been shut down already (by rclpy.shutdown() or Ctrl-C)')
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
             self._send(decode(self.msg_type, msg))

@@ -238,7 +238,8 @@ qos_profile_rosout_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1
                                         lifespan=Duration(seconds=10))
 
 
-_LATE = ('QoSCheck', 'QoSCompatibility', 'QoSPolicyKind', 'QoSPresetProfiles', 'qos_check_compatible', 'qos_policy_name_from_kind')
+_LATE = ('QoSCheck', 'QoSCompatibility', 'QoSPolicyKind', 'QoSPresetProfiles', 'qos_check_compatible',
+         'qos_policy_name_from_kind')
 __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *_LATE]
 
 

@@ -1,4 +1,4 @@
-"""The presets by name, the numbers of policies, and whether two profiles suit each other. Programs find all of it in `rclpy.qos`."""
+"""Presets by name, the numbers of policies, whether two profiles suit each other. Programs find it all in `rclpy.qos`."""
 from __future__ import annotations
 
 from enum import Enum, IntEnum

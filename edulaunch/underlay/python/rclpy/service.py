@@ -61,8 +61,10 @@ class Service(Entity):
         :raises TypeError: when `response` is no response of this service (a callback that forgot `return response`).
         """
         if not isinstance(response, self.srv_type.Response):
-            raise TypeError(f"\n  help: the callback of service '{self.service_name}' must end with `return response`; it returned "
-                            + ('None' if response is None else f'a {type(response).__name__}'))
+            from rclpy.impl.hints import hinted
+            returned = 'None' if response is None else f'a {type(response).__name__}'
+            raise hinted(TypeError(), f"the callback of service '{self.service_name}' must end with `return response`; "
+                                      f'it returned {returned}')
         self._impl.respond(header, self.srv_type.Response.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)

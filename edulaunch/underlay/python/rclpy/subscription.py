@@ -112,10 +112,12 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
         return Subscription.CallbackType.MessageOnly
     if _accepts(callback, 2):
         return Subscription.CallbackType.WithMessageInfo
-    raise RuntimeError('Subscription.__init__(): Callback should be either be callable with one argument'
-                       '(to get only the message) or two (to get message and message info)' + (
-                           '\n  help: None was given; give the function itself, without brackets: self.heard, not self.heard()'
-                           if callback is None else '\n  help: the callback of a subscription takes the message: def heard(self, msg)'))
+    from rclpy.impl.hints import hinted
+    raise hinted(
+        RuntimeError('Subscription.__init__(): Callback should be either be callable with one argument'
+                     '(to get only the message) or two (to get message and message info)'),
+        'None was given; give the function itself, without brackets: self.heard, not self.heard()' if callback is None
+        else 'the callback of a subscription takes the message: def heard(self, msg)')
 
 
 _VARIADIC = 0x04

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.impl.hints import hinted
+
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
     """Raise AttributeError, with ROS 2's hint, for anything that is no interface class."""
@@ -47,12 +49,11 @@ def check_is_valid_action_type(action_type: Any) -> None:
         raise RuntimeError(f'The action type provided is not valid ({action_type}), this might be a message or service')
 
 
-def wrong_class_help(given: Any, interface: Any, part: str) -> str:
-    """What to add to ROS 2's empty TypeError when something else is given than a `Service.Request` or the like."""
+def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
+    """ROS 2's empty error for something else than a `Service.Request` or the like, with a hint."""
     wanted = f'{interface.__name__}.{part}'
-    if isinstance(given, type):
-        return f'\n  help: an object is needed, not a class: write {wanted}() with its brackets'
-    return f'\n  help: an object of {wanted} is needed, not of {type(given).__name__}'
+    return hinted(TypeError(), f'an object is needed, not a class: write {wanted}() with its brackets' if isinstance(given, type)
+                  else f'an object of {wanted} is needed, not of {type(given).__name__}')
 
 
 def _has(cls: Any, name: str) -> bool:

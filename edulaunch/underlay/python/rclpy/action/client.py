@@ -18,7 +18,7 @@ from rclpy.qos import (
     validate_qos,
 )
 from rclpy.task import Future
-from rclpy.type_support import check_is_valid_action_type, wrong_class_help
+from rclpy.type_support import check_is_valid_action_type, wrong_class
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -199,7 +199,7 @@ class ActionClient(Waitable):
         :raises TypeError: unless `goal` is an `ActionType.Goal`.
         """
         if not isinstance(goal, self._action_type.Goal):
-            raise TypeError(wrong_class_help(goal, self._action_type, 'Goal'))
+            raise wrong_class(goal, self._action_type, 'Goal')
         request_class = self._action_type.Impl.SendGoalService.Request
         request = request_class(goal_id=_random_uuid() if goal_uuid is None else goal_uuid, goal=goal)
         if feedback_callback is not None:

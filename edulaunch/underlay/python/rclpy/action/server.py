@@ -224,9 +224,10 @@ class ActionServer(Waitable):
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future._done:
             if not isinstance(result, self._action_type.Result):
-                raise TypeError(f"\n  help: the execute callback of action '{self._name}' must return a "
-                                f'{self._action_type.__name__}.Result; it returned '
-                                + ('None' if result is None else f'a {type(result).__name__}'))
+                from rclpy.impl.hints import hinted
+                returned = 'None' if result is None else f'a {type(result).__name__}'
+                raise hinted(TypeError(), f"the execute callback of action '{self._name}' must return a "
+                                          f'{self._action_type.__name__}.Result; it returned {returned}')
             future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 
     @staticmethod

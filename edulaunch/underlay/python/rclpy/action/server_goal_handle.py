@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
-from rclpy.type_support import wrong_class_help
+from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
@@ -76,7 +76,7 @@ class ServerGoalHandle:
         """Send feedback. Raises TypeError unless it is an `ActionType.Feedback`."""
         action_type = self._action_server._action_type
         if not isinstance(feedback, action_type.Feedback):
-            raise TypeError(wrong_class_help(feedback, action_type, 'Feedback'))
+            raise wrong_class(feedback, action_type, 'Feedback')
         if not self._destroyed:
             message_class = action_type.Impl.FeedbackMessage
             message = message_class(goal_id=self._goal_id, feedback=feedback)

@@ -31,7 +31,7 @@ def note_call(call: str, entity: Any, kind: str) -> None:
 
 
 def note_future_wait(waiting: str, entity: Any, place: str = '') -> None:
-    """Note that a callback waits for a future of a service or action client: by spinning, by looking again and again, by await."""
+    """Note that a callback waits for a future of a service or action client: by spinning, looking in a loop, or await."""
     note_wait(waiting, entity, entity._awaited_words(), INSTEAD, place)
 
 
@@ -47,8 +47,8 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
             'any more. Use add_done_callback(), or async and await.'))
     else:
         current_process().note('deadlock', (
-            f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for its end. '
-            f'Return from {callback} and let the next message or timer go on.'))
+            f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for '
+            f'its end. Return from {callback} and let the next message or timer go on.'))
 
 
 def note_rate(entity: Entity) -> None:

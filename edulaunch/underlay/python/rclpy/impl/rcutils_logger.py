@@ -5,6 +5,7 @@ import sys
 from types import FrameType
 from typing import Any
 
+from rclpy.impl.hints import hinted
 from rclpy.impl.log_filters import CallSite, filters_of
 from rclpy.impl.logging_severity import LoggingSeverity
 from rclpy.impl.logging_state import logging_state
@@ -94,7 +95,7 @@ class RcutilsLogger:
         if filters and not site.lets_through(options, state.process.sim.now_ns):
             return False
         if not isinstance(message, str):
-            raise TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, not '
-                            f'{type(message).__name__}\n  help: write str(...) around it, or an f-string')
+            raise hinted(TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
+                                   f'not {type(message).__name__}'), 'write str(...) around it, or an f-string')
         state.output(severity, name, message, code.co_name, code.co_filename, frame.f_lineno)
         return True

@@ -275,8 +275,8 @@ def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
         return
     from rclpy.impl.student_place import student_place
     core.process.note('mistake', (
-        f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. Give the "
-        'function itself, without brackets: self.tick, not self.tick()'))
+        f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. Give "
+        'the function itself, without brackets: self.tick, not self.tick()'))
 
 
 def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
