@@ -34,8 +34,8 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
         'shell': action.shell,
         'output': action.output,
         'emulate_tty': action.emulate_tty,
-        'respawn': _private(action, 'respawn'),
-        'respawn_delay': _private(action, 'respawn_delay'),
+        'respawn': action.respawn,
+        'respawn_delay': action.respawn_delay,
         'sigterm_timeout': _text(context, action.sigterm_timeout),
         'sigkill_timeout': _text(context, action.sigkill_timeout),
     }
@@ -46,11 +46,6 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
 
 def _text(context: LaunchContext, value: Any) -> str:
     return perform_substitutions(context, normalize_to_list_of_substitutions(value))
-
-
-def _private(action: Any, name: str) -> Any:
-    """What upstream keeps without a property."""
-    return getattr(action, f'_ExecuteLocal__{name}')
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:

@@ -6,7 +6,6 @@ A launch file's own `os._exit` ends only its simulated process; these go round t
 from __future__ import annotations
 
 import os
-import time
 from pathlib import Path
 
 import pytest
@@ -98,10 +97,8 @@ def test_an_endless_loop_is_stopped_and_its_line_named(tmp_path: Path) -> None:
 
 def test_blocking_all_signals_does_not_help_a_loop(tmp_path: Path) -> None:
     text = 'import _signal\n_signal.pthread_sigmask(_signal.SIG_BLOCK, range(1, 65))\nwhile True:\n    pass\n'
-    started = time.monotonic()
     outcome = run(tmp_path, text, wall_s=0.5)
     assert (outcome.kind, outcome.text) == ('stopped', 'it did not finish within 0.5 s of real time')
-    assert time.monotonic() - started < 5.0
 
 
 KILL_THE_STARTER = 'import posix as os\nos.kill(os.getppid(), 9)\nwhile True: pass\n'

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import signal
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
 from ..event import Event
@@ -23,29 +23,18 @@ from ..logging import get_logger, get_output_loggers
 from ..logging._output import normalize_output_configuration
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ._output_lines import OutputLines
+from ._process_options import DEFAULT_OUTPUT_FORMAT
 
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable
 
     from ..launch_context import LaunchContext
+    from ._process_options import ProcessOptions
     from ._process_run import ProcessRun
     from .execute_local import ExecuteLocal
 
 Entities = list[LaunchDescriptionEntity]
-
-
-class WatchOptions(NamedTuple):
-    """What an action wants of its process; all substitutions are evaluated."""
-
-    shell: bool
-    output: Any
-    output_format: str | None
-    cached_output: bool
-    log_cmd: bool
-    respawn: bool
-    respawn_delay: float | None
-    respawn_max_retries: int
 
 
 class ProcessWatch(BaseEventHandler):
@@ -56,7 +45,7 @@ class ProcessWatch(BaseEventHandler):
     :ivar return_code: of the last run, None before its end.
     """
 
-    def __init__(self, action: ExecuteLocal, details: dict[str, Any], options: WatchOptions,
+    def __init__(self, action: ExecuteLocal, details: dict[str, Any], options: ProcessOptions, output: Any,
                  loop: asyncio.AbstractEventLoop) -> None:
         super().__init__(matcher=self._concerns)
         self._event_keys = (RunningProcessEvent, action), (Shutdown, None), (ProcessTargetedEvent, None)
@@ -72,8 +61,9 @@ class ProcessWatch(BaseEventHandler):
         self._timers: list[Any] = []
         self.completed: asyncio.Future[None] = loop.create_future()
         self.return_code: int | None = None
-        if options.output != 'log':
-            normalize_output_configuration(options.output)
+        self._output = output
+        if output != 'log':
+            normalize_output_configuration(output)
         self._lines: dict[str, OutputLines] = {}
 
     @cached_property
@@ -89,14 +79,14 @@ class ProcessWatch(BaseEventHandler):
         """Made when the first text comes: many programs never print."""
         lines = self._lines.get(stream)
         if lines is None:
-            stdout, stderr = get_output_loggers(self._details['name'], self._options.output)
+            stdout, stderr = get_output_loggers(self._details['name'], self._output)
             printer = self._line_printer(stdout if stream == 'stdout' else stderr)
             lines = self._lines[stream] = OutputLines(printer, self._options.cached_output)
         return lines
 
     def _line_printer(self, logger: Any) -> Callable[[str], object]:
         info, template, action = logger.info, self._options.output_format, self._action
-        if template is None:
+        if template == DEFAULT_OUTPUT_FORMAT:
             prefix = f"[{self._details['name']}] "
             return lambda line: info(prefix + line)
         return lambda line: info(template.format(line=line, this=action))

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 from .._engine import environment
 from ..action import Action
 from ..descriptions.executable import Executable
-from ..event_handler import BaseEventHandler
 from ..event_handlers.on_process_exit import OnProcessExit
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -14,7 +13,8 @@ from ..substitution import Substitution
 from ..substitutions.launch_configuration import LaunchConfiguration
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
-from ..utilities.type_utils import is_substitution, normalize_typed_substitution, perform_typed_substitution
+from ..utilities.type_utils import normalize_typed_substitution
+from ._process_options import DEFAULT_OUTPUT_FORMAT, ProcessOptions
 
 if TYPE_CHECKING:
     import asyncio
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
     from ._process_watch import ProcessWatch
 
-DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 SIGTERM_TIMEOUT = LaunchConfiguration('sigterm_timeout', default=5)
 SIGKILL_TIMEOUT = LaunchConfiguration('sigkill_timeout', default=5)
 
@@ -54,27 +53,25 @@ class ExecuteLocal(Action):
                  respawn_max_retries: int = -1, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__process_description = process_description
-        self.__shell = shell
         self.__sigterm_timeout: list[Substitution] = (
             [SIGTERM_TIMEOUT] if sigterm_timeout is SIGTERM_TIMEOUT
             else normalize_to_list_of_substitutions(sigterm_timeout))
         self.__sigkill_timeout: list[Substitution] = (
             [SIGKILL_TIMEOUT] if sigkill_timeout is SIGKILL_TIMEOUT
             else normalize_to_list_of_substitutions(sigkill_timeout))
-        self.__emulate_tty = emulate_tty
         self.__output: Any = environment().get('OVERRIDE_LAUNCH_PROCESS_OUTPUT', output)
         if not isinstance(self.__output, (str, dict)):
             self.__output = normalize_to_list_of_substitutions(self.__output)
-        self.__output_format = output_format
-        self.__cached_output = cached_output
-        self.__log_cmd = log_cmd
         self.__on_exit = on_exit
-        self.__respawn = respawn if respawn is False else normalize_typed_substitution(respawn, bool)
-        self.__respawn_delay = respawn_delay
-        self.__respawn_max_retries = respawn_max_retries
-        self.__process_details: dict[str, Any] | None = None
-        self.__watch: ProcessWatch | None = None
-        self.__executed = False
+        if respawn is not False:
+            respawn = normalize_typed_substitution(respawn, bool)
+        self.__options = ProcessOptions(
+            shell, emulate_tty, output_format, cached_output, log_cmd, respawn, respawn_delay,
+            respawn_max_retries)
+
+    __process_details: dict[str, Any] | None = None
+    __watch: ProcessWatch | None = None
+    __executed = False
 
     @property
     def process_description(self) -> Executable:
@@ -84,12 +81,24 @@ class ExecuteLocal(Action):
     @property
     def shell(self) -> bool:
         """Whether a shell runs the command line."""
-        return self.__shell
+        return self.__options.shell
 
     @property
     def emulate_tty(self) -> bool:
         """Whether the program is to run in a terminal."""
-        return self.__emulate_tty
+        return self.__options.emulate_tty
+
+    @property
+    def respawn(self) -> Any:
+        """Whether the program is started again when it ends; before execution perhaps substitutions. (edulaunch
+        only.)
+        """
+        return self.__options.respawn
+
+    @property
+    def respawn_delay(self) -> Any:
+        """Seconds until then; None for at once. (edulaunch only.)"""
+        return self.__options.respawn_delay
 
     @property
     def sigterm_timeout(self) -> list[Substitution]:
@@ -134,7 +143,7 @@ class ExecuteLocal(Action):
         return self.__cached_text('stderr')
 
     def __cached_text(self, stream: str) -> str:
-        if not self.__cached_output:
+        if not self.__options.cached_output:
             raise RuntimeError(f'cached output must be true to be able to get {stream}, '
                                f"proc '{self.__process_description.final_name}'")
         return '' if self.__watch is None else self.__watch.text_of(stream)
@@ -150,12 +159,8 @@ class ExecuteLocal(Action):
         self.__process_details = {
             'action': self, 'name': description.final_name, 'cmd': description._command,
             'cwd': description.final_cwd, 'env': description.final_env}
-        if self.__respawn is not False:
-            self.__respawn = perform_typed_substitution(context, self.__respawn, bool)
-        self.__respawn_delay = _performed(context, self.__respawn_delay, float)
-        self.__respawn_max_retries = _performed(context, self.__respawn_max_retries, int)
-        self.__shell = _performed(context, self.__shell, bool)
-        self.__emulate_tty = _performed(context, self.__emulate_tty, bool)
+        if not self.__options.are_plain:
+            self.__options = self.__options.performed(context)
 
     def _process_spec_details(self) -> dict[str, Any]:
         """Further fields of the `ProcessSpec`; a node says which package and executable it is. For
@@ -178,41 +183,18 @@ class ExecuteLocal(Action):
         return None
 
     def __schedule(self, context: LaunchContext) -> None:
-        from ._process_watch import ProcessWatch, WatchOptions
+        from ._process_watch import ProcessWatch
         if not isinstance(self.__output, (str, dict)):
             self.__output = perform_substitutions(context, self.__output)
-        template = None if self.__output_format == DEFAULT_OUTPUT_FORMAT else self.__output_format
         assert self.__process_details is not None
-        watch = ProcessWatch(
-            self,
-            self.__process_details,
-            WatchOptions(
-                self.__shell,
-                self.__output,
-                template,
-                self.__cached_output,
-                self.__log_cmd,
-                self.__respawn,
-                self.__respawn_delay,
-                self.__respawn_max_retries,
-            ),
-            context.asyncio_loop,
-        )
-        handlers: list[BaseEventHandler] = []
+        loop = context.asyncio_loop
+        watch = ProcessWatch(self, self.__process_details, self.__options, self.__output, loop)
         if self.__on_exit is not None:
-            handlers.append(OnProcessExit(target_action=self, on_exit=self.__on_exit))
-        for handler in (*handlers, watch):
-            context.register_event_handler(handler)
+            context.register_event_handler(OnProcessExit(target_action=self, on_exit=self.__on_exit))
+        context.register_event_handler(watch)
         self.__watch = watch
-        context.asyncio_loop.call_soon(watch.begin, context)
+        loop.call_soon(watch.begin, context)
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the process has ended for good."""
         return None if self.__watch is None else self.__watch.completed
-
-
-def _performed(context: LaunchContext, value: Any, data_type: type) -> Any:
-    """A value that frontends may give as substitutions; anything else as it is."""
-    if value is None or isinstance(value, (int, float)) or not is_substitution(value):
-        return value
-    return perform_typed_substitution(context, normalize_to_list_of_substitutions(value), data_type)

@@ -90,14 +90,14 @@ class Node(ExecuteProcess):
         self.__node_name = name
         self.__node_namespace = namespace
         self.__arguments = arguments
-        self.__ros_arguments = ros_arguments
-        self.__expanded_node_name = self.UNSPECIFIED_NODE_NAME
-        self.__expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
-        self.__final_node_name: str | None = None
         self.__expanded_remappings: list[tuple[str, str]] = []
-        self.__substitutions_performed = False
-        self.__parameter_arguments: ParameterArguments | None = None
-        self.__package_and_executable: tuple[str | None, str | None] = None, None
+
+    __expanded_node_name = UNSPECIFIED_NODE_NAME
+    __expanded_node_namespace = UNSPECIFIED_NODE_NAMESPACE
+    __final_node_name: str | None = None
+    __substitutions_performed = False
+    __parameter_arguments: ParameterArguments | None = None
+    __package_and_executable: tuple[str | None, str | None] = None, None
 
     @property
     def __parameters(self) -> Parameters | None:
