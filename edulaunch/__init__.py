@@ -16,7 +16,7 @@ TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
 
-    from edulaunch.check import check
+    from edulaunch.checking import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
     from edulaunch.recording import Recording
     from edulaunch.session import Session, run
@@ -31,7 +31,7 @@ _PLACES = {
     'Recording': ('recording', 'Recording'),
     'Session': ('session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
-    'check': ('check', 'check'),
+    'check': ('checking', 'check'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),
 }

@@ -29,6 +29,10 @@ class EdulaunchError(Exception):
         self.message = message
         self.help = help
 
+    def _render_traceback_(self) -> list[str]:
+        """What a notebook shows instead of the frames of edulaunch."""
+        return [f'{type(self).__name__}: {self}']
+
     def __str__(self) -> str:
         return self.message if self.help is None else f'{self.message}\n  help: {self.help}'
 

@@ -3,8 +3,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.packages import nearest
+from edulaunch.packages import Index, nearest
 from edulaunch.processes.current import current_process
+from edulaunch.processes.origin import Origin
 
 if TYPE_CHECKING:
     from edulaunch.launching import LaunchRun
@@ -37,10 +38,12 @@ def first_error(launch: LaunchRun) -> BaseException | None:
     return errors[0] if errors else None
 
 
-def explain(error: BaseException) -> Told:
-    """An exception from a launch file as a message for people."""
+def explain(error: BaseException, index: Index) -> Told:
+    """An exception from a launch file as a message for people; places are in the student's own files."""
     from launch._help import launch_help, launch_origin
     place = launch_origin(error)
+    if place is not None:
+        place = Origin(index.source_path(place.file), place.line)
     text = str(error) or type(error).__name__
     return Told(text if place is None else f'{text}\n  at {place}', launch_help(error), *(place or (None, None)))
 
@@ -49,7 +52,7 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
-    told = None if (error := first_error(launch)) is None else explain(error)
+    told = None if (error := first_error(launch)) is None else explain(error, launch.process.index)
     return {
         'file': launch.path, 'arguments': launch.arguments, 'declared': declared,
         'includes': list(state.get('launch.includes', ())),

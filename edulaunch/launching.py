@@ -122,7 +122,7 @@ class LaunchRun:
         error = self.error
         if error is not None:
             from edulaunch.launch_process import explain
-            told = explain(error)
+            told = explain(error, self.process.index)
             raise LaunchFileError(told.text, help=told.help) from error
 
     def describe(self, recorder: Recorder) -> None:

@@ -17,6 +17,7 @@ BELOW = {
     'tf': {'errors'},
     'worlds': {'errors'},
     'packages': {'errors', 'interfaces', 'underlay_place'},
+    'workspace': {'packages', 'errors', 'underlay_place'},
     'graph': {'sim', 'interfaces', 'errors'},
     'processes': {'sim', 'graph', 'packages', 'interfaces', 'errors', 'underlay_place'},
     'recording': {'graph', 'sim', 'interfaces', 'errors'},

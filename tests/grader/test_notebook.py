@@ -10,7 +10,7 @@ from edugrade.cli import main
 from edugrade.notebook import CheckReport, Note, find_exercise
 from edugrade.progress_file import NAME, ProgressFile
 
-from edulaunch.check import check
+from edulaunch import check
 from edulaunch.errors import UnusableInput
 
 REPOSITORY = Path(__file__).resolve().parents[2]

@@ -11,9 +11,11 @@ STUCK = """
     import time
     time.sleep(1)
     def spin():
+        count = 0
         while True:
+            count += 1
             try:
-                pass
+                count += 1
             except Exception:
                 pass
     """

@@ -105,7 +105,7 @@ def test_looking_once_in_each_callback_is_no_deadlock(world: World) -> None:
 
     world.start(program)
     assert world.run(1)[-1] == (1000.0, 'main', False)
-    assert world.tracer.notes == []
+    assert [kind for kind, _ in world.tracer.notes] == ['lost request']
 
 
 def test_a_loop_that_only_looks_lets_the_world_go_on(world: World) -> None:
@@ -119,3 +119,18 @@ def test_a_loop_that_only_looks_lets_the_world_go_on(world: World) -> None:
     world.start(program)
     world.start(lambda: (sleep(1.0), world.say('alive')), name='other')
     assert world.run(2) == [(1000.0, 'other', 'alive')]
+
+
+def test_waiting_for_the_client_of_a_node_that_nobody_spins_is_explained(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        spun, other = Node('spun'), Node('other')
+        spun.create_service(Empty, 'nothing', lambda request, response: response)
+        rclpy.spin_until_future_complete(spun, other.create_client(Empty, 'nothing').call_async(Empty.Request()))
+
+    world.start(program)
+    world.run(1)
+    (kind, text), = world.tracer.notes
+    assert kind == 'deadlock'
+    assert text.endswith("waits for ever: the reply of service '/nothing' comes to a client of another node, which nobody spins. "
+                         "Spin the client's node.")

@@ -127,6 +127,9 @@ def spin_until_future_complete(node: Node, future: Future, executor: Executor | 
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     try:
         executor.add_node(node)
+        if timeout_sec is None and future._source is not None and future._source._ready_list.executor is None:
+            from rclpy.execution.deadlocks import note_foreign_future
+            note_foreign_future(node, future._source)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
         executor.remove_node(node)

@@ -36,6 +36,8 @@ class Client(Entity):
         self.qos_profile = qos_profile
         self._pending_requests: dict[int, Future] = {}
         self._introspection: Any = None
+        self._lost_noted = False
+        self._waited_ns = 0
         self._impl: ServiceClient
 
     def _connect(self, impl: ServiceClient) -> None:
@@ -77,6 +79,8 @@ class Client(Entity):
         self._check_request(request)
         if self._destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        if not self._impl.server_is_ready():
+            self._note_lost_request()
         sequence = self._impl.send(self.srv_type.Request.to_wire(request))
         future = Future()
         future._source = self
@@ -85,6 +89,12 @@ class Client(Entity):
         if self._introspection is not None:
             self._introspection.request_sent(sequence, request)
         return future
+
+    def _note_lost_request(self) -> None:
+        if not self._lost_noted:
+            self._lost_noted = True
+            from rclpy.impl.missing_servers import note_lost_request
+            note_lost_request(self._impl, self._impl.service_name, 'service')
 
     def _check_request(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
@@ -126,7 +136,15 @@ class Client(Entity):
         while self.context._ok and not self._impl.server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
+            self._count_wait()
         return self.service_is_ready()
+
+    def _count_wait(self) -> None:
+        """Note a wait that has become long, once."""
+        from rclpy.impl.missing_servers import LONG_NS, note_long_wait
+        self._waited_ns += POLL_NS
+        if self._waited_ns == LONG_NS and not self._impl.server_is_ready():
+            note_long_wait(self._impl, self._impl.service_name, 'service')
 
     @property
     def service_name(self) -> str:

@@ -11,7 +11,9 @@ from rclpy.duration import Duration
 if TYPE_CHECKING:
     from builtin_interfaces.msg import Time as TimeMessage
 
-__all__ = ['Duration', 'S_TO_NS', 'Time']
+__all__ = ['CONVERSION_CONSTANT', 'Duration', 'S_TO_NS', 'Time']
+
+CONVERSION_CONSTANT = S_TO_NS
 
 _LIMIT = 1 << 63
 _DIFFERENT = "Can't compare times with different clock types"

@@ -99,6 +99,7 @@ class ActionClient(Waitable):
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_client')
         self._pending: dict[tuple[str, int], Future] = {}
+        self._waited_ns = 0
         self._goal_ids: dict[int, Any] = {}
         self._goal_handles: dict[bytes, ClientGoalHandle] = {}
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
@@ -204,6 +205,9 @@ class ActionClient(Waitable):
         request = request_class(goal_id=_random_uuid() if goal_uuid is None else goal_uuid, goal=goal)
         if feedback_callback is not None:
             self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
+        if not self._goal_client.server_is_ready():
+            from rclpy.impl.missing_servers import note_lost_request
+            note_lost_request(self._goal_client, self._name, 'action')
         sequence = self._goal_client.send(request_class.to_wire(request))
         self._goal_ids[sequence] = request.goal_id
         return self._remember('goal', sequence)
@@ -248,7 +252,15 @@ class ActionClient(Waitable):
         while self._node.context._ok and not self._server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
+            self._count_wait()
         return self.server_is_ready()
+
+    def _count_wait(self) -> None:
+        """Note a wait that has become long, once."""
+        from rclpy.impl.missing_servers import LONG_NS, note_long_wait
+        self._waited_ns += POLL_NS
+        if self._waited_ns == LONG_NS and not self._server_is_ready():
+            note_long_wait(self._goal_client, self._name, 'action')
 
     def destroy(self) -> None:
         """Leave the action."""

@@ -51,6 +51,13 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
             f'its end. Return from {callback} and let the next message or timer go on.'))
 
 
+def note_foreign_future(node: Node, entity: Any) -> None:
+    """Note that a node is spun until the client of another one, which nobody spins, gets its answer."""
+    current_process().note('deadlock', (
+        f"rclpy.spin_until_future_complete() of node '{node.get_fully_qualified_name()}'{student_place()} waits for ever: "
+        f"{entity._awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."))
+
+
 def note_rate(entity: Entity) -> None:
     """Note a `rate.sleep()` where nobody is left to call the rate's timer."""
     callback = _name_of(_running_entity(entity))

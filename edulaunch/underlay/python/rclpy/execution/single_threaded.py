@@ -24,7 +24,10 @@ class SingleThreadedExecutor(Executor):
             super().spin()
             return
         if self._waiting:
-            raise ValueError('generator already executing')
+            from rclpy.impl.hints import hinted
+            raise hinted(ValueError('generator already executing'),
+                         'another thread spins this executor already; give this one its own: '
+                         'rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())')
         self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
