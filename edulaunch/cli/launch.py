@@ -14,11 +14,11 @@ from edulaunch.session import Session
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
-    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name (with a package) and launch arguments')
+    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
     parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
     parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
     parser.add_argument('-n', '--noninteractive', action='store_true', help='run as if no terminal were there')
-    parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C is pressed for you')
+    parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
@@ -54,7 +54,8 @@ def main(arguments: argparse.Namespace) -> int:
             print(f'warning: {line}', file=sys.stderr)
         if arguments.record:
             recording.save(arguments.record)
-            print(f'recording: {arguments.record} ({recording.duration_s:.2f} s, digest {recording.digest()[:16]})', file=sys.stderr)
+            summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
+            print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
     return 0 if launch.process.returncode is None else launch.process.returncode
 
 

@@ -8,7 +8,6 @@ from typing import Any
 
 from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
 
-from edulaunch.errors import EdulaunchError
 from edulaunch.jupyter.terminal import Terminal
 from edulaunch.recording import Recording
 
@@ -51,15 +50,9 @@ class RosMagics(Magics):
 
     def _told(self, action: Callable[[], Any]) -> Any:
         """Do it, and print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed.
-
-        Errors of the user's are shown as their message alone: no traceback through edulaunch.
         """
         try:
             return action()
-        except EdulaunchError as error:
-            text = f'{type(error).__name__}: {error}'
-            error._render_traceback_ = lambda: text.splitlines()  # type: ignore[attr-defined]
-            raise
         finally:
             sys.stdout.write(''.join(self._said))
             self._said.clear()

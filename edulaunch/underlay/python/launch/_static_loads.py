@@ -8,15 +8,30 @@ is really launched is always loaded anew.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ._engine import environment, process_state
+from ._engine import process_state, running_process
 
 if TYPE_CHECKING:
     from .launch_description import LaunchDescription
 
-Seen = tuple[object, ...]
+Stamp = tuple[int, ...]
+Files = dict[str, Stamp]
+Seen = tuple[Stamp, str, object]
+
+
+class Loaded:
+    """What is known of a description that was only loaded to look inside; it has this as `_loaded`.
+
+    :ivar findings: the arguments below it, None before the first search.
+    :ivar files: what was loaded to find them.
+    """
+
+    def __init__(self) -> None:
+        self.findings: list[Any] | None = None
+        self.files: Files = {}
 
 
 def load_once(
@@ -24,25 +39,45 @@ def load_once(
 ) -> LaunchDescription | None:
     """What `load()` returns, None when it raises an exception; remembered by the kind of source and location.
     """
-    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process_state(
-        'launch.static_loads', dict
-    )
-    seen = _state_of(location)
+    process = running_process()
+    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process.state.setdefault(
+        'launch.static_loads', {})
+    stamp, folder = _stamp_of(location), os.getcwd()
+    for files in process.state.get('launch.watched_loads', ()):
+        files[location] = stamp
     known = cache.get((type(source), location))
-    if known is not None and known[0] == seen:
+    if known is not None and known[0] == (stamp, folder, process.env):
         return known[1]
+    environment = dict(process.env)
     try:
         description: Any = load()
+        description._loaded = Loaded()
     except Exception:
         description = None
-    cache[type(source), location] = (seen, description)
+    cache[type(source), location] = (stamp, folder, environment), description
     return description  # type: ignore[no-any-return]
 
 
-def _state_of(location: str) -> Seen:
+@contextmanager
+def loads_watched() -> Iterator[Files]:
+    """Collects what :func:`load_once` is asked for inside."""
+    watched: list[Files] = process_state('launch.watched_loads', list)
+    files: Files = {}
+    watched.append(files)
+    try:
+        yield files
+    finally:
+        watched.pop()
+
+
+def is_current(files: Files) -> bool:
+    """Whether all files still are as they were."""
+    return all(_stamp_of(location) == stamp for location, stamp in files.items())
+
+
+def _stamp_of(location: str) -> Stamp:
     try:
         status = os.stat(location)
-        stamp: Seen = (status.st_mtime_ns, status.st_size, status.st_ino)
     except OSError:
-        stamp = ()
-    return stamp, os.getcwd(), dict(environment())
+        return ()
+    return status.st_mtime_ns, status.st_size, status.st_ino

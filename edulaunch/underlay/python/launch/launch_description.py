@@ -2,17 +2,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from ._argument_search import FoundArguments, found_arguments
 from .launch_description_entity import LaunchDescriptionEntity
 
 if TYPE_CHECKING:
     from .action import Action
     from .actions.declare_launch_argument import DeclareLaunchArgument
-    from .actions.include_launch_description import IncludeLaunchDescription
     from .launch_context import LaunchContext
-
-FoundArguments = list[tuple['DeclareLaunchArgument', list['IncludeLaunchDescription'] | None]]
 
 
 class LaunchDescription(LaunchDescriptionEntity):
@@ -84,40 +82,4 @@ class LaunchDescription(LaunchDescriptionEntity):
         cannot be loaded, are passed over. Nothing is seen after a `ResetLaunchConfigurations`, nor inside an
         `OpaqueFunction`.
         """
-        search = _ArgumentSearch()
-        search.look_through(self.__entities, conditional_inclusion, None)
-        return search.found
-
-
-class _ArgumentSearch:
-    """The static search for launch arguments."""
-
-    def __init__(self) -> None:
-        self.found: FoundArguments = []
-        self._names: set[str] = set()
-
-    def look_through(self, entities: Iterable[LaunchDescriptionEntity], conditional: bool,
-                     includes: list[IncludeLaunchDescription] | None) -> None:
-        for entity in entities:
-            role = getattr(entity, '_search_role', '')
-            if role == 'reset':
-                return
-            if role == 'argument':
-                self._note(entity, conditional, includes)
-            inside: Any = [*(includes or ()), entity] if role == 'include' else includes
-            self._look_below(entity, conditional, inside)
-
-    def _look_below(
-        self, entity: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None
-    ) -> None:
-        self.look_through(entity.describe_sub_entities(), conditional, includes)
-        for _, entities in entity.describe_conditional_sub_entities():
-            self.look_through(entities, True, includes)
-
-    def _note(
-        self, argument: Any, conditional: bool, includes: list[IncludeLaunchDescription] | None
-    ) -> None:
-        if argument.name not in self._names:
-            self._names.add(argument.name)
-            argument._conditionally_included = conditional or argument.condition is not None
-            self.found.append((argument, includes))
+        return found_arguments(self.__entities, conditional_inclusion)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from ._static_loads import load_once
 from .launch_context import LaunchContext
 from .some_substitutions_type import SomeSubstitutionsType
+from .substitutions.text_substitution import TextSubstitution
 from .utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from .utilities.perform_substitutions_impl import perform_substitutions
 
@@ -60,11 +61,18 @@ class LaunchDescriptionSource:
         """
         if self.__launch_description is not None:
             return self.__launch_description
+        location = self.__static_location()
+        return None if location is None else load_once(self, location, lambda: self._get_launch_description(location))
+
+    def __static_location(self) -> str | None:
+        """The path as far as it is known without a running launch."""
+        parts = self.__location
+        if len(parts) == 1 and type(parts[0]) is TextSubstitution:
+            return parts[0].text
         try:
-            location = perform_substitutions(LaunchContext(), self.__location)
+            return perform_substitutions(LaunchContext(), parts)
         except Exception:
             return None
-        return load_once(self, location, lambda: self._get_launch_description(location))
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
         """Load the file. To be overridden.

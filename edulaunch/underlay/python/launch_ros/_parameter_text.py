@@ -21,12 +21,11 @@ def parameter_file_text(node_key: str, values: dict[str, Any]) -> str:
     :param node_key: the node's full name, or `/**`.
     :param values: tuples are written as lists.
     """
-    lines: list[str] | None = []
+    lines: list[str] = []
     for name in sorted(values):
         written = _lines_of(values[name])
         if written is None or not _is_word(name):
-            lines = None
-            break
+            return _by_yaml(node_key, values)
         lines += [f'    {name}:{written[0]}', *written[1:]]
     if not lines or not _is_word(node_key):
         return _by_yaml(node_key, values)

@@ -22,21 +22,24 @@ class Future:
     :ivar _source: the client whose answer it waits for, if any.
     """
 
+    # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
+    _done = False
+    _cancelled = False
+    _result: Any = None
+    _exception: BaseException | None = None
+    _exception_fetched = False
+    _executor: Executor | None = None
+    _awaiting: tuple[Executor, ...] = ()
     _source: Any = None
     _looks: tuple[Any, int, int] = (None, 0, 0)
 
     def __init__(self, *, executor: Executor | None = None) -> None:
-        self._done = False
-        self._cancelled = False
-        self._result: Any = None
-        self._exception: BaseException | None = None
-        self._exception_fetched = False
         self._callbacks: list[Callable[[Any], object]] = []
-        self._executor = executor
-        self._awaiting: list[Executor] = []
+        if executor is not None:
+            self._executor = executor
 
     def __del__(self) -> None:
-        if getattr(self, '_exception', None) is not None and not self._exception_fetched and sys is not None:
+        if self._exception is not None and not self._exception_fetched and sys is not None:
             print('The following exception was never retrieved: ' + str(self._exception), file=current_process().stderr)
 
     def __await__(self) -> Generator[Any, None, Any]:
@@ -102,9 +105,15 @@ class Future:
         self._done = True
         self._cancelled = False
         self._call_back()
-        awaiting, self._awaiting = self._awaiting, []
-        for executor in awaiting:
-            executor.wake()
+        if self._awaiting:
+            awaiting, self._awaiting = self._awaiting, ()
+            for executor in awaiting:
+                executor.wake()
+
+    def _wake_when_done(self, executor: Executor) -> None:
+        """Let an executor look again when this is done."""
+        if executor not in self._awaiting:
+            self._awaiting += (executor,)
 
     def _call_back(self) -> None:
         callbacks, self._callbacks = self._callbacks, []
@@ -144,17 +153,19 @@ class Task(Future):
     Calling the task runs it until it waits or ends; its outcome is the future's.
     """
 
+    _executing = False
+    _running: Coroutine[Any, Any, Any] | None = None
+    _entity: Entity | None = None
+
     def __init__(self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None) -> None:
-        super().__init__(executor=executor)
+        self._callbacks = []
+        self._executor = executor
         self._args = args or ()
         self._kwargs = kwargs or {}
-        self._executing = False
-        self._running: Coroutine[Any, Any, Any] | None = None
-        self._entity: Entity | None = None
         self._handler = handler
         if is_coroutine_function(handler):
             self._running = handler(*self._args, **self._kwargs)
-        elif hasattr(handler, 'send') and hasattr(handler, 'throw'):
+        elif not callable(handler) and hasattr(handler, 'send') and hasattr(handler, 'throw'):
             self._running = handler
 
     def __call__(self) -> None:
@@ -179,7 +190,7 @@ class Task(Future):
             self.set_result(end.value)
             return
         if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
-            awaited._awaiting.append(self._executor)
+            awaited._wake_when_done(self._executor)
             if self._entity is not None and awaited._source is not None:
                 self._note_deadlock(self._entity, awaited._source)
 
@@ -206,7 +217,8 @@ _COROUTINE_FLAG = 0x80
 
 def is_coroutine_function(function: Any) -> bool:
     """Whether calling it makes a coroutine (`async def`), seen through methods and partials."""
-    while hasattr(function, 'func'):
+    code = getattr(function, '__code__', None)
+    while code is None and hasattr(function, 'func'):
         function = function.func
-    code = getattr(getattr(function, '__func__', function), '__code__', None)
-    return code is not None and bool(code.co_flags & _COROUTINE_FLAG)
+        code = getattr(function, '__code__', None)
+    return code is not None and code.co_flags & _COROUTINE_FLAG != 0

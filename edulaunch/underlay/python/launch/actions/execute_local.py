@@ -81,12 +81,12 @@ class ExecuteLocal(Action):
     @property
     def shell(self) -> bool:
         """Whether a shell runs the command line."""
-        return self.__options.shell
+        return bool(self.__options.shell)
 
     @property
     def emulate_tty(self) -> bool:
         """Whether the program is to run in a terminal."""
-        return self.__options.emulate_tty
+        return bool(self.__options.emulate_tty)
 
     @property
     def respawn(self) -> Any:

@@ -129,7 +129,7 @@ class Executable:
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
         """Evaluate everything in `context`, and give the process the next number."""
-        cmd = [word if type(word) is str else _performed(context, word) for word in self.__words]
+        cmd = [word if isinstance(word, str) else _performed(context, word) for word in self.__words]
         prefix = self.__prefix_words(context, cmd[0])
         self._command = [*prefix, *cmd] if prefix else cmd
         name = (os.path.basename(self._command[0]) if self.__name is None

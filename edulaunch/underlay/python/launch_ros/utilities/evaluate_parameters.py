@@ -43,8 +43,9 @@ def evaluate_parameter_dict(
     context: LaunchContext, parameters: ParametersDict
 ) -> dict[str, EvaluatedParameterValue]:
     """Names and values of one normalized dict."""
-    if type(parameters) is PlainParameters:
-        return dict(parameters)
+    plain: Any = parameters
+    if type(plain) is PlainParameters:
+        return dict(plain)
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)

@@ -52,10 +52,7 @@ def plain_or_normalized(parameters: SomeParameters) -> Parameters:
 def _is_plain(item: Any) -> bool:
     if type(item) is not dict:
         return False
-    for name, value in item.items():
-        if type(name) is not str or type(value) not in _PLAIN:
-            return False
-    return True
+    return all(type(name) is str and type(value) in _PLAIN for name, value in item.items())
 
 
 def _normalize(item: Any) -> Any:

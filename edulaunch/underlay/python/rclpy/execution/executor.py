@@ -68,7 +68,7 @@ class Executor(Waiting):
         ready_list = node._rclpy.ready_list
         ready_list.executor = self
         self._lists.append(ready_list)
-        self.wake()
+        self._look_again()
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -79,7 +79,7 @@ class Executor(Waiting):
             self._lists.remove(ready_list)
             if ready_list.executor is self:
                 ready_list.executor = None
-            self.wake()
+            self._look_again()
 
     def get_nodes(self) -> list[Node]:
         """The nodes, in the order in which they came."""
@@ -207,7 +207,7 @@ class Executor(Waiting):
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
-        future.add_done_callback(lambda _: self.wake())
+        future._wake_when_done(self)
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
 
@@ -221,7 +221,7 @@ class Executor(Waiting):
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Execute one callback, unless the future is done before."""
-        future.add_done_callback(lambda _: self.wake())
+        future._wake_when_done(self)
         self._execute_next(lambda: self._take_item(
             _nanoseconds(timeout_sec), lambda: future._done or not self._context._ok))
 
@@ -238,8 +238,12 @@ class Executor(Waiting):
                 self._run_tasks()
 
     def _run_tasks(self) -> None:
+        """Execute the pending tasks, newest first."""
         for task in self._tasks_to_run():
             self._execute(task)
+            if not self._context._ok:
+                return
+        self._tasks = [task for task in self._tasks if not task._done]
 
 
 _RCLCPP_ORDER = {TIMER: 0, SUBSCRIPTION: 1, SERVICE: 2, CLIENT: 3, GUARD: 4, WAITABLE: 5}

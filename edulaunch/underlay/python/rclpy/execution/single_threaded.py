@@ -3,10 +3,12 @@ from __future__ import annotations
 
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.constants import S_TO_NS
 from rclpy.execution.exceptions import ExternalShutdownException, ShutdownException
 from rclpy.execution.executor import Executor
 from rclpy.execution.waiting import TURNS_BEFORE_TIME_PASSES
 from rclpy.readiness import NEVER_NS, Entity, ReadyList
+from rclpy.task import Future
 
 
 class SingleThreadedExecutor(Executor):
@@ -41,6 +43,23 @@ class SingleThreadedExecutor(Executor):
         finally:
             self._spinner = outer
 
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        if timeout_sec == 0 or type(self).spin_once is not Executor.spin_once:
+            super().spin_until_future_complete(future, timeout_sec)
+            return
+        future._wake_when_done(self)
+        deadline = NEVER_NS if timeout_sec is None or timeout_sec < 0 else self._sim.now_ns + int(timeout_sec * S_TO_NS)
+        self._forget_work()
+        outer, self._spinner = self._spinner, current_task()
+        try:
+            while self._context._ok and not future._done and not self._is_shutdown and self._sim.now_ns < deadline:
+                self._turn(future, deadline)
+        except ShutdownException:
+            return
+        finally:
+            self._spinner = outer
+
     def _spin_node(self, ready_list: ReadyList) -> None:
         """Do turns while there is one node, one thing ready at a time, and no task: the hot path of most programs.
 
@@ -48,7 +67,7 @@ class SingleThreadedExecutor(Executor):
         """
         context, sim, waiting, task = self._context, self._sim, self._waiting, current_task()
         while context._ok and not self._is_shutdown:
-            if not ready_list.entities and ready_list.due_ns > sim.now_ns and not self._woken:
+            if not ready_list.entities and ready_list.due_ns > sim.now_ns and not self._woken and not self._new_tasks:
                 due_ns = ready_list.due_ns
                 waiting.append(task)
                 try:
@@ -77,7 +96,7 @@ class SingleThreadedExecutor(Executor):
                 finally:
                     group.busy_with = None
             if self._tasks:
-                return
+                self._run_tasks()
 
     def _only_one(self, ready_list: ReadyList, now: int) -> Entity | None:
         """The one entity that is ready, taken off its list; None when there are none or several."""
@@ -91,19 +110,19 @@ class SingleThreadedExecutor(Executor):
             return entities.pop()
         return None
 
-    def _turn(self) -> None:
-        """One wait with all it brings: what `spin_once` does in several calls."""
+    def _turn(self, until: Future | None = None, deadline_ns: int = NEVER_NS) -> None:
+        """One wait with all it brings: what `spin_once` does in several calls. Ends early when `until` is done."""
         self._let_time_pass()
         context = self._context
         if self._tasks:
             for task in self._tasks_to_run():
                 self._execute(task)
-                if not context._ok:
+                if not context._ok or (until is not None and until._done):
                     return
         batch = self._collect()
         if not batch:
             if not self._new_tasks:
-                self._wait(None)
+                self._wait(deadline_ns)
             elif not context._ok:
                 raise ExternalShutdownException()
             return
@@ -113,7 +132,7 @@ class SingleThreadedExecutor(Executor):
                 position += 1
                 if not entity._destroyed:
                     self._run_entity(entity)
-                if not context._ok:
+                if not context._ok or (until is not None and until._done):
                     return
         finally:
             if position < len(batch):

@@ -57,8 +57,11 @@ class Waiting:
         self._seen_ns = 0
 
     def wake(self) -> None:
-        """Let a wait end, so that it looks again."""
+        """Let a wait end, so that it looks again; the next one if there is none now."""
         self._woken = True
+        self._look_again()
+
+    def _look_again(self) -> None:
         for waiting in self._waiting:
             waiting.wake()
 
@@ -97,10 +100,11 @@ class Waiting:
         """
         due = NEVER_NS if deadline_ns is None else deadline_ns
         for ready_list in self._lists:
-            for timer in ready_list.timers:
-                if timer._due_ns < due and not timer._queued and timer.callback_group.can_execute(timer):
-                    due = timer._due_ns
-        if not self._woken:
+            if ready_list.due_ns < due:
+                for timer in ready_list.timers:
+                    if timer._due_ns < due and not timer._queued and timer.callback_group.can_execute(timer):
+                        due = timer._due_ns
+        if not self._woken and self._context._ok and not self._is_shutdown:
             task = current_task()
             self._waiting.append(task)
             try:
@@ -130,8 +134,8 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """The tasks that can go on, newest first; those that are done are forgotten."""
         self._new_tasks = False
-        self._tasks = [task for task in self._tasks if not task._done]
-        return [task for task in reversed(self._tasks) if not task._executing]
+        tasks = self._tasks = [task for task in self._tasks if not task._done]
+        return [task for task in reversed(tasks) if not task._executing]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.

@@ -1,0 +1,77 @@
+"""The static search for launch arguments.
+
+Upstream searches everything below a file when it is included, and so again at each level: quadratic in the
+depth. Here what was found below a description that was only loaded to look inside is kept, as long as none of
+the files changes that it came from.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from ._static_loads import Loaded, is_current, loads_watched
+
+if TYPE_CHECKING:
+    from .actions.declare_launch_argument import DeclareLaunchArgument
+    from .actions.include_launch_description import IncludeLaunchDescription
+    from .launch_description import LaunchDescription
+    from .launch_description_entity import LaunchDescriptionEntity
+
+FoundArguments = list[tuple['DeclareLaunchArgument', list['IncludeLaunchDescription'] | None]]
+Finding = tuple['DeclareLaunchArgument', bool, tuple['IncludeLaunchDescription', ...]]
+"""An argument, whether it is only there under a condition, and the includes that lead to it."""
+
+
+def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:
+    """The first declaration of each name in the entities and below them.
+
+    :param conditional: whether the entities themselves are only there under a condition.
+    """
+    found: FoundArguments = []
+    for argument, is_conditional, includes in _first_ones(_findings(entities)):
+        argument._conditionally_included = conditional or is_conditional
+        found.append((argument, list(includes) or None))
+    return found
+
+
+def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
+    first: dict[str, Finding] = {}
+    for finding in findings:
+        first.setdefault(finding[0].name, finding)
+    return list(first.values())
+
+
+def _findings(entities: Iterable[LaunchDescriptionEntity]) -> list[Finding]:
+    """All below the entities; nothing is seen after a `ResetLaunchConfigurations`."""
+    findings: list[Finding] = []
+    for entity in entities:
+        role = getattr(entity, '_search_role', '')
+        if role == 'reset':
+            break
+        if role == 'argument':
+            argument: Any = entity
+            findings.append((argument, argument.condition is not None, ()))
+        below = _below(entity)
+        if role == 'include':
+            below = [(argument, conditional, (entity, *includes)) for argument, conditional, includes in below]
+        findings += below
+    return findings
+
+
+def _below(entity: Any) -> list[Finding]:
+    findings: list[Finding] = []
+    for inner in entity.describe_sub_entities():
+        loaded: Loaded | None = getattr(inner, '_loaded', None)
+        findings += _findings([inner]) if loaded is None else _below_loaded(inner, loaded)
+    for _, entities in entity.describe_conditional_sub_entities():
+        findings += [(argument, True, includes) for argument, _, includes in _findings(entities)]
+    return findings
+
+
+def _below_loaded(description: LaunchDescription, loaded: Loaded) -> list[Finding]:
+    """The same for a description that was only loaded to look inside."""
+    if loaded.findings is None or not is_current(loaded.files):
+        with loads_watched() as files:
+            loaded.findings = _first_ones(_findings([description]))
+        loaded.files = files
+    return loaded.findings
