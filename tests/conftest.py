@@ -1,6 +1,7 @@
 """All tests see the underlay, as after `edulaunch.source()`, and leave the environment as they found it."""
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 
@@ -19,3 +20,10 @@ def same_environment() -> Iterator[None]:
     if dict(os.environ) != before:
         os.environ.clear()
         os.environ.update(before)
+
+
+@pytest.fixture(autouse=True, scope='module')
+def no_parked_tasks_left() -> Iterator[None]:
+    """Unwind here what a test module left parked: when the collector does that inside `ast.parse`, CPython 3.11 trips over it."""
+    yield
+    gc.collect()

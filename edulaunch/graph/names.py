@@ -16,6 +16,11 @@ _WORD = frozenset('abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ012345678
 _PATH = _WORD | {'/'}
 
 
+def _is_plain(path: str) -> bool:
+    """Whether a path without leading slash has nothing but good tokens; most names are such, and this is quickly seen."""
+    return path.isascii() and all(map(str.isidentifier, path.split('/')))
+
+
 def _first_outside(name: str, allowed: frozenset[str]) -> int:
     return next((index for index, character in enumerate(name) if character not in allowed), -1)
 
@@ -29,6 +34,8 @@ def node_name_problem(name: str) -> Problem | None:
     """What is wrong with a node's own name, or None."""
     if not name:
         return 'node name must not be empty', 0
+    if name.isascii() and name.isidentifier() and len(name) <= MAX_NODE_NAME:
+        return None
     bad = _first_outside(name, _WORD)
     if bad >= 0:
         return "node name must not contain characters other than alphanumerics or '_'", bad
@@ -40,6 +47,8 @@ def node_name_problem(name: str) -> Problem | None:
 
 
 def _absolute_path_problem(kind: str, name: str, limit: int, too_long: str) -> Problem | None:
+    if len(name) <= limit and _is_plain(name[1:]):
+        return None
     bad = _first_outside(name, _PATH)
     if bad >= 0:
         return f"{kind} must not contain characters other than alphanumerics, '_', or '/'", bad
@@ -80,6 +89,8 @@ def topic_name_problem(name: str) -> Problem | None:
     """What is wrong with a topic or service name as a program writes it (before expansion), or None."""
     if not name:
         return 'topic name must not be empty string', 0
+    if _is_plain(name):
+        return None
     if name[0] in _DIGITS:
         return 'topic name token must not start with a number', 0
     if name[-1] == '/':

@@ -119,3 +119,13 @@ def test_node_and_namespace_rules() -> None:
 
 def test_hidden_names_have_a_token_that_begins_with_an_underscore() -> None:
     assert [names.is_hidden(name) for name in ('/a/_action/status', '/a_b', '_x')] == [True, False, True]
+
+
+@given(st.text('aB9_/~{} é', max_size=8))
+def test_the_quick_look_passes_only_what_the_slow_one_passes(name: str) -> None:
+    """The rules written out once more, as slowly as they can be."""
+    tokens = name.split('/')
+    good = all(token and token[0] not in '0123456789' and set(token) <= set('aB9_') for token in tokens)
+    assert not good or names.topic_name_problem(name) is None
+    assert (names.full_topic_name_problem('/' + name) is None) == good
+    assert (names.node_name_problem(name) is None) == (good and len(tokens) == 1)

@@ -81,4 +81,5 @@ CASES: dict[str, Case] = {
                   random=True),
     'numbers': Case('numpy in the loop, numpy scalars in messages (13)', 'numbers.launch.py', 1.0),
     'own_names': Case('self.timers and the like, mixins, dataclasses, enums (all)', 'names.launch.py', 2.0),
+    'nobody_there': Case('requests without waiting, misspelt services, a wrong type, the wrong node spun', 'nobody.launch.py', 12.0),
 }

@@ -376,6 +376,35 @@ def test_callbacks_that_never_wait_let_time_pass(world: World) -> None:
     assert world.sim.elapsed_s == 0.005
 
 
+def test_a_node_that_comes_in_a_callback_is_executed_too(ros: Ros, world: World) -> None:
+    def body() -> None:
+        first, second = Node('first'), Node('second')
+        second.create_timer(0.1, lambda: world.say('second'))
+        executor = SingleThreadedExecutor()
+        executor.add_node(first)
+        first.create_timer(0.25, lambda: executor.add_node(second)).timer_period_ns = 10**12
+        first.create_timer(0.45, rclpy.shutdown)
+        executor.spin()
+
+    assert ros(body) == ['second', 'second', 'second']
+
+
+def test_a_node_that_leaves_in_a_callback_is_executed_no_more(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('node')
+        executor = SingleThreadedExecutor()
+        executor.add_node(node)
+
+        def leave() -> None:
+            world.say('leaving')
+            executor.remove_node(node)
+
+        node.create_timer(0.1, leave)
+        executor.spin()
+
+    assert ros(body) == ['leaving']
+
+
 def test_spin_some_executes_each_ready_entity_once(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

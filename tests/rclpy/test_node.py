@@ -218,3 +218,29 @@ def test_others_can_ask_what_a_type_looks_like(ros: Ros, world: World) -> None:
             world.say((answer.successful, [field.name for field in answer.type_description.type_description.fields]))
 
     assert ros(body) == [(True, ['data']), (False, [])]
+
+
+@pytest.mark.parametrize('look', [
+    lambda node, publisher: node.count_subscribers('chatter'), lambda node, publisher: publisher.get_subscription_count(),
+    lambda node, publisher: 'late' in node.get_node_names(),
+    lambda node, publisher: any(name == '/late/get_parameters' for name, _ in node.get_service_names_and_types())])
+def test_a_loop_that_only_looks_at_the_graph_lets_the_world_go_on(world: World, look: Any) -> None:
+    def waiting() -> None:
+        rclpy.init()
+        node = Node('waiting')
+        publisher = node.create_publisher(String, 'chatter', 10)
+        while not look(node, publisher):
+            pass
+        world.say('there')
+
+    def late() -> None:
+        sleep(0.5)
+        rclpy.init()
+        node = Node('late')
+        node.create_subscription(String, 'chatter', world.say, 10)
+        rclpy.spin(node)
+
+    world.start(waiting)
+    world.start(late, name='late')
+    (at, _, what), = world.run(2)
+    assert (at // 10, what) == (50, 'there')

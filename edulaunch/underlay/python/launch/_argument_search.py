@@ -53,25 +53,32 @@ def _findings(entities: Iterable[LaunchDescriptionEntity]) -> list[Finding]:
             findings.append((argument, argument.condition is not None, ()))
         below = _below(entity)
         if role == 'include':
-            below = [(argument, conditional, (entity, *includes)) for argument, conditional, includes in below]
+            include: Any = entity
+            below = [(argument, conditional, (include, *includes)) for argument, conditional, includes in below]
         findings += below
     return findings
 
 
 def _below(entity: Any) -> list[Finding]:
-    findings: list[Finding] = []
-    for inner in entity.describe_sub_entities():
-        loaded: Loaded | None = getattr(inner, '_loaded', None)
-        findings += _findings([inner]) if loaded is None else _below_loaded(inner, loaded)
+    findings = _inside(entity.describe_sub_entities())
     for _, entities in entity.describe_conditional_sub_entities():
-        findings += [(argument, True, includes) for argument, _, includes in _findings(entities)]
+        findings += [(argument, True, includes) for argument, _, includes in _inside(entities)]
     return findings
+
+
+def _inside(entities: Any) -> list[Finding]:
+    only: Any = entities[0] if isinstance(entities, list) and len(entities) == 1 else None
+    loaded: Loaded | None = getattr(only, '_loaded', None)
+    return list(_findings(entities) if loaded is None else _below_loaded(only, loaded))
 
 
 def _below_loaded(description: LaunchDescription, loaded: Loaded) -> list[Finding]:
     """The same for a description that was only loaded to look inside."""
+    if loaded.is_searched:
+        return []  # it includes itself
     if loaded.findings is None or not is_current(loaded.files):
+        loaded.is_searched = True
         with loads_watched() as files:
             loaded.findings = _first_ones(_findings([description]))
-        loaded.files = files
+        loaded.files, loaded.is_searched = files, False
     return loaded.findings

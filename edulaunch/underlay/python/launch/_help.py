@@ -80,7 +80,7 @@ def launch_origin(error: BaseException) -> Origin | None:
     origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(
         error, 'edulaunch_origin', None
     )
-    return origin
+    return origin if origin is not None and _is_students(origin.file) else None
 
 
 def root_cause(error: BaseException) -> BaseException:

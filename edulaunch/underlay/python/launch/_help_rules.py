@@ -216,7 +216,8 @@ def _not_an_entity(error: BaseException, text: str) -> str | None:
     if attribute.startswith('get_launch_arguments') and kind == 'NoneType':
         return 'generate_launch_description() returned nothing: end it with "return LaunchDescription([...])"'
     if attribute.startswith('get_launch_arguments'):
-        return f'generate_launch_description() must return a LaunchDescription, not a {kind}'
+        return (f'generate_launch_description() returned a {kind}: '
+                'end it with "return LaunchDescription([...])"')
     if attribute in ('visit', 'describe_sub_entities'):
         return f'among the entities is a {kind}: a list of actions holds only actions and launch descriptions'
     return None
@@ -225,7 +226,16 @@ def _not_an_entity(error: BaseException, text: str) -> str | None:
 def _no_generate(error: BaseException, text: str) -> str | None:
     if 'does not contain the required function' not in text:
         return None
+    near = getattr(error, 'edulaunch_near', None)
+    if near is not None:
+        return f'rename {near}() to generate_launch_description()'
     return 'a launch file needs: def generate_launch_description(): return LaunchDescription([...])'
+
+
+def _too_deep(error: BaseException, text: str) -> str | None:
+    if not text.startswith('maximum recursion depth'):
+        return None
+    return 'actions, includes or calls are nested too deep: is there one that leads to itself?'
 
 
 def _missing_configuration(error: BaseException, text: str) -> str | None:
@@ -301,6 +311,7 @@ RULES = (
     Rule((TypeError, ValueError), _no_pairs),
     Rule(TypeError, _not_a_list),
     Rule(TypeError, _missing_comma),
+    Rule(RecursionError, _too_deep),
     Rule(RuntimeError, _missing_configuration),
     Rule(RuntimeError, _missing_argument),
     Rule(RuntimeError, _executed_twice),

@@ -18,12 +18,17 @@ FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
 Place = tuple[str, int] | tuple[CodeType, int]
 """File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
 
+MAKERS: set[CodeType] = set()
+"""Code of ours that says itself where the actions come from which it makes: the frontends' parser."""
+
 
 def caller_outside_launch(made: object) -> Place | None:
     """The place in the innermost running code that is neither ours nor the constructor of `made` itself."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         code = frame.f_code
+        if code in MAKERS:
+            return None
         if not code.co_filename.startswith(FACES) and not (
             code.co_name == '__init__' and _makes(code, frame, made)
         ):

@@ -27,9 +27,11 @@ class Loaded:
 
     :ivar findings: the arguments below it, None before the first search.
     :ivar files: what was loaded to find them.
+    :ivar is_searched: the search goes on just now.
     """
 
     def __init__(self) -> None:
+        self.is_searched = False
         self.findings: list[Any] | None = None
         self.files: Files = {}
 

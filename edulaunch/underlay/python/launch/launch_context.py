@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from logging import Logger
 
     from ._event_queue import EventQueue
+    from ._include_ring import Include
 
 
 class LaunchContext:
@@ -41,6 +42,8 @@ class LaunchContext:
         self.__environment_stack: list[dict[str, str]] = []
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
+        self._includes: list[Include] = []
+        """The launch files that are visited just now, outermost first."""
         self._names_read = names_read()
         self._state = running_process().state
         self._process_counter = process_state('launch.process_counter', lambda: [0])

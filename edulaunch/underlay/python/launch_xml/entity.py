@@ -55,6 +55,8 @@ class Entity(BaseEntity):
                  can_be_str: bool = True) -> Any:
         """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
         self.asked.add(name)
+        if data_type is str and name in self._attributes:
+            return self._attributes[name]
         if data_type is str or data_type is None or not check_is_list_entity(data_type):
             text = self._attributes.get(name)
             if text is not None:

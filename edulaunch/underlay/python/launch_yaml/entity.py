@@ -10,6 +10,8 @@ from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
 from launch.utilities.type_utils import is_instance_of
 
+_SCALARS = frozenset((str, int, float, bool))
+
 
 class Entity(BaseEntity):
     """The value below an element's name.
@@ -83,6 +85,8 @@ class Entity(BaseEntity):
                 AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'"),
                 f"the key '{name}'")
         value = element[name]
+        if type(value) is data_type or (data_type is None and type(value) in _SCALARS):
+            return value
         if data_type is Entities or (data_type is not str and check_is_list_entity(data_type)):
             return self._entities(name, value)
         if not is_instance_of(value, data_type, can_be_str=can_be_str):

@@ -8,6 +8,7 @@ from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.parser import Parser as BaseParser
 
 from .entity import Entity
+from .plain_reader import NotPlain, read_plain
 
 
 class Parser(BaseParser):
@@ -24,8 +25,7 @@ class Parser(BaseParser):
 
     @staticmethod
     def _root_of(text: str) -> Entity:
-        from .reader import read
-        tree: Any = read(text)
+        tree = _read(text)
         if len(tree) != 1:
             raise RuntimeError('Expected only one root')
         (type_name,) = tree.keys()
@@ -35,3 +35,11 @@ class Parser(BaseParser):
     def get_file_extensions(cls) -> set[str]:
         """Extensions of YAML launch files."""
         return {'launch.yaml', 'launch.yml', 'yaml', 'yml', 'launch'}
+
+
+def _read(text: str) -> Any:
+    try:
+        return read_plain(text)
+    except NotPlain:
+        from .reader import read
+        return read(text)

@@ -8,6 +8,8 @@ from typing import Any
 
 import yaml
 
+from .mapping import Mapping
+
 MAX_DEPTH = 100
 """How deep lists and mappings may be nested."""
 MAX_GROWTH = 10
@@ -16,17 +18,6 @@ SMALL = 1_000
 """As many values are always fine."""
 SAFE_DEPTH = 1_000
 """libyaml's composer uses the machine's stack, half a kilobyte per level; this is safe even in a thread."""
-
-
-class Mapping(dict):  # type: ignore[type-arg]
-    """A mapping of the file.
-
-    :ivar line: where its first key stands, from 1.
-    """
-
-    __slots__ = ('line',)
-
-    line: int
 
 
 def read(text: str) -> Any:

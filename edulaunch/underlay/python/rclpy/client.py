@@ -79,22 +79,22 @@ class Client(Entity):
         self._check_request(request)
         if self._destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
-        if not self._impl.server_is_ready():
+        impl = self._impl
+        if not self._lost_noted and not impl.server_is_ready():
             self._note_lost_request()
-        sequence = self._impl.send(self.srv_type.Request.to_wire(request))
+        sequence = impl.send(self.srv_type.Request.to_wire(request))
         future = Future()
         future._source = self
+        future._callbacks.append(self.remove_pending_request)
         self._pending_requests[sequence] = future
-        future.add_done_callback(self.remove_pending_request)
         if self._introspection is not None:
             self._introspection.request_sent(sequence, request)
         return future
 
     def _note_lost_request(self) -> None:
-        if not self._lost_noted:
-            self._lost_noted = True
-            from rclpy.impl.missing_servers import note_lost_request
-            note_lost_request(self._impl, self._impl.service_name, 'service')
+        self._lost_noted = True
+        from rclpy.impl.missing_servers import note_lost_request
+        note_lost_request(self._impl, self._impl.service_name, 'service')
 
     def _check_request(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
@@ -102,18 +102,18 @@ class Client(Entity):
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False
-        taken = self._impl.take()
-        if taken is None:
+        queue = self._impl.queue
+        if not queue:
             return None
-        if self._impl.queue:
+        sequence, wire = queue.popleft()
+        if queue:
             self._signal()
-        sequence, wire = taken
         response = self.srv_type.Response.from_wire(wire)
         if self._introspection is not None:
             self._introspection.response_received(sequence, response)
         future = self._pending_requests.get(sequence)
         if future is not None:
-            future._set_executor(executor)
+            future._executor = executor
             future.set_result(response)
         return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ class Publisher:
 
     def get_subscription_count(self) -> int:
         """How many subscriptions get the messages."""
+        current_task().poll()
         return self._impl.subscription_count
 
     @property

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from enum import IntEnum
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 from warnings import warn
 
@@ -11,7 +12,8 @@ from rclpy.duration import Duration
 if TYPE_CHECKING:
     from edulaunch.graph.qos import QoS
 
-DURATION_INFINITE = Duration(nanoseconds=(1 << 63) - 1)
+_INFINITE_NS = (1 << 63) - 1
+DURATION_INFINITE = Duration(nanoseconds=_INFINITE_NS)
 
 
 class InvalidQoSProfileException(Exception):
@@ -178,19 +180,23 @@ for _name in _DEFAULTS:
 
 def engine_qos(profile: QoSProfile) -> QoS:
     """The resolved profile that the graph works with: system defaults become reliable, volatile, depth 10."""
-    keep_all = profile.history == HistoryPolicy.KEEP_ALL
+    history: Any
+    history, depth, reliability, durability, lifespan, deadline, liveliness, lease, _ = _values_of(profile)
     return engine.QoS(
-        depth=profile.depth or (1 if profile.history == HistoryPolicy.KEEP_LAST else 10),
-        reliability=engine.BEST_EFFORT if profile.reliability == ReliabilityPolicy.BEST_EFFORT else engine.RELIABLE,
-        durability=engine.TRANSIENT_LOCAL if profile.durability == DurabilityPolicy.TRANSIENT_LOCAL else engine.VOLATILE,
-        history=engine.KEEP_ALL if keep_all else engine.KEEP_LAST,
-        deadline_ns=_finite_ns(profile.deadline), lifespan_ns=_finite_ns(profile.lifespan),
-        liveliness=engine.MANUAL_BY_TOPIC if profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC else engine.AUTOMATIC,
-        lease_ns=_finite_ns(profile.liveliness_lease_duration))
+        depth or (1 if history is HistoryPolicy.KEEP_LAST else 10),
+        engine.BEST_EFFORT if reliability is ReliabilityPolicy.BEST_EFFORT else engine.RELIABLE,
+        engine.TRANSIENT_LOCAL if durability is DurabilityPolicy.TRANSIENT_LOCAL else engine.VOLATILE,
+        engine.KEEP_ALL if history is HistoryPolicy.KEEP_ALL else engine.KEEP_LAST,
+        _finite_ns(deadline), _finite_ns(lifespan),
+        engine.MANUAL_BY_TOPIC if liveliness is LivelinessPolicy.MANUAL_BY_TOPIC else engine.AUTOMATIC, _finite_ns(lease))
+
+
+_values_of = attrgetter(*QoSProfile.__slots__)
 
 
 def _finite_ns(duration: Duration) -> int:
-    return 0 if duration == DURATION_INFINITE else duration.nanoseconds
+    nanoseconds = duration.nanoseconds
+    return 0 if nanoseconds == _INFINITE_NS else nanoseconds
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:

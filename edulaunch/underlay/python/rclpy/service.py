@@ -37,12 +37,12 @@ class Service(Entity):
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False
-        taken = self._impl.take()
-        if taken is None:
+        queue = self._impl.queue
+        if not queue:
             return None
-        if self._impl.queue:
+        wire, request_id = queue.popleft()
+        if queue:
             self._signal()
-        wire, request_id = taken
         request = self.srv_type.Request.from_wire(wire)
         if self._introspection is not None:
             self._introspection.request_received(request_id, request)
@@ -60,12 +60,13 @@ class Service(Entity):
 
         :raises TypeError: when `response` is no response of this service (a callback that forgot `return response`).
         """
-        if not isinstance(response, self.srv_type.Response):
+        response_type = self.srv_type.Response
+        if not isinstance(response, response_type):
             from rclpy.impl.hints import hinted
             returned = 'None' if response is None else f'a {type(response).__name__}'
             raise hinted(TypeError(), f"the callback of service '{self.service_name}' must end with `return response`; "
                                       f'it returned {returned}')
-        self._impl.respond(header, self.srv_type.Response.to_wire(response))
+        self._impl.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)
 

@@ -83,6 +83,8 @@ class Future:
         if self._exception is not None:
             self._exception_fetched = True
             raise self._exception
+        if not self._done:
+            current_task().poll()
         return self._result
 
     def exception(self) -> BaseException | None:
@@ -104,7 +106,8 @@ class Future:
     def _end(self) -> None:
         self._done = True
         self._cancelled = False
-        self._call_back()
+        if self._callbacks:
+            self._call_back()
         if self._awaiting:
             awaiting, self._awaiting = self._awaiting, ()
             for executor in awaiting:
@@ -116,10 +119,12 @@ class Future:
             self._awaiting += (executor,)
 
     def _call_back(self) -> None:
-        callbacks, self._callbacks = self._callbacks, []
+        callbacks = self._callbacks
+        if not callbacks:
+            return
+        self._callbacks = []
         if self._executor is not None:
-            for callback in callbacks:
-                self._executor.create_task(callback, self)
+            self._executor._call_soon(callbacks, self)
             return
         for callback in callbacks:
             try:
@@ -175,7 +180,8 @@ class Task(Future):
         self._executing = True
         try:
             if self._running is None:
-                self.set_result(self._handler(*self._args, **self._kwargs))
+                self._result = self._handler(*self._args, **self._kwargs)
+                self._end()
             else:
                 self._run_on(self._running)
         except Exception as error:

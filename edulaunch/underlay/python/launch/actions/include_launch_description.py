@@ -5,8 +5,10 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .._include_ring import enter_include
 from .._parsed_by import parsed_as_action
 from .._run_notes import note_declared, note_include
+from .._wrong_return import tell_wrong_return
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..launch_description_source import LaunchDescriptionSource
@@ -87,8 +89,14 @@ class IncludeLaunchDescription(Action):
         context.extend_locals({
             'current_launch_file_path': location,
             'current_launch_file_directory': os.path.dirname(location)})
-        self.__check_required_arguments(description, context)
+        try:
+            self.__check_required_arguments(description, context)
+        except AttributeError as error:
+            if not hasattr(description, 'get_launch_arguments'):
+                tell_wrong_return(error)
+            raise
         sets = [SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments]
+        enter_include(context, location, self.origin)
         return [*sets, description]
 
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
+from .._origin import MAKERS
 from . import hints
 from .collector_pause import collector_paused
 from .entity import Entity
@@ -93,6 +94,8 @@ class Parser:
             error = RuntimeError(f'Unrecognized entity of the type: {entity.type_name}')
             raise hints.at(error, entity, hints.about_element(entity))
         return parse
+
+    MAKERS.add(parse_action.__code__)
 
     parse_substitution = staticmethod(parse_substitution)
     parse_if_substitutions = staticmethod(parse_if_substitutions)

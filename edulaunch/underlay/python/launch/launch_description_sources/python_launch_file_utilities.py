@@ -1,13 +1,16 @@
 """Loading launch files written in Python."""
 from __future__ import annotations
 
-from types import ModuleType
-from typing import TYPE_CHECKING
+from types import FunctionType, ModuleType
+from typing import TYPE_CHECKING, Any
 
 from .._engine import load_module
+from .._wrong_return import note_wrong_return
 
 if TYPE_CHECKING:
     from ..launch_description import LaunchDescription
+
+GENERATE = 'generate_launch_description'
 
 
 class InvalidPythonLaunchFileError(Exception):
@@ -30,9 +33,23 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
     :raises Exception: whatever the file raises.
     """
     module = load_python_launch_file_as_module(python_launch_file_path)
-    if not hasattr(module, 'generate_launch_description'):
-        raise InvalidPythonLaunchFileError(
-            f"launch file at '{python_launch_file_path}' does not contain the required function "
-            "'generate_launch_description()'")
+    if not hasattr(module, GENERATE):
+        raise _no_function(python_launch_file_path, module)
     description: LaunchDescription = module.generate_launch_description()
+    if not hasattr(description, 'get_launch_arguments'):
+        note_wrong_return(module.generate_launch_description)
     return description
+
+
+def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
+    """The error, with the line of a function whose name is nearly right."""
+    from edulaunch.packages.nearest import nearest
+    error: Any = InvalidPythonLaunchFileError(
+        f"launch file at '{path}' does not contain the required function '{GENERATE}()'")
+    functions = {name: value for name, value in vars(module).items() if isinstance(value, FunctionType)}
+    near = nearest(GENERATE, functions)
+    if near is not None:
+        code = functions[near].__code__
+        error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno
+        error.edulaunch_near = near
+    return error  # type: ignore[no-any-return]

@@ -18,17 +18,17 @@ class TextSubstitution(Substitution):
     def __init__(self, *, text: str) -> None:
         if not isinstance(text, str):
             raise TypeError(f"TextSubstitution expected Text object got '{type(text)}' instead.")
-        self.__text = text
+        self._text = text
 
     @property
     def text(self) -> str:
         """The text."""
-        return self.__text
+        return self._text
 
     def describe(self) -> str:
         """The text in quotes."""
-        return f"'{self.__text}'"
+        return f"'{self._text}'"
 
     def perform(self, context: LaunchContext) -> str:
         """The text."""
-        return self.__text
+        return self._text

@@ -26,6 +26,8 @@ def visit_all_entities_and_collect_futures(
 
 
 def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, pairs: EntityFuturePairs) -> None:
+    includes = context._includes
+    depth = len(includes)
     sub_entities = entity.visit(context)
     future = entity.get_asyncio_future()
     if future is not None:
@@ -33,3 +35,4 @@ def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, pairs: Entit
     if sub_entities is not None:
         for sub_entity in sub_entities:
             _visit(sub_entity, context, pairs)
+        del includes[depth:]

@@ -10,6 +10,7 @@ from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
+from launch.utilities._plain_text import plain_text
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
@@ -244,6 +245,9 @@ class Node(ExecuteProcess):
 
 
 def _text(context: LaunchContext, value: SomeSubstitutionsType | None) -> str | None:
-    if value is None or isinstance(value, str):
+    if value is None or type(value) is str:
         return value
+    text = plain_text(value)
+    if text is not None:
+        return text
     return perform_substitutions(context, normalize_to_list_of_substitutions(value))

@@ -9,6 +9,7 @@ from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
+from launch.utilities._plain_text import plain_text
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
@@ -28,8 +29,8 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)
-        self.__executable = (
-            executable if type(executable) is str else normalize_to_list_of_substitutions(executable))
+        text = plain_text(executable)
+        self.__executable = text if text is not None else normalize_to_list_of_substitutions(executable)
 
     @property
     def executable(self) -> list[Substitution]:

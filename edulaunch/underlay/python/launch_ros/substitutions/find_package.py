@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
+from launch.utilities._plain_text import plain_text
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
@@ -20,7 +21,8 @@ class FindPackage(Substitution):
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
-        self.__package = package if type(package) is str else normalize_to_list_of_substitutions(package)
+        text = plain_text(package)
+        self.__package = text if text is not None else normalize_to_list_of_substitutions(package)
 
     @property
     def package(self) -> list[Substitution]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.sim.task import current_task
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
 from rclpy.type_support import wrong_class
 
@@ -47,6 +48,7 @@ class ServerGoalHandle:
     @property
     def is_cancel_requested(self) -> bool:
         """Whether a request to cancel was accepted."""
+        current_task().poll()
         return self._state is GoalState.CANCELING
 
     @property

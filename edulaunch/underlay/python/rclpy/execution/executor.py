@@ -68,7 +68,7 @@ class Executor(Waiting):
         ready_list = node._rclpy.ready_list
         ready_list.executor = self
         self._lists.append(ready_list)
-        self._look_again()
+        self._nodes_changed()
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -79,7 +79,13 @@ class Executor(Waiting):
             self._lists.remove(ready_list)
             if ready_list.executor is self:
                 ready_list.executor = None
-            self._look_again()
+            self._nodes_changed()
+
+    def _nodes_changed(self) -> None:
+        """Whoever waits looks again; who executes a callback now does so when that has ended."""
+        if self._spinner is not None:
+            self._woken = True
+        self._look_again()
 
     def get_nodes(self) -> list[Node]:
         """The nodes, in the order in which they came."""
@@ -93,6 +99,14 @@ class Executor(Waiting):
         for waiting in self._waiting:
             waiting.wake()
         return task
+
+    def _call_soon(self, callbacks: list[Callable[[Any], object]], future: Future) -> None:
+        """Run the callbacks of a future that is done, in tasks."""
+        args = (future,)
+        self._tasks += [Task(callback, args, None, self) for callback in callbacks]
+        self._new_tasks = True
+        for waiting in self._waiting:
+            waiting.wake()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Execute nothing more; a wait ends."""
@@ -237,11 +251,11 @@ class Executor(Waiting):
             if self._tasks:
                 self._run_tasks()
 
-    def _run_tasks(self) -> None:
-        """Execute the pending tasks, newest first."""
+    def _run_tasks(self, until: Future | None = None) -> None:
+        """Execute the pending tasks, newest first; stop when `until` is done."""
         for task in self._tasks_to_run():
             self._execute(task)
-            if not self._context._ok:
+            if not self._context._ok or (until is not None and until._done):
                 return
         self._tasks = [task for task in self._tasks if not task._done]
 

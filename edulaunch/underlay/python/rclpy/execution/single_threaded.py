@@ -115,10 +115,9 @@ class SingleThreadedExecutor(Executor):
         self._let_time_pass()
         context = self._context
         if self._tasks:
-            for task in self._tasks_to_run():
-                self._execute(task)
-                if not context._ok or (until is not None and until._done):
-                    return
+            self._run_tasks(until)
+            if not context._ok or (until is not None and until._done):
+                return
         batch = self._collect()
         if not batch:
             if not self._new_tasks:

@@ -4,10 +4,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.names import absolute_namespace
+from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.node_parts.core import NodeCore
 
 if TYPE_CHECKING:
+    from edulaunch.graph.graph import Graph
     from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 NamesAndTypes = list[tuple[str, list[str]]]
@@ -20,12 +22,12 @@ class NodeGraphQueries:
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """All topics with their types."""
-        graph = self._rclpy.graph
+        graph = _looked_at(self._rclpy)
         return names_and_types([*_all(graph.publishers), *_all(graph.subscriptions)], 'topic_name')
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """All services that have a server, with their types."""
-        return names_and_types(_all(self._rclpy.graph.services), 'service_name')
+        return names_and_types(_all(_looked_at(self._rclpy).services), 'service_name')
 
     def get_publisher_names_and_types_by_node(self, node_name: str, node_namespace: str,
                                               no_demangle: bool = False) -> NamesAndTypes:
@@ -47,15 +49,15 @@ class NodeGraphQueries:
 
     def get_node_names(self) -> list[str]:
         """The own names of all nodes, in order of creation."""
-        return [node.name for node in self._rclpy.graph.nodes]
+        return [node.name for node in _looked_at(self._rclpy).nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
         """The full names of all nodes."""
-        return [node.fully_qualified_name for node in self._rclpy.graph.nodes]
+        return [node.fully_qualified_name for node in _looked_at(self._rclpy).nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """(name, namespace) of all nodes."""
-        return [(node.name, node.namespace) for node in self._rclpy.graph.nodes]
+        return [(node.name, node.namespace) for node in _looked_at(self._rclpy).nodes]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """(name, namespace, enclave) of all nodes; the enclave is always '/'."""
@@ -91,7 +93,6 @@ class NodeGraphQueries:
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait at most `timeout` seconds for a node of that full name, looking each 0.1 s; whether it is there."""
-        from edulaunch.sim.task import current_task
         task = current_task()
         deadline = task.sim.now_ns + int(timeout * 1e9)
         while fully_qualified_node_name not in self.get_fully_qualified_node_names():
@@ -109,6 +110,13 @@ def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
     return [(name, sorted(types)) for name, types in sorted(found.items())]
 
 
+def _looked_at(core: NodeCore) -> Graph:
+    """The graph; a loop that does nothing but look at it is moved on by simulated time."""
+    current_task().poll()
+    graph: Graph = core.graph
+    return graph
+
+
 def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
     namespace = absolute_namespace(namespace)
     nodes = [node for node in core.graph.nodes if node.name == name and node.namespace == namespace]
@@ -119,6 +127,7 @@ def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: st
 
 
 def _count(core: NodeCore, table: dict[str, Any], name: str, kind: str) -> int:
+    current_task().poll()
     return len(table.get(core.resolve(name, kind, only_expand=True), ()))
 
 

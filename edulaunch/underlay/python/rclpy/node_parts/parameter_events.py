@@ -36,9 +36,9 @@ class ParameterEvents:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
         if core.context._ok:
             event = self._event_class(stamp=core.clock.now().to_msg(), node=core.full_name)
-            event.new_parameters = [parameter.to_parameter_msg() for parameter in new]
-            event.changed_parameters = [parameter.to_parameter_msg() for parameter in changed]
-            event.deleted_parameters = [parameter.to_parameter_msg() for parameter in deleted]
+            for field, parameters in (('new_parameters', new), ('changed_parameters', changed), ('deleted_parameters', deleted)):
+                if parameters:
+                    setattr(event, field, [parameter.to_parameter_msg() for parameter in parameters])
             self._publisher.publish(event)
 
     def _origin(self, parameter: Parameter) -> str:

@@ -69,7 +69,9 @@ def _value(param: Entity, parser: Parser) -> Any:
         raise _wrong(param, 'either a value attribute or nested params are needed')
     value = parser.parse_if_substitutions(param.get_attr('value', data_type=data_type))
     param.assert_entity_completely_parsed()
-    return ParameterValue(value, value_type=data_type)
+    made = ParameterValue(value, value_type=data_type)
+    made._line = param.line
+    return made
 
 
 def _data_type(param: Entity) -> Any:

@@ -1,0 +1,154 @@
+"""The YAML that nearly all launch files are written in, read line by line.
+
+libyaml builds ten objects for each word. A text of block mappings and lists, with plain words, numbers, short
+quoted texts and one-line `{name: x, value: 1}` mappings needs none of that; five times as many nodes are read
+in the same time. Whatever is not of this kind for certain is left to libyaml: the two must never differ.
+"""
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from launch.utilities._yaml_values import YAML_BOOLEANS
+
+from .mapping import Mapping
+
+MAX_DEPTH = 40
+"""Deeper texts are left to libyaml, too."""
+
+_CHARACTERS = re.compile(r'[ -~\n]*')
+_SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null'))
+_KEY = r'[A-Za-z_][A-Za-z0-9_-]*'
+_LINE = re.compile(rf'( *)((?:- )*)(?:({_KEY}):(?: (\S.*))?|(\S.*))')
+# Begins like a word; no colon, no comment, nothing that means something in YAML; no space at the end.
+_TEXT = re.compile(r'[A-Za-z_/$][A-Za-z0-9_/$().+-]*(?: [A-Za-z0-9_/$().+-]+)*')
+_QUOTED = re.compile(r'"[^"\\]*"|\'[^\']*\'')
+_INTEGER = re.compile(r'-?(?:0|[1-9][0-9]*)')
+_DECIMAL = re.compile(r'-?[0-9]+\.[0-9]+')
+_PAIR = rf'{_KEY}: (?:[A-Za-z0-9_/$().+-]+(?: [A-Za-z0-9_/$().+-]+)*|"[^"\\]*"|\'[^\']*\')'
+_FLOW = re.compile(rf'\{{({_PAIR}(?:, {_PAIR})*)\}}')
+_FLOW_PAIR = re.compile(rf'({_KEY}): ("[^"\\]*"|\'[^\']*\'|[^,]+)')
+
+_Row = tuple[int, str | None, str | None, int]
+"""Column; the key, None for the dash of a list, '' for a value alone; the value's text; the line."""
+
+
+class NotPlain(Exception):
+    """This text is for libyaml."""
+
+
+def read_plain(text: str) -> Any:
+    """The data of the text, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+
+    :raises NotPlain: when the text is of no plain kind. It may still be YAML.
+    """
+    if _CHARACTERS.fullmatch(text) is None:
+        raise NotPlain
+    rows = _rows(text)
+    if not rows or rows[0][0] != 0:
+        raise NotPlain
+    value, end = _block(rows, 0, 0)
+    if end != len(rows) - 1:
+        raise NotPlain
+    return value
+
+
+def _rows(text: str) -> list[_Row]:
+    rows: list[_Row] = []
+    match = _LINE.fullmatch
+    for number, line in enumerate(text.split('\n'), 1):
+        found = match(line)
+        if found is None:
+            if line.strip(' '):
+                raise NotPlain
+            continue
+        spaces, dashes, key, value, alone = found.groups()
+        column = len(spaces)
+        if alone is not None and alone[0] == '#' and not dashes:
+            continue
+        if dashes:
+            for _ in range(0, len(dashes), 2):
+                rows.append((column, None, None, number))
+                column += 2
+        rows.append((column, key, value, number) if key is not None else (column, '', alone, number))
+    if rows:
+        rows.append((-1, '', None, 0))
+    return rows
+
+
+def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
+    """The value that begins with a row, and the row after it."""
+    if depth > MAX_DEPTH:
+        raise NotPlain
+    column, key, text, _ = rows[start]
+    if key is None:
+        return _list(rows, start, column, depth)
+    if key:
+        return _mapping(rows, start, column, depth)
+    if text is None or rows[start + 1][0] > column:
+        raise NotPlain
+    return _value(text, rows[start][3]), start + 1
+
+
+def _list(rows: list[_Row], start: int, column: int, depth: int) -> tuple[list[Any], int]:
+    items: list[Any] = []
+    while rows[start][0] == column and rows[start][1] is None:
+        item, start = _block(rows, start + 1, depth + 1)
+        items.append(item)
+    if rows[start][0] > column:
+        raise NotPlain
+    return items, start
+
+
+def _mapping(rows: list[_Row], start: int, column: int, depth: int) -> tuple[Mapping, int]:
+    mapping = Mapping()
+    mapping.line = rows[start][3]
+    while True:
+        here, key, text, line = rows[start]
+        if here != column or not key:
+            break
+        start += 1
+        if key.lower() in _SPECIAL:
+            raise NotPlain
+        if text is not None:
+            if rows[start][0] > column:
+                raise NotPlain
+            mapping[key] = _value(text, line)
+        else:
+            below = rows[start]
+            if below[0] < column or (below[0] == column and below[1] is not None):
+                raise NotPlain
+            mapping[key], start = _block(rows, start, depth + 1)
+    if here > column or (here == column and key == ''):
+        raise NotPlain
+    return mapping, start
+
+
+def _value(text: str, line: int) -> Any:
+    if text[0] == '{':
+        found = _FLOW.fullmatch(text)
+        if found is None:
+            raise NotPlain
+        mapping = Mapping()
+        mapping.line = line
+        for key, value in _FLOW_PAIR.findall(found[1]):
+            if key.lower() in _SPECIAL:
+                raise NotPlain
+            mapping[key] = _scalar(value)
+        return mapping
+    return _scalar(text)
+
+
+def _scalar(text: str) -> Any:
+    if _TEXT.fullmatch(text):
+        if text.lower() not in _SPECIAL:
+            return text
+        if text in YAML_BOOLEANS:
+            return YAML_BOOLEANS[text]
+    elif _INTEGER.fullmatch(text):
+        return int(text)
+    elif _QUOTED.fullmatch(text):
+        return text[1:-1]
+    elif _DECIMAL.fullmatch(text):
+        return float(text)
+    raise NotPlain

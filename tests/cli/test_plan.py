@@ -1,0 +1,56 @@
+"""`edulaunch plan`: what would start, without starting anything."""
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from edulaunch.cli.main import main
+
+TEXT = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, TimerAction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('red', default_value='69'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim',
+             parameters=[{'background_r': LaunchConfiguration('red')}], remappings=[('a', 'b')]),
+        TimerAction(period=2.0, actions=[Node(package='PACKAGE', executable='talker', name='late')]),
+    ])
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / 'my.launch.py'
+    path.write_text(TEXT.replace('PACKAGE', 'demo_nodes_cpp'))
+    return path
+
+
+def test_nodes_come_with_their_parameters_remaps_and_timers(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['plan', str(file), 'red:=7']) == 0
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        "  argument red = '7' (default '69')", '  include my.launch.py', '  set configuration name red, value 7',
+        '  node /sim: turtlesim turtlesim_node', '      parameter background_r = 7', '      remap a -> b',
+        '  timer: 1 actions after 2.0 s', '  node /late: demo_nodes_cpp talker (after 2 s)']
+
+
+def test_as_json_it_is_plan_format_1(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['plan', str(file), '--json']) == 0
+    plan = json.loads(capsys.readouterr().out)
+    assert (plan['format'], plan['error'], [item['kind'] for item in plan['items']]) == (
+        1, None, ['include', 'argument', 'node', 'timer', 'node'])
+
+
+def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / 'my.launch.py'
+    path.write_text(TEXT.replace('PACKAGE', 'my_robot').replace("'turtlesim'", "'my_robot'"))
+    assert main(['plan', str(path)]) == 1
+    err = capsys.readouterr().err
+    assert "package 'my_robot' not found" in err and f'{path}:10' in err and '  help: ' in err
+    assert main(['plan', str(path), '--assume-packages']) == 0
+    assert '  node /sim: my_robot turtlesim_node' in capsys.readouterr().out
