@@ -1,9 +1,8 @@
-"""Parameter files made for one run: named the same in every run, and removed with their owner."""
+"""Parameter files made for one run: named the same in every run, and left in the temporary folder, as ROS 2 leaves them."""
 
 from __future__ import annotations
 
 import os
-import weakref
 
 from launch._engine import process_state
 
@@ -28,9 +27,10 @@ def temporary_path(key: str) -> str:
 
 
 class TemporaryFiles:
-    """Files that are removed together with this object.
+    """Files that were written, and can be removed.
 
-    Two runs at the same time may write the same file: each replaces it whole, with equal content.
+    Two runs at the same time may write the same file: each replaces it whole, with equal content. They are therefore not
+    removed when a run ends: another may be about to read them.
     """
 
     def __init__(self) -> None:
@@ -44,8 +44,6 @@ class TemporaryFiles:
         with open(handle, 'w', encoding='utf-8') as stream:
             stream.write(text)
         os.replace(draft, path)
-        if not self._written:
-            weakref.finalize(self, _remove, self._written)
         self._written.append((path, os.stat(path).st_ino))
 
     def remove(self) -> None:
