@@ -7,7 +7,9 @@ import signal
 import sys
 from types import FrameType
 
-from edulaunch.errors import UnusableInput
+from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.launching import find_launch_file
+from edulaunch.processes.current import current_process
 from edulaunch.session import Session
 
 
@@ -15,9 +17,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
-    parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
-    parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
     parser.add_argument('-n', '--noninteractive', action='store_true', help='run as if no terminal were there')
+    parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
+    look = parser.add_mutually_exclusive_group()
+    look.add_argument('-p', '--print', '--print-description', action='store_true',
+                      help='show the launch description, start nothing')
+    look.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
+    parser.add_argument('-a', '--show-all-subprocesses-output', action='store_true', help='show everything that programs print')
+    parser.add_argument('--launch-prefix', metavar='PREFIX', help="put these words in front of each program, such as 'xterm -e'")
+    parser.add_argument('--launch-prefix-filter', metavar='REGEX', help='put them only in front of programs whose name matches')
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
@@ -41,11 +49,12 @@ def main(arguments: argparse.Namespace) -> int:
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
             raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
+    given.update(_prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
-    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print) as session:
-        if arguments.show_args:
-            from edulaunch.launch_process import show_arguments
-            return show_arguments(session, package_or_path, file)
+    env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
+    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env) as session:
+        if arguments.show_args or arguments.print:
+            return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
@@ -57,6 +66,36 @@ def main(arguments: argparse.Namespace) -> int:
             summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
             print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
     return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def _prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
+    """The launch configurations that hold the prefix.
+
+    :raises UnusableInput: for a filter without a prefix, with ROS 2's text.
+    """
+    if arguments.launch_prefix is None and arguments.launch_prefix_filter is not None:
+        raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
+    options = {'launch-prefix': arguments.launch_prefix, 'launch-prefix-filter': arguments.launch_prefix_filter}
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _look(session: Session, path: str, show_args: bool) -> int:
+    """Print the arguments or the description of a launch file.
+
+    :raises LaunchFileError: when it cannot be loaded.
+    """
+    from ros2launch.api import print_a_launch_file, print_arguments_of_launch_file
+
+    from edulaunch.launch_process import explain
+    process = current_process()
+    process.index, process.host.index = session.index, session.index
+    process.env.update(session.host.env)
+    try:
+        (print_arguments_of_launch_file if show_args else print_a_launch_file)(launch_file_path=path)
+    except Exception as error:
+        told = explain(error, session.index)
+        raise LaunchFileError(told.text, help=told.help) from error
+    return 0
 
 
 def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str, str]]:

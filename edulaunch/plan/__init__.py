@@ -6,6 +6,6 @@ The real launch service visits the real actions in a simulation of its own; only
 
 from __future__ import annotations
 
-from edulaunch.plan.make_plan import make_plan
+from edulaunch.plan.make_plan import Rehearsal, make_plan, rehearse
 
-__all__ = ['make_plan']
+__all__ = ['Rehearsal', 'make_plan', 'rehearse']

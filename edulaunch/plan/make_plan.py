@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assuming_index import AssumingIndex
+from edulaunch.plan.assumptions import Assumptions
+from edulaunch.plan.outline import Branch
 from edulaunch.plan.rehearsal import Notes, RehearsalHost
 from edulaunch.sim.simulation import Simulation
 
@@ -40,10 +43,41 @@ def make_plan(
         `warnings`, `stdout`, `shutdown_reason`.
     :raises UnusableInput: for an argument that is no 'name:=value'.
     """
+    return rehearse(path, arguments, index, environ, assume_packages=assume_packages).plan
+
+
+class Rehearsal(NamedTuple):
+    """A dry run.
+
+    :ivar plan: in the plan format 1.
+    :ivar outline: the same and what is left out, as a tree for people.
+    :ivar missing: what was assumed: names of packages, and other things in words.
+    """
+
+    plan: Plan
+    outline: Branch
+    missing: tuple[list[str], list[str]]
+
+
+def rehearse(
+    path: str | os.PathLike[str],
+    arguments: Mapping[str, str] | Iterable[str],
+    index: Index,
+    environ: Mapping[str, str],
+    *,
+    assume_packages: bool = False,
+) -> Rehearsal:
+    """As :func:`make_plan`, with more to show.
+
+    :raises UnusableInput: for an argument that is no 'name:=value'.
+    """
     given = _given(arguments)
-    return _Planner(
-        os.path.abspath(os.fspath(path)), given, AssumingIndex(index) if assume_packages else index, environ
-    ).plan()
+    assuming = AssumingIndex(index) if assume_packages else None
+    planner = _Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ)
+    planner.assumptions = None if assuming is None else assuming.assumptions
+    plan = planner.plan()
+    missing = planner.assumptions
+    return Rehearsal(plan, planner.outline, ([], []) if missing is None else (missing.packages, missing.others))
 
 
 def _given(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:
@@ -76,6 +110,12 @@ class _Planner:
         self._broken: Exception | None = None
         self._service: Any = None
         self._watch: Any = None
+        self.assumptions: Assumptions | None = None
+
+    @property
+    def outline(self) -> Branch:
+        """What was visited."""
+        return Branch('') if self._watch is None else self._watch.outline
 
     def plan(self) -> Plan:
         with warnings.catch_warnings(record=True) as caught:
@@ -118,6 +158,7 @@ class _Planner:
         """The body of the process in which launch runs; what breaks here is our own mistake."""
         try:
             process.state['launch.show_help'] = self._failed
+            process.state['launch.assumptions'] = self.assumptions
             return self._launch()
         except Exception as error:
             self._broken = error
@@ -133,13 +174,17 @@ class _Planner:
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
         from launch.launch_service import LaunchService
 
+        from edulaunch.plan.assumed_includes import include_if_there
         from edulaunch.plan.watching import Watch
 
         launch.logging.launch_config.log_handler_factory = lambda path: launch.logging.handlers.NullHandler()
         launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
         self._arguments = self._declared_arguments()
         self._service = LaunchService(noninteractive=True)
-        self._watch = Watch(self._executed, {'LoadComposableNodes': lambda action, context: None})
+        instead: dict[str, Any] = {'LoadComposableNodes': lambda action, context: None}
+        if self.assumptions is not None:
+            instead['IncludeLaunchDescription'] = partial(include_if_there, self.assumptions)
+        self._watch = Watch(self._executed, instead)
         context = self._service.context
         self._watch.context(context)
         context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
@@ -185,17 +230,22 @@ class _Planner:
 
         return OpaqueFunction(function=keep)
 
-    def _executed(self, action: Any, context: Any) -> None:
+    def _executed(self, branch: Branch, context: Any) -> None:
         from edulaunch.plan.items import item_of
+        from edulaunch.plan.process_items import origins_in_files
 
-        item = item_of(action, context, self._host.env, self._processes)
+        item = item_of(branch.action, context, self._host.env, self._processes)
         if item is None:
             return
         self._processes += item['kind'] in ('node', 'process')
         item['phase'] = self._watch.phase
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
-        self._items.append(_plain(item))
+        branch.item = _plain(item)
+        if item['kind'] == 'node':
+            branch.file_origins = origins_in_files(item)
+            branch.origins = branch.action._process_spec_details()['parameter_origins']
+        self._items.append(branch.item)
 
     def _failed(self, error: BaseException) -> None:
         from launch._help import launch_help, launch_origin

@@ -124,6 +124,15 @@ def _parameters(command: list[str], full_name: str) -> Item:
     }
 
 
+def origins_in_files(item: Item) -> dict[str, str]:
+    """For each parameter of a node item, 'file.yaml line 12' or 'command line'."""
+    try:
+        overrides = parse_ros_arguments(item['cmd']).overrides_for(item['runtime_name'] or '/unnamed')
+    except (RosArgumentsError, OSError):
+        return {}
+    return {name: override.origin for name, override in overrides.items()}
+
+
 def _content(path: str) -> Any:
     import yaml
 

@@ -10,15 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
+from launch._help import is_students
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
+
+from edulaunch.plan.outline import Branch
 
 if TYPE_CHECKING:
     from launch.event import Event
     from launch.launch_context import LaunchContext
 
-Executed = Callable[[Any, 'LaunchContext'], object]
+Executed = Callable[[Branch, 'LaunchContext'], object]
 
 _PHASES = {
     'ProcessStarted': 'on_start',
@@ -26,24 +29,36 @@ _PHASES = {
     'ProcessExited': 'on_exit',
     'Shutdown': 'on_shutdown',
 }
+_EVENTS = {
+    'ProcessStarted': 'when {name} has started',
+    'ProcessExited': 'when {name} has ended',
+    'Shutdown': 'at shutdown',
+}
+_NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
+"""What follows these events hangs below the action itself."""
 
 
 class Watch:
     """What the wrappers share.
 
-    :param executed: called as executed(action, context) after each action was executed.
+    :param executed: called as executed(branch, context) after each action was executed.
     :param instead: by name of an action's class: what is done instead of executing such an action.
     :ivar phase: of what is visited now.
+    :ivar outline: everything so far.
     """
 
     def __init__(self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]]) -> None:
         self.executed = executed
         self.instead = instead
         self.phase = 'launch'
+        self.outline = Branch('')
+        self.branch = self.outline
 
-    def entity(self, entity: Any) -> LaunchDescriptionEntity:
+    def entity(self, entity: Any, parent: Branch | None = None) -> LaunchDescriptionEntity:
         """The entity, watched. (What is no entity stays, and fails in launch as it does without a watch.)"""
-        return Watched(self, entity, self.phase) if isinstance(entity, LaunchDescriptionEntity) else entity
+        if not isinstance(entity, LaunchDescriptionEntity):
+            return entity  # type: ignore[no-any-return]
+        return Watched(self, entity, self.phase, self.outline if parent is None else parent)
 
     def context(self, context: LaunchContext) -> None:
         """Watch what the handlers of a context return, from now on."""
@@ -51,7 +66,7 @@ class Watch:
         register, unregister = context.register_event_handler, context.unregister_event_handler
 
         def watched_register(event_handler: BaseEventHandler, append: bool = False) -> None:
-            handler = WatchedHandler(self, event_handler)
+            handler = WatchedHandler(self, event_handler, self.branch)
             wrapped.setdefault(id(event_handler), []).append(handler)
             register(handler, append=append)
 
@@ -66,32 +81,42 @@ class Watch:
 class Watched(LaunchDescriptionEntity):
     """An entity whose visit is watched."""
 
-    def __init__(self, watch: Watch, entity: LaunchDescriptionEntity, phase: str) -> None:
+    def __init__(self, watch: Watch, entity: LaunchDescriptionEntity, phase: str, parent: Branch) -> None:
         self._watch = watch
         self._entity = entity
         self._phase = phase
+        self._branch = parent
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         """Visit the entity."""
-        self._watch.phase = self._phase
+        watch = self._watch
+        watch.phase = self._phase
         if isinstance(self._entity, Action):
-            entities = self._visit_action(self._entity, context)
+            action: Any = self._entity
+            condition = None if action.condition is None else action.condition._shown
+            origin = action.origin if action.origin is not None and is_students(action.origin.file) else None
+            self._branch = watch.branch = self._branch.add(Branch(action, origin, condition))
+            entities = self._visit_action(action, context)
         else:
             entities = self._entity.visit(context)
-        return None if entities is None else [self._watch.entity(entity) for entity in entities]
+        return None if entities is None else [watch.entity(entity, self._branch) for entity in entities]
 
     def _visit_action(self, action: Any, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         execute = self._watch.instead.get(type(action).__name__)
 
         def watched_execute(context: LaunchContext) -> Any:
             result = type(action).execute(action, context) if execute is None else execute(action, context)
-            self._watch.executed(action, context)
+            self._branch.is_taken = True
+            self._watch.executed(self._branch, context)
             return result
 
         action.execute = watched_execute
         try:
             visited: Iterable[LaunchDescriptionEntity] | None = action.visit(context)
             return visited
+        except Exception:
+            self._branch.condition = None
+            raise
         finally:
             del action.execute
 
@@ -105,12 +130,16 @@ class Watched(LaunchDescriptionEntity):
 
 
 class WatchedHandler(BaseEventHandler):
-    """A handler whose entities are watched, in the phase that belongs to the event."""
+    """A handler whose entities are watched, in the phase that belongs to the event.
 
-    def __init__(self, watch: Watch, handler: BaseEventHandler) -> None:
+    :param parent: the branch of the action that registered it.
+    """
+
+    def __init__(self, watch: Watch, handler: BaseEventHandler, parent: Branch) -> None:
         super().__init__(matcher=handler.matches)
         self._watch = watch
         self._handler = handler
+        self._parent = parent
 
     def describe(self) -> Any:
         """The handler's own."""
@@ -118,10 +147,15 @@ class WatchedHandler(BaseEventHandler):
 
     def handle(self, event: Event, context: LaunchContext) -> Any:
         """Let the handler react; its entities come back watched."""
-        self._watch.phase = _PHASES.get(type(event).__name__, self._watch.phase)
+        watch, kind = self._watch, type(event).__name__
+        watch.phase = _PHASES.get(kind, watch.phase)
         entities = self._handler.handle(event, context)
         if entities is None:
             return None
-        if isinstance(entities, LaunchDescriptionEntity):
-            return self._watch.entity(entities)
-        return [self._watch.entity(entity) for entity in entities]
+        listed = [entities] if isinstance(entities, LaunchDescriptionEntity) else list(entities)
+        parent = self._parent
+        if kind not in _NO_BRANCH and listed:
+            text = _EVENTS.get(kind, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
+            parent = parent.add(Branch(text))
+            parent.is_taken = True
+        return [watch.entity(entity, parent) for entity in listed]

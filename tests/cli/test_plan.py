@@ -34,9 +34,13 @@ def file(tmp_path: Path) -> Path:
 def test_nodes_come_with_their_parameters_remaps_and_timers(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['plan', str(file), 'red:=7']) == 0
     assert capsys.readouterr().out.splitlines()[1:] == [
-        "  argument red = '7' (default '69')", '  include my.launch.py', '  set configuration name red, value 7',
-        '  node /sim: turtlesim turtlesim_node', '      parameter background_r = 7', '      remap a -> b',
-        '  timer: 1 actions after 2.0 s', '  node /late: demo_nodes_cpp talker (after 2 s)']
+        "├── argument red = '7'  <my.launch.py:9>",
+        '├── node /sim: turtlesim turtlesim_node  <my.launch.py:10>',
+        '│   ├── parameter background_r = 7  (launch argument red)',
+        '│   └── remap a -> b',
+        '└── timer: 1 actions after 2 s  <my.launch.py:12>',
+        '    └── node /late: demo_nodes_cpp talker  <my.launch.py:12>',
+        'nodes: 2, other processes: 0, reason of the shutdown: idle']
 
 
 def test_as_json_it_is_plan_format_1(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -53,4 +57,6 @@ def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: py
     err = capsys.readouterr().err
     assert "package 'my_robot' not found" in err and f'{path}:10' in err and '  help: ' in err
     assert main(['plan', str(path), '--assume-packages']) == 0
-    assert '  node /sim: my_robot turtlesim_node' in capsys.readouterr().out
+    shown = capsys.readouterr()
+    assert '── node /sim: my_robot turtlesim_node' in shown.out
+    assert shown.err == 'missing packages, with placeholders instead: my_robot\n'

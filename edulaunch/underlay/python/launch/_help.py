@@ -75,12 +75,12 @@ def launch_origin(error: BaseException) -> Origin | None:
     if line is not None and getattr(cause, 'edulaunch_file', None):
         return Origin(cause.edulaunch_file, line)  # type: ignore[attr-defined]
     for frame, number in reversed(list(frames_of(cause))):
-        if _is_students(frame.f_code.co_filename):
+        if is_students(frame.f_code.co_filename):
             return Origin(frame.f_code.co_filename, number)
     origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(
         error, 'edulaunch_origin', None
     )
-    return origin if origin is not None and _is_students(origin.file) else None
+    return origin if origin is not None and is_students(origin.file) else None
 
 
 def root_cause(error: BaseException) -> BaseException:
@@ -109,7 +109,8 @@ def local_of(error: BaseException, name: str) -> Any:
     return found
 
 
-def _is_students(filename: str) -> bool:
+def is_students(filename: str) -> bool:
+    """Whether a file is neither ours nor Python's nor that of an installed package."""
     if filename.startswith(('<', _PYTHON)) or 'site-packages' in filename:
         return False
     shared = os.path.join(_OURS, 'underlay', 'share') + os.sep

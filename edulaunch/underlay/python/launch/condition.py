@@ -19,6 +19,11 @@ class Condition(StableRepr):
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
 
+    @property
+    def _shown(self) -> str:
+        """The condition in words, for a plan. (edulaunch only.)"""
+        return f'if {type(self).__name__} says so'
+
     def evaluate(self, context: LaunchContext) -> bool:
         """True or False, now."""
         return self._predicate(context) if self._predicate is not None else False

@@ -6,6 +6,8 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from launch._engine import assumptions
+
 from ._temporary_files import TemporaryFiles, temporary_path
 from .parameter_descriptions import Parameter
 from .parameters_type import Parameters
@@ -33,11 +35,13 @@ class ParameterArguments:
 
     def __init__(self, number: int, node_name: str, node_key: str) -> None:
         self.items: list[tuple[str, bool]] = []
+        self._full_name = node_name.replace('<', '').replace('>', '')
         self._owner = f'{number} {node_name} {node_key}'
         self._node_key = node_key
         self._sources: list[tuple[Any, Any]] = []
         self._unwritten: list[tuple[str, dict[str, Any]]] = []
         self._files: TemporaryFiles | None = None
+        self._has_files = False
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
@@ -48,8 +52,12 @@ class ParameterArguments:
                 self._sources.append((name, entry))
             else:
                 path = os.path.abspath(entry)
+                assumed = assumptions()
+                if assumed is not None and assumed.lacks_file(path):
+                    continue
                 assert os.path.isfile(path), f'{path} is not a file'
                 self.items.append((path, True))
+                self._has_files = True
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
@@ -77,7 +85,7 @@ class ParameterArguments:
     def _add_file(self, path: Path) -> None:
         if path.is_file():
             self.items.append((str(path), True))
-            self._sources.append((path, None))
+            self._has_files = True
             return
         import launch.logging
 
@@ -93,21 +101,32 @@ class ParameterArguments:
         self._sources.append((name, parameter))
 
     def origins(self, node: Origin | None) -> dict[str, str]:
-        """Parameter name -> where its value was written, for values that do not come from a file.
+        """Parameter name -> where its value was written, for values that do not come from a parameter file.
 
         :param node: where the launch file made the node.
         """
-        from ._parameter_origins import names_in_file, origin_of_global, origins_of
+        from ._parameter_origins import origin_of_global, origins_of
 
         found: dict[str, str] = {}
         for what, written in self._sources:
             if isinstance(what, dict):
                 found.update(origins_of(what, written, node))
-            elif not isinstance(what, str):
-                for name in names_in_file(what):
-                    found.pop(name, None)
             elif isinstance(written, tuple):
                 found[what] = origin_of_global(written)
             else:
                 found.update(origins_of({what: None}, {what: written}, node))
-        return found
+        return self._without_overridden(found) if self._has_files else found
+
+    def _without_overridden(self, origins: dict[str, str]) -> dict[str, str]:
+        """Those whose value is not overridden by a parameter file, by the rules of rcl."""
+        from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
+
+        self.write_files()
+        words = [word for text, is_file in self.items for word in ('--params-file' if is_file else '-p', text)]
+        try:
+            given = parse_ros_arguments(['--ros-args', *words]).overrides_for(self._full_name)
+        except (RosArgumentsError, OSError, ValueError):
+            return origins  # the node says what is wrong
+        return {
+            name: text for name, text in origins.items()
+            if name not in given or given[name].origin.startswith(('launch_params_', 'command line'))}

@@ -11,8 +11,6 @@ from launch.substitutions.launch_configuration import LaunchConfiguration
 from ._written_lines import key_lines
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from edulaunch.processes import Origin
 
 
@@ -34,16 +32,6 @@ def origin_of_global(parameter: tuple[str, Any]) -> str:
     """Of a value that SetParameter gave."""
     origin = getattr(parameter, 'origin', None)
     return 'SetParameter' if origin is None else f'SetParameter in {place_text(*origin)}'
-
-
-def names_in_file(path: Path) -> list[str]:
-    """The parameters that a parameter file sets for any node; none when it cannot be read."""
-    from edulaunch.graph.parameter_files import ParameterFileError, read_parameter_file
-
-    try:
-        return [entry.name for entry in read_parameter_file(path.read_text(encoding='utf-8'))]
-    except (OSError, ValueError, ParameterFileError):
-        return []  # the node says what is wrong with it
 
 
 def origins_of(values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None) -> dict[str, str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._engine import assumptions
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
@@ -179,6 +180,9 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     from launch.frontend.parse_substitution import parse_substitution
     from launch.substitutions.substitution_failure import SubstitutionFailure
 
+    assumed = assumptions()
+    if assumed is not None and assumed.lacks_file(str(path)):
+        return ''
     text = perform_substitutions(context, parse_substitution(path.read_text(encoding='utf-8')))
     try:
         yaml.safe_load(text)

@@ -5,9 +5,10 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .._help import is_students
 from .._include_ring import enter_include
 from .._parsed_by import parsed_as_action
-from .._run_notes import note_declared, note_include
+from .._run_notes import note_declared, note_include, note_undeclared
 from .._wrong_return import tell_wrong_return
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
@@ -102,6 +103,9 @@ class IncludeLaunchDescription(Action):
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:
         given = self.__argument_names(context)
         declared = description.get_launch_arguments_with_include_launch_description_actions()
+        if given and self.origin is not None and is_students(self.origin.file):
+            note_undeclared(
+                given, [argument.name for argument, _ in declared], self.__source.location, self.origin)
         for argument, includes in declared:
             note_declared(argument)
             if argument._conditionally_included or argument.default_value is not None:

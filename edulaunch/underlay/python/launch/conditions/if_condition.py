@@ -23,5 +23,9 @@ class IfCondition(Condition):
         self.__predicate_expression = normalize_to_list_of_substitutions(predicate_expression)
         super().__init__(predicate=self._predicate_func)
 
+    @property
+    def _shown(self) -> str:
+        return 'if ' + ' + '.join(part.describe() for part in self.__predicate_expression)
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         return evaluate_condition_expression(context, self.__predicate_expression)

@@ -31,6 +31,14 @@ class LaunchConfigurationEquals(Condition):
         )
         super().__init__(predicate=self._predicate_func)
 
+    _sign = 'is'
+
+    @property
+    def _shown(self) -> str:
+        if self.__expected is None:
+            return f"if '{self.__name}' {self._sign} unset"
+        return f"if '{self.__name}' {self._sign} " + ' + '.join(part.describe() for part in self.__expected)
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         expected = None if self.__expected is None else perform_substitutions(context, self.__expected)
         return bool(context.launch_configurations.get(self.__name) == expected)

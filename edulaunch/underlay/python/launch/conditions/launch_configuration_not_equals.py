@@ -12,5 +12,7 @@ if TYPE_CHECKING:
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
     """True when the launch configuration has not exactly the given text; None means "is set"."""
 
+    _sign = 'is not'
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         return not super()._predicate_func(context)

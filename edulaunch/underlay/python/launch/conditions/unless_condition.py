@@ -22,5 +22,9 @@ class UnlessCondition(Condition):
         self.__predicate_expression = normalize_to_list_of_substitutions(predicate_expression)
         super().__init__(predicate=self._predicate_func)
 
+    @property
+    def _shown(self) -> str:
+        return 'unless ' + ' + '.join(part.describe() for part in self.__predicate_expression)
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         return not evaluate_condition_expression(context, self.__predicate_expression)

@@ -2,8 +2,6 @@
 from __future__ import annotations
 
 import os
-import socket
-from datetime import datetime, timezone
 
 from .._engine import environment, running_process
 
@@ -21,10 +19,12 @@ def _make_unique_log_dir(*, base_path: str) -> str:
     """Make `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID`, of the simulated time; `-2`, `-3` ... when
     that exists.
     """
+    from socket import gethostname
+    from time import gmtime, strftime
     process = running_process()
     seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)
-    date = datetime.fromtimestamp(seconds, timezone.utc).strftime('%Y-%m-%d-%H-%M-%S')
-    name = f'{date}-{ns // 1000:06d}-{socket.gethostname()}-{process.pid}'
+    date = strftime('%Y-%m-%d-%H-%M-%S', gmtime(seconds))
+    name = f'{date}-{ns // 1000:06d}-{gethostname()}-{process.pid}'
     path, count = os.path.join(base_path, name), 1
     while True:
         try:

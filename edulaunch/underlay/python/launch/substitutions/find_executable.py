@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from osrf_pycommon.process_utils import which
 
+from .._engine import assumptions
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -39,7 +40,11 @@ class FindExecutable(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """The path."""
-        path = which(perform_substitutions(context, self.__name), path=context.environment.get('PATH'))
+        name = perform_substitutions(context, self.__name)
+        path = which(name, path=context.environment.get('PATH'))
+        assumed = assumptions() if path is None else None
+        if assumed is not None:
+            path = assumed.program(name)
         if path is None:
             raise SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
         return path
