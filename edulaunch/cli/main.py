@@ -10,6 +10,7 @@ from edulaunch import __version__
 from edulaunch.errors import EdulaunchError, UnusableInput
 
 VERBS = {
+    'completion': 'Print the script that completes commands with the Tab key',
     'launch': 'Run a launch file, as `ros2 launch` does',
     'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'Show what a launch file would start, without starting anything',

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 Item = dict[str, Any]
+_ADDRESS = re.compile(' at 0x[0-9a-f]+')
 SILENT = frozenset(
     (
         'GroupAction',
@@ -83,7 +85,8 @@ def _timer(action: Any, context: LaunchContext) -> Item:
 
 def _event_handler(action: Any, context: LaunchContext) -> Item:
     handler = action.event_handler
-    return {'kind': 'event_handler', 'handler': type(handler).__name__, 'description': handler.describe()[0]}
+    description = _ADDRESS.sub(' at 0x', handler.describe()[0])  # two equal plans have equal texts
+    return {'kind': 'event_handler', 'handler': type(handler).__name__, 'description': description}
 
 
 def _set_parameter(action: Any, context: LaunchContext) -> Item:

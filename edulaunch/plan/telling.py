@@ -40,7 +40,14 @@ def told_launch(outline: Branch) -> list[Line]:
 
 
 def _told(branch: Branch) -> list[Line]:
-    return [line for child in branch.children for line in _lines(child)]
+    named = {child.item['name'] for child in branch.children if child.item is not None and child.item['kind'] == 'argument'}
+    return [line for child in branch.children if not _is_given_argument(child, named) for line in _lines(child)]
+
+
+def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
+    """Whether an include sets an argument here whose own line will show the value."""
+    item = branch.item
+    return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
 
 
 def _lines(branch: Branch) -> Iterator[Line]:
@@ -168,8 +175,8 @@ def _nodes_to_load(item: Item, branch: Branch) -> list[str]:
 
 
 def _handler_details(item: Item, branch: Branch) -> list[str]:
-    """What a handler waits for, when it never came."""
-    return [] if branch.children else [f'never happened here: {item["description"]}']
+    """Whether what a handler waits for ever came."""
+    return [] if branch.children else ['never happened here']
 
 
 _DETAILS: dict[str, Callable[[Item, Branch], list[str]]] = {

@@ -1,0 +1,80 @@
+"""`edulaunch completion`: what the Tab key offers."""
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from edulaunch.cli.candidates import candidates
+from edulaunch.cli.completion import SCRIPTS
+from edulaunch.cli.main import main
+
+FILE = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('shape', default_value='round', choices=['round', 'square']),
+                              DeclareLaunchArgument('size', default_value='1')])
+"""
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / 'my.launch.py').write_text(FILE)
+    (tmp_path / 'notes.txt').write_text('')
+    (tmp_path / 'maps').mkdir()
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(('line', 'offered'), [
+    ('edulaunch la', ['launch']),
+    ('edulaunch launch turtles', ['turtlesim']),
+    ('edulaunch launch turtlesim mult', ['multisim.launch.py']),
+    ('edulaunch launch ./m', ['./maps/', './my.launch.py']),
+    ('edulaunch launch --show-a', ['--show-all-subprocesses-output', '--show-args', '--show-arguments']),
+    ('edulaunch launch my.launch.py ', ['shape:=', 'size:=']),
+    ('edulaunch plan my.launch.py shape:=s', ['shape:=square']),
+    ('edulaunch launch my.launch.py --seed 3 si', ['size:=']),
+    ('edulaunch completion b', ['bash']),
+    ('edulaunch launch --workspace m', ['maps/']),
+    ('edulaunch nonsense ', []),
+    ('edulaunch launch broken"', []),
+])
+def test_the_tab_key_offers(here: Path, line: str, offered: list[str]) -> None:
+    assert candidates(line, break_words=False) == offered
+
+
+def test_bash_gets_only_what_follows_the_sign_at_which_it_breaks_words(here: Path) -> None:
+    assert candidates('edulaunch launch my.launch.py shape:=s', break_words=True) == ['square']
+
+
+def test_a_launch_file_that_cannot_be_loaded_offers_nothing(here: Path) -> None:
+    (here / 'my.launch.py').write_text('1 / 0')
+    assert candidates('edulaunch launch my.launch.py ', break_words=False) == []
+
+
+@pytest.mark.parametrize('shell', sorted(SCRIPTS))
+def test_the_script_is_valid_for_its_shell(shell: str) -> None:
+    if shutil.which(shell) is None:
+        pytest.skip(f'{shell} is not installed')
+    subprocess.run([shell, '-n'], input=SCRIPTS[shell], text=True, check=True)
+
+
+def test_bash_completes_a_line_through_the_script(here: Path) -> None:
+    program = here / 'edulaunch'
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} -m edulaunch "$@"\n')
+    program.chmod(0o755)
+    line = 'edulaunch launch my.launch.py sha'
+    script = (f'PATH="{here}:$PATH"; {SCRIPTS["bash"]}\ncompopt() {{ :; }}\nCOMP_LINE="{line}"; COMP_POINT={len(line)}\n'
+              '_edulaunch; printf "%s\\n" "${COMPREPLY[@]}"')
+    assert subprocess.run(['bash', '-c', script], text=True, capture_output=True, check=True).stdout == 'shape:=\n'
+
+
+def test_the_script_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['completion', 'zsh']) == 0
+    assert capsys.readouterr().out == SCRIPTS['zsh']

@@ -1,0 +1,89 @@
+"""The plan in words."""
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edulaunch.plan import rehearse
+from edulaunch.plan.telling import Line, told_launch
+from edulaunch.session import index_for
+
+HEAD = """
+from launch import LaunchDescription
+from launch.actions import *
+from launch.conditions import *
+from launch.event_handlers import *
+from launch.substitutions import *
+from launch_ros.actions import *
+from launch_ros.parameter_descriptions import ParameterValue
+
+def generate_launch_description():
+"""
+
+
+def flat(lines: list[Line], depth: int = 0) -> list[str]:
+    return [text for line in lines for text in ('  ' * depth + line.text, *flat(line.below, depth + 1))]
+
+
+@pytest.fixture
+def told(tmp_path: Path):
+    def tell(body: str, *, given: dict[str, str] | None = None) -> list[str]:
+        path = tmp_path / 'my.launch.py'
+        path.write_text(HEAD + body)
+        return flat(told_launch(rehearse(path, given or {}, index_for([]), {}).outline))
+    return tell
+
+
+def test_a_condition_is_shown_with_its_outcome(told) -> None:
+    text = """
+    return LaunchDescription([DeclareLaunchArgument('gui', default_value='false'),
+        LogInfo(msg='yes', condition=IfCondition(LaunchConfiguration('gui'))),
+        LogInfo(msg='no', condition=UnlessCondition(LaunchConfiguration('gui')))])"""
+    assert told(text) == ["argument gui = 'false'", "LogInfo 'yes'  [if LaunchConfig('gui'): not taken]",
+                          "log 'no'  [unless LaunchConfig('gui'): taken]"]
+    assert told(text, given={'gui': 'true'})[1] == "log 'yes'  [if LaunchConfig('gui'): taken]"
+
+
+def test_what_is_left_out_is_left_out_with_all_below(told) -> None:
+    assert told("""
+    return LaunchDescription([GroupAction([LogInfo(msg='a')], condition=IfCondition('false'))])
+    """) == ["group  [if 'false': not taken]"]
+
+
+def test_a_group_holds_its_actions_but_not_how_it_is_done(told) -> None:
+    assert told("""
+    return LaunchDescription([GroupAction([PushRosNamespace('robot'), LogInfo(msg='a')])])
+    """) == ['group', '  namespace /robot', "  log 'a'"]
+
+
+def test_a_parameter_comes_with_its_origin(told, tmp_path: Path) -> None:
+    (tmp_path / 'p.yaml').write_text('/**:\n  ros__parameters:\n    background_g: 1\n')
+    assert told(f"""
+    return LaunchDescription([SetParameter('background_r', 2), Node(package='turtlesim', executable='turtlesim_node', name='sim',
+        parameters=[{str(tmp_path / 'p.yaml')!r}, {{'background_b': 3}}])])""") == [
+        'parameter background_r = 2 for all nodes that follow',
+        'node /sim: turtlesim turtlesim_node',
+        '  parameter background_b = 3  (my.launch.py line 13)',
+        '  parameter background_g = 1  (p.yaml line 3)',
+        '  parameter background_r = 2  (SetParameter in my.launch.py line 12)']
+
+
+def test_an_event_holds_what_it_leads_to_and_a_silent_handler_says_so(told) -> None:
+    assert told("""
+    first = ExecuteProcess(cmd=['sleep', '1'], name='first')
+    return LaunchDescription([first,
+        RegisterEventHandler(OnProcessStart(target_action=first, on_start=[LogInfo(msg='up')])),
+        RegisterEventHandler(OnProcessIO(target_action=first, on_stdout=lambda event: None))])""") == [
+        'process first: sleep 1',
+        'event handler OnProcessStart',
+        '  when first-1 has started',
+        "    log 'up'",
+        'event handler OnProcessIO',
+        '  never happened here']
+
+
+def test_where_launch_stopped_is_marked(told) -> None:
+    assert told("""
+    return LaunchDescription([LogInfo(msg='a'), Node(package='nothing', executable='talker'), LogInfo(msg='b')])
+    """) == ["log 'a'", 'Node talker  [launch stopped here]']
