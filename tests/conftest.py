@@ -27,3 +27,4 @@ def no_parked_tasks_left() -> Iterator[None]:
     """Unwind here what a test module left parked: when the collector does that inside `ast.parse`, CPython 3.11 trips over it."""
     yield
     gc.collect()
+    gc.freeze()  # what is left stays: the next collection need not look at it again

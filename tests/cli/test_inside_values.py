@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.cli.ros2.fill_message import FillError, ValuesError, fill_message, parse_values
-from edulaunch.cli.ros2.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
+from edulaunch.interfaces.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
 from edulaunch.interfaces import message_class
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from edulaunch.cli.ros2.message_text import message_yaml
+from edulaunch.interfaces.message_text import message_yaml
 from edulaunch.cli.ros2.output import say
 from edulaunch.interfaces import current_registry
 

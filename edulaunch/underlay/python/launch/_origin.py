@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import sys
-from functools import lru_cache
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +18,14 @@ Place = tuple[str, int] | tuple[CodeType, int]
 """File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
 
 MAKERS: set[CodeType] = set()
-"""Code of ours that says itself where the actions come from which it makes: the frontends' parser."""
+"""Code of ours that says itself where the actions come from which it makes: the frontends' parser.
+
+Only code of ours is looked up in it: a code object's hash covers everything in it, so that of a launch file with thousands of
+nodes takes longer than to make an action.
+"""
+_KEPT_TABLES = 64
+_TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
+"""Line tables by the identity of their code (for the same reason), which they keep alive."""
 
 
 def caller_outside_launch(made: object) -> Place | None:
@@ -27,11 +33,10 @@ def caller_outside_launch(made: object) -> Place | None:
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         code = frame.f_code
-        if code in MAKERS:
-            return None
-        if not code.co_filename.startswith(FACES) and not (
-            code.co_name == '__init__' and _makes(code, frame, made)
-        ):
+        if code.co_filename.startswith(FACES):
+            if code in MAKERS:
+                return None
+        elif code.co_name != '__init__' or not _makes(code, frame, made):
             return code, frame.f_lasti
         frame = frame.f_back
     return None
@@ -53,14 +58,17 @@ def origin_of(place: Place | None) -> Origin | None:
 
 def _line_at(code: CodeType, position: int) -> int:
     from bisect import bisect_right
-    starts, lines = _line_table(code)
+    _, starts, lines = _TABLES.get(id(code)) or _line_table(code)
     return lines[bisect_right(starts, position) - 1]
 
 
-@lru_cache(maxsize=64)
-def _line_table(code: CodeType) -> tuple[list[int], list[int]]:
+def _line_table(code: CodeType) -> tuple[CodeType, list[int], list[int]]:
     rows = [(start, line) for start, _, line in code.co_lines() if line is not None]
-    return [start for start, _ in rows], [line for _, line in rows]
+    table = code, [start for start, _ in rows], [line for _, line in rows]
+    if len(_TABLES) >= _KEPT_TABLES:
+        _TABLES.clear()
+    _TABLES[id(code)] = table
+    return table
 
 
 def note_origin(error: BaseException, entity: Any) -> None:
