@@ -86,11 +86,11 @@ def visit_s(path: Path) -> float:
     moments: list[float] = []
 
     def end(context: object) -> None:
-        moments.append(time.perf_counter())
+        moments.append(time.process_time())
         sim.stop()
 
     def main(process: object) -> int:
-        moments.append(time.perf_counter())
+        moments.append(time.process_time())
         service = LaunchService(noninteractive=True)
         include = IncludeLaunchDescription(AnyLaunchDescriptionSource(str(path)))
         service.include_launch_description(LaunchDescription([include, OpaqueFunction(function=end)]))

@@ -12,6 +12,7 @@ from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recorder
 
+SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
@@ -63,12 +64,19 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     not_installed = launch_file_hint(index, package, file)
     if not_installed is not None:
         return not_installed
-    share = index.share(package)
-    names = [name for _, _, files in os.walk(share or '.') for name in sorted(files) if name.endswith(LAUNCH_SUFFIXES)]
+    names = launch_files_of(index, package)
     if file is None:
-        return f'name a launch file of {package}: {", ".join(sorted(names))}' if names else f'{package} has no launch files'
+        return f'name a launch file of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
     near = nearest(file, names)
-    return f'did you mean {near!r}?' if near else f'launch files of {package}: {", ".join(sorted(names)) or "none"}'
+    return f'did you mean {near!r}?' if near else f'launch files of {package}: {", ".join(names) or "none"}'
+
+
+def launch_files_of(index: Index, package: str) -> list[str]:
+    """Names of the launch files in a package's share, in alphabetical order; of plain .py, .xml and .yaml files only those that
+    lie in a folder called launch."""
+    return sorted({name for folder, _, names in os.walk(index.share(package) or '') for name in names
+                   if name.endswith(SURE_LAUNCH_SUFFIXES)
+                   or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))})
 
 
 class LaunchRun:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file
+from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file, launch_files_of
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index
@@ -87,16 +87,8 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> 
         return [*index.packages(), *_paths(typed, LAUNCH_SUFFIXES)]
     by_path = os.path.isfile(positional[0])
     if not by_path and len(positional) == 1:
-        return _launch_files(index, positional[0])
+        return launch_files_of(index, positional[0])
     return _arguments(index, positional[0], None if by_path else positional[1], typed)
-
-
-def _launch_files(index: Index, package: str) -> list[str]:
-    """Names of the launch files of a package; of configuration files only those that lie in launch/."""
-    share = index.share(package)
-    return [name for folder, _, names in os.walk(share or '') for name in names
-            if name.endswith(('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '.launch'))
-            or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))]
 
 
 def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[str]:

@@ -28,6 +28,9 @@ exit codes: 0 all went well, 1 the launch failed, 2 the input cannot be used, 13
 
 def main(argv: Sequence[str] | None = None) -> int:
     """The entry point of the command. Returns the exit code."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, 'reconfigure'):
+            stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
     parser = _parser(words[0] if words else None)
     arguments, others = parser.parse_known_args(words)

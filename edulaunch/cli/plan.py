@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 WIDEST = 10_000
 """Columns; the terminal breaks long lines better than a tree does."""
+TWIGS = ('├── ', '└── ', '│   ', '    ')
+ASCII_TWIGS = ('|-- ', '`-- ', '|   ', '    ')
 STYLES = {'node': 'bold green', 'process': 'bold green', 'include': 'bold cyan', 'detail': 'dim', 'event': 'magenta',
           'timer': 'magenta', 'event_handler': 'magenta', 'argument': 'yellow'}
 
@@ -54,7 +56,7 @@ def _show(rehearsal: Rehearsal) -> None:
     if sys.stdout.isatty():
         _print_in_colour(rehearsal.plan['file'], lines)
     else:
-        print('\n'.join((rehearsal.plan['file'], *_drawn(lines))))
+        print('\n'.join((rehearsal.plan['file'], *_drawn(lines, _twigs()))))
     kinds = [item['kind'] for item in rehearsal.plan['items']]
     print(f'nodes: {kinds.count("node")}, other processes: {kinds.count("process")}, '
           f'reason of the shutdown: {rehearsal.plan["shutdown_reason"] or "none"}')
@@ -74,12 +76,22 @@ def _report(rehearsal: Rehearsal) -> None:
         print(f'error: {error["text"]}{place}{help}', file=sys.stderr)
 
 
-def _drawn(lines: Sequence[Line], indent: str = '') -> Iterator[str]:
+def _drawn(lines: Sequence[Line], twigs: Sequence[str], indent: str = '') -> Iterator[str]:
     """The tree with its branches drawn."""
+    through, last, beside, nothing = twigs
     for number, line in enumerate(lines, 1):
         is_last = number == len(lines)
-        yield f'{indent}{"└── " if is_last else "├── "}{line.text}' + (f'  <{line.place}>' if line.place else '')
-        yield from _drawn(line.below, indent + ('    ' if is_last else '│   '))
+        yield f'{indent}{last if is_last else through}{line.text}' + (f'  <{line.place}>' if line.place else '')
+        yield from _drawn(line.below, twigs, indent + (nothing if is_last else beside))
+
+
+def _twigs() -> Sequence[str]:
+    """What to draw branches with, as far as the terminal's encoding has it."""
+    try:
+        ''.join(TWIGS).encode(sys.stdout.encoding or 'ascii')
+    except UnicodeEncodeError:
+        return ASCII_TWIGS
+    return TWIGS
 
 
 def _print_in_colour(title: str, lines: Sequence[Line]) -> None:

@@ -13,6 +13,7 @@ from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.warning_lines import lead_warnings_to_programs
 from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ class Host:
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
+        lead_warnings_to_programs()
 
     def overlay(self, index: Index) -> Overlay:
         """What the workspaces of an index add to the underlay."""

@@ -91,14 +91,20 @@ class Process:
         """Record something that the engine noticed and the user should hear about."""
         self.tracer.note(self, kind, text)
 
-    def start_thread(self, body: Callable[[], object], name: str, daemon: bool) -> Task:
-        """A further task of this program. The program does not end before its threads do, unless they are daemons."""
+    def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
+        """A further task of this program. The program does not end before its threads do, unless they are daemons.
+
+        :param at_once: let it run up to where it first waits, before this returns.
+        """
         task = Task(self.sim, lambda: self._run_thread(body), name=name, owner=self)
         if not daemon:
             self.threads.append(task)
         else:
             self.at_exit.append(task.kill)
-        task.start()
+        if at_once:
+            task.start_at_once()
+        else:
+            task.start()
         return task
 
     def _run_thread(self, body: Callable[[], object]) -> object:

@@ -19,18 +19,22 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
-    error carries a hint: then we have raised it knowingly.
+    error carries a hint: then we have raised it knowingly. Or Python could not read the student's file at all: then nothing of it ran.
     The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
     """
     frames = traceback.extract_tb(error.__traceback__)
     own = [frame for frame in frames if not _is_engine(frame.filename)]
-    shown = frames if not own and not hasattr(error, 'edulaunch_hint') else own
+    unread = error.filename if isinstance(error, SyntaxError) else None
+    explained = hasattr(error, 'edulaunch_hint') or (unread is not None and not _is_engine(unread))
+    shown = frames if not own and not explained else own
     lines = ['Traceback (most recent call last):\n'] if shown else []
     for frame in shown:
         lines.append(f'  File "{frame.filename}", line {frame.lineno}, in {frame.name}\n')
         if frame.line:
             lines.append(f'    {frame.line}\n')
     lines += traceback.format_exception_only(type(error), error)
+    if isinstance(error, SyntaxError) and unread is not None and explained:
+        return ''.join(lines), Origin(unread, error.lineno or 0)
     last = own[-1] if own else None
     return ''.join(lines), Origin(last.filename, last.lineno or 0) if last else None
 

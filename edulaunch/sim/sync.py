@@ -237,35 +237,3 @@ class BoundedSemaphore(Semaphore):
         if self._value + n > self._limit:
             raise ValueError('Semaphore released too many times')
         super().release(n)
-
-
-class Barrier:
-    """As `threading.Barrier`, without broken states beyond `abort`."""
-
-    def __init__(self, parties: int, action: Callable[[], object] | None = None, timeout: float | None = None) -> None:
-        self.parties = parties
-        self._action = action
-        self._timeout = timeout
-        self._condition = Condition()
-        self._arrived = 0
-        self._round = 0
-
-    @property
-    def n_waiting(self) -> int:
-        """How many wait now."""
-        return self._arrived
-
-    def wait(self, timeout: float | None = None) -> int:
-        """Wait until all parties are here; returns a different number for each."""
-        with self._condition:
-            index, this_round = self._arrived, self._round
-            self._arrived += 1
-            if self._arrived == self.parties:
-                if self._action is not None:
-                    self._action()
-                self._arrived = 0
-                self._round += 1
-                self._condition.notify_all()
-            else:
-                self._condition.wait_for(lambda: self._round != this_round, timeout or self._timeout)
-            return index

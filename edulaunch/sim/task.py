@@ -59,6 +59,25 @@ class Task:
         self._greenlet.task = self
         self.sim.schedule(self.sim.now_ns, self._greenlet.switch)
 
+    def start_at_once(self) -> None:
+        """As :meth:`start`, before everything else that was asked for this instant: the task that calls this goes on when the new
+        one waits for the first time.
+        """
+        self._greenlet = _TaskGreenlet(self._run)
+        self._greenlet.task = self
+        self._soon.appendleft([self.sim.now_ns, 0, 0, self._greenlet.switch])
+        starter = running_task()
+        if starter is not None and starter.sim is self.sim:
+            starter.let_first_go()
+
+    def let_first_go(self) -> None:
+        """Run the first item that waits for the present instant, then go on."""
+        due, woken = self._soon.popleft(), self._woken
+        self._woken = False
+        self._soon.extendleft((self._turn, due))
+        self.park()
+        self._woken = self._woken or woken
+
     def _run(self) -> None:
         try:
             if self._killed:
@@ -194,6 +213,10 @@ class AmbientTask(Task):
         self._woken = False
         self._deliver_interrupts()
         return True
+
+    def let_first_go(self) -> None:
+        """Run the first item that waits for the present instant in place."""
+        self.sim.step()
 
 
 class _TaskGreenlet(greenlet):  # type: ignore[misc]

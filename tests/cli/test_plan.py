@@ -2,6 +2,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -60,3 +63,14 @@ def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: py
     shown = capsys.readouterr()
     assert '── node /sim: my_robot turtlesim_node' in shown.out
     assert shown.err == 'missing packages, with placeholders instead: my_robot\n'
+
+
+def test_a_terminal_without_line_drawing_gets_a_plain_tree(file: Path) -> None:
+    run = subprocess.run([sys.executable, '-m', 'edulaunch', 'plan', str(file)], capture_output=True, check=True,
+                         env={**os.environ, 'PYTHONIOENCODING': 'ascii'})
+    assert b'\n`-- timer: 1 actions after 2 s' in run.stdout
+
+
+def test_a_package_without_a_file_gets_the_names_of_its_launch_files(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['plan', 'turtlesim']) == 2
+    assert capsys.readouterr().err.endswith('help: name a launch file of turtlesim: multisim.launch.py\n')

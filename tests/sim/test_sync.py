@@ -150,16 +150,3 @@ def test_a_semaphore_counts() -> None:
 def test_a_bounded_semaphore_refuses_to_grow() -> None:
     with pytest.raises(ValueError, match='too many times'):
         sync.BoundedSemaphore(1).release()
-
-
-def test_a_barrier_lets_all_go_when_the_last_arrives() -> None:
-    barrier = sync.Barrier(2)
-
-    def runner(delay: float) -> Callable[[Simulation, Log], None]:
-        def program(sim: Simulation, log: Log) -> None:
-            sync.sleep(delay)
-            barrier.wait()
-            log.append((sim.elapsed_s, str(delay)))
-        return program
-
-    assert sorted(run(runner(1), runner(3))) == [(3.0, '1'), (3.0, '3')]

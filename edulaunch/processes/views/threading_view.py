@@ -7,8 +7,9 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
+from edulaunch.processes.watchdog import RunawayProgram
 from edulaunch.sim import sync
-from edulaunch.sim.task import Task, current_task
+from edulaunch.sim.task import Task, TaskKilled, current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -21,9 +22,8 @@ class Threads:
         self.process = process
         self.by_task: dict[Task, Thread] = {}
         self.count = 0
-        self.main = Thread(name='MainThread', _threads=self)
-        self.main._task, self.main._started = process.task, True
-        self.by_task[process.task] = self.main
+        self.main = MainThread(name='MainThread', daemon=False, _threads=self)
+        self.main._begin(process.task)
 
     def next_number(self) -> int:
         """Thread-1, Thread-2 ..."""
@@ -45,7 +45,8 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     current = threads.current
     view.__dict__.update(
         Thread=Thread, Timer=Timer, Lock=sync.Lock, RLock=sync.RLock, Condition=sync.Condition, Event=sync.Event,
-        Semaphore=sync.Semaphore, BoundedSemaphore=sync.BoundedSemaphore, Barrier=sync.Barrier, local=local,
+        Semaphore=sync.Semaphore, BoundedSemaphore=sync.BoundedSemaphore, Barrier=Barrier, local=local,
+        excepthook=_print_exception, __excepthook__=_print_exception,
         current_thread=current, currentThread=current, main_thread=lambda: threads.main,
         get_ident=lambda: current().ident, get_native_id=lambda: current().ident,
         enumerate=threads.alive, active_count=lambda: len(threads.alive()), activeCount=lambda: len(threads.alive()),
@@ -70,30 +71,45 @@ class Thread:
         self._target, self._args, self._kwargs = target, args, kwargs or {}
         suffix = f' ({target.__name__})' if target is not None and hasattr(target, '__name__') else ''
         self.name = name if name is not None else f'Thread-{threads.next_number()}{suffix}'
-        self.daemon = bool(daemon)
+        self.daemon = threads.current().daemon if daemon is None else bool(daemon)
         self._task: Task | None = None
         self._started = False
-        self.ident: int | None = threads.process.pid * 1000 + len(threads.by_task)
+        self.ident: int | None = None
 
     def __repr__(self) -> str:
-        return f'<Thread({self.name}, {"started" if self.is_alive() else "stopped" if self._started else "initial"})>'
+        state = 'started' if self.is_alive() else 'stopped' if self._started else 'initial'
+        words = [state, *(['daemon'] if self.daemon else []), *([] if self.ident is None else [str(self.ident)])]
+        return f'<{type(self).__name__.replace("MainThread", "_MainThread")}({self.name}, {" ".join(words)})>'
+
+    @property
+    def native_id(self) -> int | None:
+        """The same number as `ident`."""
+        return self.ident
 
     def start(self) -> None:
-        """Give the thread its first turn."""
+        """Run the thread up to where it first waits, as CPython nearly always does; then the caller goes on."""
         if self._started:
             raise RuntimeError('threads can only be started once')
         self._started = True
-        self._task = self._threads.process.start_thread(self._main, self.name, self.daemon)
-        self._threads.by_task[self._task] = self
+        self._threads.process.start_thread(self._main, self.name, self.daemon, at_once=True)
 
     def _main(self) -> None:
+        self._begin(current_task())
         try:
             self.run()
-        except (SystemExit, KeyboardInterrupt):
-            pass
-        except Exception as error:
-            from edulaunch.processes.traceback_text import student_traceback
-            self._threads.process.write('stderr', f'Exception in thread {self.name}:\n{student_traceback(error)[0]}')
+        except SystemExit:
+            return
+        except BaseException as error:
+            if isinstance(error, (TaskKilled, RunawayProgram)):
+                raise
+            view: Any = self._threads.process.loader.modules['threading']
+            view.excepthook(real.ExceptHookArgs((type(error), error, error.__traceback__, self)))
+
+    def _begin(self, task: Task) -> None:
+        """Become the thread of a task."""
+        self._task, self._started = task, True
+        self.ident = self._threads.process.pid * 1000 + len(self._threads.by_task)
+        self._threads.by_task[task] = self
 
     def run(self) -> None:
         """What the thread does: calls its target."""
@@ -134,6 +150,10 @@ class Thread:
         self.name = name
 
 
+class MainThread(Thread):
+    """The thread in which the program began."""
+
+
 class Timer(Thread):
     """As `threading.Timer`."""
 
@@ -155,24 +175,57 @@ class Timer(Thread):
         self.finished.set()
 
 
+class Barrier(real.Barrier):
+    """Python's own barrier, waiting in simulated time."""
+
+    def __init__(self, parties: int, action: Callable[[], object] | None = None, timeout: float | None = None) -> None:
+        super().__init__(parties, action, timeout)  # type: ignore[arg-type]
+        self._cond = sync.Condition(sync.Lock())
+
+
 class local:
-    """As `threading.local`."""
+    """As `threading.local`: each thread has values of its own, for which `__init__` of a subclass is called again."""
 
-    def __init__(self) -> None:
-        object.__setattr__(self, '_values', {})
+    def __new__(cls, *arguments: Any, **options: Any) -> local:
+        made = super().__new__(cls)
+        object.__setattr__(made, '_edulaunch_values', {_threads_here().current(): {}})
+        object.__setattr__(made, '_edulaunch_arguments', (arguments, options))
+        return made
 
-    def _mine(self) -> dict[str, Any]:
-        values: dict[Any, dict[str, Any]] = object.__getattribute__(self, '_values')
-        return values.setdefault(_threads_here().current(), {})
+    def __init__(self, *_: Any, **__: Any) -> None:
+        """Nothing to begin with."""
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self._mine()[name]
-        except KeyError:
-            raise AttributeError(f"'_thread._local' object has no attribute {name!r}") from None
+    def __getattribute__(self, name: str) -> Any:
+        if name == '__dict__':
+            return _values(self)
+        mine = _values(self)
+        return mine[name] if name in mine else object.__getattribute__(self, name)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        self._mine()[name] = value
+        _values(self)[name] = value
 
     def __delattr__(self, name: str) -> None:
-        self._mine().pop(name)
+        if _values(self).pop(name, self) is self:
+            raise AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}')
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}')
+
+
+def _values(data: local) -> dict[str, Any]:
+    """What the running thread keeps there."""
+    values: dict[Any, dict[str, Any]] = object.__getattribute__(data, '_edulaunch_values')
+    thread = _threads_here().current()
+    if thread not in values:
+        values[thread] = {}
+        arguments, options = object.__getattribute__(data, '_edulaunch_arguments')
+        type(data).__init__(data, *arguments, **options)
+    return values[thread]
+
+
+def _print_exception(args: Any, /) -> None:
+    """As `threading.excepthook`; a traceback shows frames of the program only."""
+    from edulaunch.processes.traceback_text import student_traceback
+    if args.exc_type is not SystemExit:
+        process = current_task().owner
+        process.write('stderr', f'Exception in thread {args.thread.name}:\n{student_traceback(args.exc_value)[0]}')

@@ -13,6 +13,7 @@ from rclpy.exceptions import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
+from rclpy.impl.student_place import student_level
 from rclpy.node_parts.core import NodeCore
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 
@@ -227,7 +228,7 @@ def _prepared(overrides: Mapping[str, Override], namespace: str, index: int,
     """The first value and the descriptor of one declaration."""
     name, value, descriptor = _unpacked(index, entry)
     if len(entry) == 1:
-        warn(NAME_ONLY.format(name), stacklevel=4)
+        warn(NAME_ONLY.format(name), stacklevel=student_level())
         descriptor.dynamic_typing = True
     name = f'{namespace}.{name}' if namespace else name
     if not name:
