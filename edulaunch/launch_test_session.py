@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
 from edulaunch.processes.process import Process
+from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 from edulaunch.sim.pacing import Pacer
@@ -80,7 +81,8 @@ class _Runner:
         in_main = threading.current_thread() is threading.main_thread()
         before: Any = signal.signal(signal.SIGINT, self._press) if in_main else None
         try:
-            Pacer(sim, 0).run(sim.now_ns + round(LONGEST_TEST_S * 1e9), self._is_over)
+            with streams_of_programs():
+                Pacer(sim, 0).run(sim.now_ns + round(LONGEST_TEST_S * 1e9), self._is_over)
         finally:
             if in_main:
                 signal.signal(signal.SIGINT, before)

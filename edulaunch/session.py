@@ -4,11 +4,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
+from typing import TextIO
 
 from edulaunch.graph.graph import Graph
 from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
+from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.pacing import Pacer
@@ -28,14 +30,16 @@ class Session:
     :param workspaces: folders with packages (a colcon workspace, its `install` folder, or source packages), searched in this
         order before the underlay.
     :param env: environment of everything that runs; default: a copy of this program's, with USER set.
-    :param stdin: text for programs that read their keyboard, by launch name or executable.
+    :param stdin: for programs that read their keyboard, by launch name or executable: a text, which is there from the start; a
+        list of (simulated seconds, text), each typed at its time; or an open text file such as `sys.stdin`, while which is waited
+        for simulated time keeps pace with real time.
     :param console: called as console(stream, text) with everything that launch prints.
     :param turn_limit_s: a program that keeps its turn for so many seconds of real time is stopped; 0: none is.
     """
 
     def __init__(self, *, seed: int = 0, workspaces: Sequence[PathLike] = (), env: Mapping[str, str] | None = None,
-                 stdin: Mapping[str, str] | None = None, console: Callable[[str, str], object] | None = None,
-                 turn_limit_s: float = TURN_LIMIT_S) -> None:
+                 stdin: Mapping[str, str | Sequence[tuple[float, str]] | TextIO] | None = None,
+                 console: Callable[[str, str], object] | None = None, turn_limit_s: float = TURN_LIMIT_S) -> None:
         source()
         self.sim = Simulation(seed)
         self.recorder = Recorder(self.sim)
@@ -86,10 +90,11 @@ class Session:
         :param speed: simulated seconds per real second; 0 is as fast as possible.
         """
         until = None if duration_s is None else self.sim.now_ns + round(duration_s * 1e9)
-        if speed == 0 and until is not None:
-            self.sim.run(until)
-        else:
-            Pacer(self.sim, speed).run(until, lambda: self.is_over)
+        with streams_of_programs():
+            if speed == 0 and until is not None:
+                self.sim.run(until)
+            else:
+                Pacer(self.sim, speed).run(until, lambda: self.is_over)
 
     def interrupt(self) -> None:
         """Press Ctrl-C: every program of the terminal gets SIGINT, launch first."""

@@ -138,13 +138,15 @@ class Terminal:
 
     def run(self, speed: float) -> None:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
+        from edulaunch.processes.shared_streams import streams_of_programs
         from edulaunch.sim.pacing import Pacer
         sim = self._session.sim
         before = signal.signal(signal.SIGINT, self._press)
         try:
             if self._seconds is not None:
                 sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
-            Pacer(sim, speed).run(None, self._is_over)
+            with streams_of_programs():
+                Pacer(sim, speed).run(None, self._is_over)
         finally:
             signal.signal(signal.SIGINT, before)
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from edulaunch.graph.qos import QoS
 from edulaunch.graph.services import ServiceClient, ServiceServer
-from edulaunch.graph.topics import Publisher, Subscription, connect, disconnect
+from edulaunch.graph.topics import Publisher, Subscription, WatchedPublisher, connect, disconnect
 from edulaunch.graph.tracer import Tracer
 from edulaunch.sim.simulation import Simulation
 
@@ -83,7 +83,8 @@ class Graph:
 
     def create_publisher(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Publisher:
         """A publisher of `node`, connected to all subscriptions that it suits."""
-        publisher = Publisher(self, node, topic, cls, qos)
+        made = WatchedPublisher if qos.deadline_ns or qos.lease_ns else Publisher
+        publisher = made(self, node, topic, cls, qos)
         self._add(node, self.publishers, topic, publisher)
         for subscription in self.subscriptions.get(topic, ()):
             connect(publisher, subscription)

@@ -143,6 +143,13 @@ def fully_qualified_name(namespace: str, name: str) -> str:
     return f'/{name}' if namespace == '/' else f'{namespace}/{name}'
 
 
+def plain_name(name: str, namespace: str) -> str | None:
+    """The absolute form of a relative name of good tokens in a good namespace; None for any other name, which may be wrong."""
+    if name.__class__ is str and name and _is_plain(name) and len(name) + len(namespace) < MAX_TOPIC_NAME:
+        return fully_qualified_name(namespace, name)
+    return None
+
+
 def expand_name(name: str, node_name: str, namespace: str) -> str:
     """The absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
 

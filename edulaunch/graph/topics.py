@@ -69,9 +69,35 @@ class Publisher(Endpoint):
             subscription.queue.append((wire, now, self))
             subscription.on_ready()
 
+    def kept(self) -> list[Taken]:
+        """What a late subscription gets: the messages whose lifespan is not over."""
+        oldest = self._sim.now_ns - self.qos.lifespan_ns if self.qos.lifespan_ns else 0
+        return [taken for taken in self._history or () if taken[1] >= oldest]
+
     def destroy(self) -> None:
         """Leave the topic. Doing it twice is doing it once."""
         self.graph.remove_publisher(self)
+
+
+class WatchedPublisher(Publisher):
+    """A publisher that offers a deadline or a lease: `on_publish` is called for each message, `on_life` for each sign of life."""
+
+    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
+        super().__init__(graph, node, topic_name, cls, qos)
+        self.on_publish: list[Callable[[], object]] = []
+        self.on_life: list[Callable[[], object]] = []
+
+    def publish(self, wire: Any) -> None:
+        """See `Publisher.publish`."""
+        super().publish(wire)
+        for tell in self.on_publish:
+            tell()
+        self.show_life()
+
+    def show_life(self) -> None:
+        """Tell that the publisher is alive, without a message."""
+        for tell in self.on_life:
+            tell()
 
 
 class Subscription(Endpoint):
@@ -118,8 +144,9 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
     subscription.publishers.append(publisher)
     publisher._tell_matched(+1)
     subscription._tell_matched(+1)
-    if publisher._history and subscription.qos.durability == TRANSIENT_LOCAL:
-        subscription.queue.extend(publisher._history)
+    kept = publisher.kept() if publisher._history and subscription.qos.durability == TRANSIENT_LOCAL else ()
+    if kept:
+        subscription.queue.extend(kept)
         subscription.on_ready()
 
 

@@ -178,6 +178,8 @@ class FieldRule:
 
         :raises AssertionError: when something wrong was appended to the list since it was assigned.
         """
+        if values.__class__ is list and not values and self.type.array != 'fixed':
+            return b'' if is_byte_like(self.type) else ()
         if not self._are_right(values):
             self._refuse(f'must be {self._several_words()}', values)
         return b''.join(values) if is_byte_like(self.type) else tuple(values)

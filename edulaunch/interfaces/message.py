@@ -81,13 +81,12 @@ def set_fields(message: Message, values: dict[str, Any]) -> None:
 
     :raises AssertionError: rclpy's text for unknown names, or for the first value of a wrong type.
     """
-    fields = message._FIELDS
-    for name in values:
-        if name not in fields and name != 'check_fields':
+    if not values.keys() <= message._FIELDS.keys():
+        values = {name: value for name, value in values.items() if name != 'check_fields'}
+        if not values.keys() <= message._FIELDS.keys():
             _refuse_arguments(message, values)
     for name, value in values.items():
-        if name in fields:
-            setattr(message, name, value)
+        setattr(message, name, value)
 
 
 def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:

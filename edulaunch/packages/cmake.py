@@ -60,6 +60,7 @@ class _CMakeLists:
         self.file = os.path.join(manifest.folder, 'CMakeLists.txt')
         self.contents = Contents()
         self.built: dict[str, int] = {}
+        self.functions: dict[str, tuple[tuple[str, ...], list[Command]]] = {}
         self.variables: dict[str, list[str]] = {
             'PROJECT_NAME': [manifest.name],
             'CMAKE_PROJECT_NAME': [manifest.name],
@@ -80,7 +81,7 @@ class _CMakeLists:
 
     def read(self) -> Contents:
         try:
-            with open(self.file, encoding='utf-8', errors='replace') as stream:
+            with open(self.file, encoding='utf-8-sig', errors='replace') as stream:
                 text = stream.read()
         except OSError:
             self.warn(0, 'is missing, so this ament_cmake package cannot be built')
@@ -106,6 +107,12 @@ class _CMakeLists:
                 end = _end(todo, position, 'foreach')
                 self._repeat(command, todo[position : end - 1])
                 position = end
+            elif command.name in ('function', 'macro'):
+                end = _end(todo, position, command.name)
+                self.functions[command.words[0].lower()] = (command.words[1:], todo[position : end - 1])
+                position = end
+            elif command.name in self.functions:
+                self._call(command)
             else:
                 self._obey(command)
 
@@ -120,6 +127,17 @@ class _CMakeLists:
         if unknown:
             self.warn(command.line, f'uses ${{{unknown[0]}}}, whose value is not known without running CMake')
         getattr(self, f'_{command.name}')(command.line, words)
+
+    def _call(self, command: Command) -> None:
+        """A function or macro of the file: its body with the arguments in place. One that calls itself is left alone."""
+        names, body = self.functions.pop(command.name)
+        given = expand(command, self.variables, lambda name: None)
+        values = {'ARGN': given[len(names) :], 'ARGV': given}
+        before = dict(self.variables)
+        self.variables.update(values, **{name: [value] for name, value in zip(names, given, strict=False)})
+        self._follow(body)
+        self.variables = before
+        self.functions[command.name] = (names, body)
 
     def _repeat(self, command: Command, body: list[Command]) -> None:
         words = expand(command, self.variables, lambda name: None)
@@ -224,7 +242,8 @@ class _CMakeLists:
         elif mode in ('FILES', 'PROGRAMS'):
             for item in items:
                 name = rest[rest.index('RENAME') + 1] if 'RENAME' in rest[:-1] else ''
-                self._file_at(line, item, destination, name, program=mode == 'PROGRAMS')
+                may_run = any(word.endswith('_EXECUTE') for word in rest)
+                self._file_at(line, item, destination, name, program=may_run or mode == 'PROGRAMS')
 
     def _native(self, targets: list[str]) -> None:
         for name in targets:

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from edulaunch.packages.place import Place
 from edulaunch.packages.prefix import Prefix, expand_prefixes
 from edulaunch.packages.program import Program
-from edulaunch.packages.reading import PackageWarning
+from edulaunch.packages.reading import Contents, PackageWarning
 from edulaunch.packages.underlay import Underlay
 from edulaunch.packages.workspace import Workspace
 from edulaunch.underlay_place import underlay_prefix
@@ -35,12 +35,11 @@ class Index:
         underlay: str | None = underlay_prefix(),
     ) -> None:
         self._warnings: list[PackageWarning] = []
-        self._workspaces = [Workspace(os.fspath(folder), self._warnings) for folder in workspaces]
         expanded = [
             path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))
         ]
         self._places: list[Place] = [
-            *self._workspaces,
+            *(Workspace(os.fspath(folder), self._warnings) for folder in workspaces),
             *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
         ]
         if underlay is not None:
@@ -78,14 +77,20 @@ class Index:
         return None if prefix is None else os.path.join(prefix, 'share', package)
 
     def executables(self, package: str) -> list[str]:
-        """Names of the package's executables, sorted; none for an unknown package."""
+        """Names of the package's executables, sorted; none for an unknown package.
+
+        A workspace may hold the C++ source of a built-in package: its executables are then the built-in ones.
+        """
         place = self._place(package)
-        return [] if place is None else place.executables(package)
+        if place is None:
+            return []
+        native = [name for name in self.native_executables(package) if self._stand_in(place, package, name)]
+        return sorted({*place.executables(package), *native})
 
     def find_executable(self, package: str, executable: str) -> str | None:
         """`<prefix>/lib/<package>/<executable>` when the package has it; an entry point needs no file."""
         place = self._place(package)
-        if place is None or executable not in place.executables(package):
+        if place is None or executable not in self.executables(package):
             return None
         return os.path.join(place.path, 'lib', package, executable)
 
@@ -100,6 +105,21 @@ class Index:
             for name, line in place.contents(package).native.items()
         }
 
+    @property
+    def workspaces(self) -> list[Workspace]:
+        """The source workspaces, in order of search."""
+        return [place for place in self._places if isinstance(place, Workspace)]
+
+    def contents(self, package: str) -> Contents | None:
+        """What the build file of a source package installs; None when the package comes from elsewhere."""
+        place = self._place(package)
+        return place.contents(package) if isinstance(place, Workspace) else None
+
+    def source_folder(self, package: str) -> str | None:
+        """The folder with the package.xml of a source package; None when the package comes from elsewhere."""
+        place = self._place(package)
+        return place.package_folder(package) if isinstance(place, Workspace) else None
+
     def find_program(self, path: str) -> Program | None:
         """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours."""
         folder, executable = os.path.split(path)
@@ -109,8 +129,26 @@ class Index:
             return None
         for place in self._places:
             if place.path == prefix and package in place.packages():
-                return place.program(package, executable)
+                return place.program(package, executable) or self._stand_in(place, package, executable)
         return None
+
+    def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
+        """The built-in program for one that a workspace would build from C++."""
+        if not isinstance(place, Workspace) or executable not in place.contents(package).native:
+            return None
+        for other in self._places[self._places.index(place) + 1 :]:
+            program = other.program(package, executable) if package in other.packages() else None
+            if program is not None:
+                self._note_stand_in(place, package, executable)
+                return program._replace(path=os.path.join(place.path, 'lib', package, executable))
+        return None
+
+    def _note_stand_in(self, place: Workspace, package: str, executable: str) -> None:
+        file = os.path.join(place.package_folder(package), 'CMakeLists.txt')
+        sentence = f'{executable} is built from C++, which does not run here; the built-in {package} has it and is used'
+        warning = PackageWarning(file, place.contents(package).native[executable], sentence)
+        if warning not in self._warnings:
+            self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
         """Top-level modules of workspaces and prefixes, by name, with the path of each folder or .py file."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from edulaunch.packages.reading import PackageWarning
 
-_NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
+_NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]*')
 
 
 class Manifest(NamedTuple):

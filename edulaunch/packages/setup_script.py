@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from edulaunch.packages.manifest import Manifest
@@ -58,7 +58,7 @@ class _SetupScript:
         from edulaunch.packages.static_python import StaticPython
 
         try:
-            with open(self.file, encoding='utf-8') as stream:
+            with open(self.file, 'rb') as stream:
                 tree = ast.parse(stream.read(), self.file)
         except FileNotFoundError:
             self.warn('is missing, so this ament_python package cannot be built', 0)
@@ -163,8 +163,7 @@ class _SetupScript:
             entry_points = _ini_sections(entry_points)
         if not isinstance(entry_points, dict):
             return
-        lines = entry_points.get('console_scripts') or ()
-        for line in lines.splitlines() if isinstance(lines, str) else lines:
+        for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(entry_points.get(kind))):
             if not isinstance(line, str) or not line.strip():
                 continue
             match = _ENTRY.fullmatch(line)
@@ -183,7 +182,7 @@ class _SetupScript:
         file = os.path.join(self.folder, 'setup.cfg')
         parser = ConfigParser(interpolation=None)
         try:
-            parser.read(file, encoding='utf-8')
+            parser.read(file, encoding='utf-8-sig')
             section = parser['install'] if parser.has_section('install') else {}
         except (Error, UnicodeDecodeError) as error:
             self.warn(f'cannot be read: {str(error).splitlines()[0]}', 0, file)
@@ -213,6 +212,10 @@ def _unknowns(value: Any) -> Iterator[Unknown]:
             found = first_unknown(item)
             if found is not None:
                 yield found
+
+
+def _lines(scripts: Any) -> Iterable[Any]:
+    return scripts.splitlines() if isinstance(scripts, str) else () if isinstance(scripts, Unknown) else scripts or ()
 
 
 def _ini_sections(text: str) -> dict[str, list[str]]:

@@ -10,14 +10,14 @@ import ast
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edulaunch.packages.static_values import METHODS, Module, Unknown, callables, first_unknown
+from edulaunch.packages.static_values import METHODS, PATH_ATTRIBUTES, Module, PathText, Unknown, callables, first_unknown
 
 _STEPS = 20_000
 
 _BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: lambda a, b: a + b,
     ast.Mod: lambda a, b: a % b,
-    ast.Div: lambda a, b: f'{a}/{b}',
+    ast.Div: lambda a, b: a / b,
     ast.Mult: lambda a, b: a * b,
     ast.Sub: lambda a, b: a - b,
 }
@@ -165,6 +165,8 @@ class StaticPython:
 
     def _of_Attribute(self, node: ast.Attribute) -> Any:
         holder = self.value(node.value)
+        if isinstance(holder, PathText) and node.attr in PATH_ATTRIBUTES:
+            return getattr(holder, node.attr)
         return Module(f'{holder.name}.{node.attr}') if isinstance(holder, Module) else self._unknown(node)
 
     def _items(self, nodes: list[ast.expr]) -> list[Any]:
@@ -247,6 +249,9 @@ class StaticPython:
         return [self.value(node.elt) for _ in self._rounds(node.generators)]
 
     _of_GeneratorExp = _of_ListComp
+
+    def _of_DictComp(self, node: ast.DictComp) -> Any:
+        return {self.value(node.key): self.value(node.value) for _ in self._rounds(node.generators)}
 
     def _rounds(self, generators: list[ast.comprehension]) -> Iterator[None]:
         if not generators:

@@ -37,6 +37,83 @@ def first_unknown(value: Any) -> Unknown | None:
     return None
 
 
+class PathText(str):
+    """A `pathlib.Path` of the text that is read: a path that may be relative to the package's folder."""
+
+    folder: str
+
+    @classmethod
+    def below(cls, folder: str, *parts: str) -> PathText:
+        """The path of these parts."""
+        made = cls(os.path.join(*parts) if parts else '.')
+        made.folder = folder
+        return made
+
+    def __truediv__(self, part: str) -> PathText:
+        return self.joinpath(part)
+
+    def joinpath(self, *parts: str) -> PathText:
+        """As of `Path`."""
+        return self.below(self.folder, self, *parts)
+
+    def glob(self, pattern: str) -> list[PathText]:
+        """As of `Path`, sorted."""
+        return self._listed(pattern)
+
+    def rglob(self, pattern: str) -> list[PathText]:
+        """As of `Path`, sorted."""
+        return self._listed(os.path.join('**', pattern))
+
+    def iterdir(self) -> list[PathText]:
+        """As of `Path`, sorted."""
+        return self._listed('*')
+
+    def _listed(self, pattern: str) -> list[PathText]:
+        from glob import glob as real_glob
+
+        found = sorted(real_glob(pattern, root_dir=os.path.join(self.folder, self), recursive=True))
+        return [self.joinpath(name) for name in found]
+
+    def is_file(self) -> bool:
+        """As of `Path`."""
+        return os.path.isfile(os.path.join(self.folder, self))
+
+    def is_dir(self) -> bool:
+        """As of `Path`."""
+        return os.path.isdir(os.path.join(self.folder, self))
+
+    def as_posix(self) -> str:
+        """As of `Path`."""
+        return str(self)
+
+    def resolve(self) -> PathText:
+        """As of `Path`; links are left alone."""
+        return self.below(self.folder, os.path.normpath(os.path.join(self.folder, self)))
+
+    absolute = resolve
+
+    @property
+    def parent(self) -> PathText:
+        """As of `Path`."""
+        return self.below(self.folder, os.path.dirname(self) or '.')
+
+    @property
+    def name(self) -> str:
+        """As of `Path`."""
+        return os.path.basename(self)
+
+    @property
+    def stem(self) -> str:
+        """As of `Path`."""
+        return os.path.splitext(self.name)[0]
+
+    @property
+    def suffix(self) -> str:
+        """As of `Path`."""
+        return os.path.splitext(self.name)[1]
+
+
+PATH_ATTRIBUTES = frozenset(('parent', 'name', 'stem', 'suffix'))
 PURE: dict[str, Callable[..., Any]] = {
     'os.path.join': os.path.join,
     'os.path.basename': os.path.basename,
@@ -44,7 +121,6 @@ PURE: dict[str, Callable[..., Any]] = {
     'os.path.splitext': os.path.splitext,
     'os.path.split': os.path.split,
     'os.path.normpath': os.path.normpath,
-    'pathlib.Path': lambda *parts: os.path.join(*parts) if parts else '.',
     'str': str,
     'int': int,
     'bool': bool,
@@ -54,6 +130,8 @@ PURE: dict[str, Callable[..., Any]] = {
     'dict': dict,
     'sorted': sorted,
     'len': len,
+    'range': lambda *limits: list(range(*limits)),
+    'reversed': lambda items: list(reversed(items)),
     'sum': sum,
     'zip': lambda *columns: list(zip(*columns, strict=False)),
     'enumerate': lambda items: list(enumerate(items)),
@@ -65,8 +143,11 @@ def callables(folder: str) -> dict[str, Callable[..., Any]]:
     """The functions with which setup.py files list their files; relative paths mean `folder`."""
     listing = _Listing(folder)
     local = listing.local
-    return {
+    table: dict[str, Callable[..., Any]] = {
         **PURE,
+        'pathlib.Path': lambda *parts: PathText.below(folder, *parts),
+        'pathlib.Path.cwd': lambda: PathText.below(folder, folder),
+        'map': lambda function, items: [table[function.name](item) for item in items],
         'glob.glob': listing.glob,
         'glob.iglob': listing.glob,
         'os.walk': listing.walk,
@@ -81,6 +162,7 @@ def callables(folder: str) -> dict[str, Callable[..., Any]]:
         'setuptools.find_packages': listing.find_packages,
         'setuptools.find_namespace_packages': listing.find_namespace_packages,
     }
+    return table
 
 
 class _Listing:
@@ -139,6 +221,7 @@ METHODS: dict[type, frozenset[str]] = {
             'removesuffix',
         )
     ),
+    PathText: frozenset(('glob', 'rglob', 'iterdir', 'joinpath', 'is_file', 'is_dir', 'as_posix', 'resolve', 'absolute')),
     list: frozenset(('append', 'extend', 'insert', 'copy', 'index', 'count', 'remove')),
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),

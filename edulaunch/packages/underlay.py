@@ -1,7 +1,8 @@
 """The built-in packages, laid out like a prefix.
 
-Every folder of `share/` is a package. Its executables stand in `share/<package>/console_scripts.txt`, one
-`name = module:function` on a line; the modules lie in the underlay's `python/` folder, on the ordinary path.
+Every folder of `share/` is a package, and so is every import package of `python/` that ROS has as a package.
+Executables stand in `share/<package>/console_scripts.txt`, one `name = module:function` on a line; the modules
+lie in the underlay's `python/` folder, on the ordinary path.
 """
 
 from __future__ import annotations
@@ -11,6 +12,8 @@ import os
 from edulaunch.packages.program import Program
 from edulaunch.packages.share import interface_packages
 
+_NO_PACKAGES = ('rclcpp_like',)
+"""Import packages of ours that ROS does not have."""
 _SIGNS = ('package.xml', 'console_scripts.txt', 'interfaces', 'msg', 'srv', 'action')
 
 
@@ -27,11 +30,12 @@ class Underlay:
         if self._packages is None:
             share = os.path.join(self.path, 'share')
             names = sorted(os.listdir(share)) if os.path.isdir(share) else []
-            self._packages = [
+            shared = [
                 name
                 for name in names
                 if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)
             ]
+            self._packages = sorted({*shared, *_faces(os.path.join(self.path, 'python'))})
         return self._packages
 
     def install(self, package: str) -> None:
@@ -83,3 +87,9 @@ class Underlay:
                 module, _, function = target.strip().partition(':')
                 entries[name.strip()] = (module.strip(), function.strip())
         return entries
+
+
+def _faces(python: str) -> list[str]:
+    """Names of the import packages that are ROS packages."""
+    names = os.listdir(python) if os.path.isdir(python) else []
+    return [name for name in names if name not in _NO_PACKAGES and os.path.isfile(os.path.join(python, name, '__init__.py'))]

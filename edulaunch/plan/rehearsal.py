@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from typing import Any
 
@@ -43,6 +44,8 @@ class RehearsalHost(Host):
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self.imaginary: list[ImaginaryProcess] = []
+        self._commands: deque[ImaginaryProcess] = deque()
+        self._nodes: deque[ImaginaryProcess] = deque()
         self._ended_names: set[str] = set()
 
     def start(
@@ -51,6 +54,7 @@ class RehearsalHost(Host):
         """Note the process; it is there at once."""
         process = ImaginaryProcess(spec, self.next_pid(), on_exit)
         self.imaginary.append(process)
+        (self._commands if spec.package is None else self._nodes).append(process)
         return process
 
     def run_launch(self, main: Callable[[Process], object]) -> Process:
@@ -64,15 +68,13 @@ class RehearsalHost(Host):
 
         A process that came back by `respawn` does not end again. False when none is left to end.
         """
-        waiting = [
-            process
-            for process in self.imaginary
-            if process.returncode is None and process.spec.name not in self._ended_names
-        ]
-        for process in sorted(waiting, key=lambda one: one.spec.package is not None):
-            self._ended_names.add(process.spec.name)
-            process.end(0)
-            return True
+        for waiting in (self._commands, self._nodes):
+            while waiting:
+                process = waiting.popleft()
+                if process.returncode is None and process.spec.name not in self._ended_names:
+                    self._ended_names.add(process.spec.name)
+                    process.end(0)
+                    return True
         return False
 
     def end_all(self) -> None:

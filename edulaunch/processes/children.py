@@ -8,8 +8,8 @@ from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.inputs import Input, PipedInput
 from edulaunch.processes.spec import ProcessSpec
-from edulaunch.processes.streams import ScriptedInput
 from edulaunch.sim.sync import wait_until
 
 if TYPE_CHECKING:
@@ -30,17 +30,17 @@ class Child:
     """As `subprocess.Popen`; waiting for it lets simulated time pass.
 
     :param process: the program that starts it.
-    :param input: what it reads, when it is a simulated program.
+    :param input: what it reads, when it is a simulated program; `stdin=PIPE` lets it read what is written to `stdin`.
     :raises FileNotFoundError: when there is no such command.
     """
 
     def __init__(self, process: Process, args: Any, *, stdout: Any = None, stderr: Any = None, text: bool | None = None,
-                 universal_newlines: bool | None = None, encoding: str | None = None, input: Any = None, **options: Any) -> None:
+                 universal_newlines: bool | None = None, encoding: str | None = None, input: Any = None, stdin: Any = None,
+                 **options: Any) -> None:
         self.args = args
         self.text = bool(text or universal_newlines or encoding)
         self.returncode: int | None = None
         self.waiters: deque[Task] = deque()
-        self.stdin = None
         self.stdout = Pipe(self) if stdout == subprocess.PIPE else None
         self.stderr = Pipe(self) if stderr == subprocess.PIPE else None
         self._outlets = {'stdout': _outlet(process, 'stdout', stdout, self.stdout)}
@@ -48,8 +48,12 @@ class Child:
                                    _outlet(process, 'stderr', stderr, self.stderr))
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
         self._program = program
+        self.stdin: InputEnd | None = None
         if input is not None:
-            program.stdin = ScriptedInput(input.decode() if isinstance(input, bytes) else input)
+            program.stdin = Input(input.decode() if isinstance(input, bytes) else input)
+        elif stdin == subprocess.PIPE:
+            program.stdin = PipedInput()
+            self.stdin = InputEnd(program.stdin)
         self.pid: int = program.pid
 
     def __enter__(self) -> Child:
@@ -87,8 +91,10 @@ class Child:
 
     def communicate(self, input: Any = None, timeout: float | None = None) -> tuple[Any, Any]:
         """Wait for its end; what it wrote to stdout and stderr, as far as these are pipes."""
-        if input is not None:
-            self._program.stdin = ScriptedInput(input.decode() if isinstance(input, bytes) else input)
+        if self.stdin is not None:
+            if input is not None:
+                self.stdin.write(input)
+            self.stdin.close()
         self.wait(timeout)
         return tuple(None if pipe is None else pipe.read() for pipe in (self.stdout, self.stderr))  # type: ignore[return-value]
 
@@ -104,6 +110,28 @@ class Child:
     def kill(self) -> None:
         """Send SIGKILL."""
         self.send_signal(signal.SIGKILL)
+
+
+class InputEnd:
+    """The writing end of what a child reads."""
+
+    closed = False
+
+    def __init__(self, pipe: PipedInput) -> None:
+        self._pipe = pipe
+
+    def write(self, data: Any) -> int:
+        """Text or bytes; the child can read it at once."""
+        self._pipe.feed(data if isinstance(data, str) else bytes(data).decode('utf-8', 'replace'))
+        return len(data)
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+
+    def close(self) -> None:
+        """The child reads to the end."""
+        self.closed = True
+        self._pipe.feed('', last=True)
 
 
 class Pipe:

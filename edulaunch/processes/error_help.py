@@ -2,25 +2,16 @@
 from __future__ import annotations
 
 import os
+import re
+import sys
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.packages import nearest
+from edulaunch.processes.not_here import KINDS
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-KINDS = {
-    'OpenCV': ('cv2', 'cv_bridge'),
-    'Gazebo': ('gazebo_msgs', 'gazebo_ros', 'gazebo_plugins', 'ros_gz_interfaces', 'gz'),
-    'a window': ('tkinter', '_tkinter', 'PyQt5', 'PyQt6', 'PySide2', 'PySide6', 'pygame', 'python_qt_binding', 'qt_gui', 'kivy',
-                 'wx', 'pyglet', 'customtkinter'),
-    'the keyboard of a real machine': ('pynput', 'keyboard', 'sshkeyboard', 'getkey', 'readchar'),
-    'hardware': ('serial', 'RPi', 'smbus', 'pigpio', 'gpiozero', 'picamera', 'pyrealsense2', 'dynamixel_sdk'),
-    'Navigation 2': ('nav2_msgs', 'nav2_simple_commander', 'nav2_common'),
-    'MoveIt': ('moveit_msgs', 'moveit_configs_utils', 'moveit_commander', 'moveit'),
-    'ros2_control': ('control_msgs', 'controller_manager', 'controller_manager_msgs'),
-}
-"""What cannot be had here, and the modules that stand for it."""
 INTERFACE_ENDINGS = ('_msgs', '_srvs', '_interfaces', '_interface', '_msg', '_srv', '_actions')
 SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
 
@@ -32,6 +23,8 @@ def error_help(process: Process, error: BaseException) -> str | None:
         return hint
     if isinstance(error, ModuleNotFoundError) and error.name:
         return _module_help(process, error.name)
+    if isinstance(error, ImportError):
+        return _name_help(process, error)
     if isinstance(error, AttributeError):
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.attribute_help import attribute_help
@@ -42,11 +35,13 @@ def error_help(process: Process, error: BaseException) -> str | None:
 def _module_help(process: Process, name: str) -> str | None:
     """For a module that nobody has: what it is, which program wanted it, and the nearest name."""
     top = name.partition('.')[0]
+    if name != top and _parent_is_there(process, name):
+        return _part_help(process, name) or _package_help(process, top)
     for kind, modules in KINDS.items():
         if top in modules:
             return (f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; '
                     'the other programs go on without it')
-    return (_package_help(process, top) or _part_help(process, name)
+    return (_package_help(process, top)
             or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(process, top))
 
 
@@ -70,18 +65,46 @@ def _kinds(process: Process, package: str) -> list[str]:
     return [f'{package}.{kind}' for kind in ('msg', 'srv', 'action') if process.overlay.registry.has(package, kind)]
 
 
+def _name_help(process: Process, error: ImportError) -> str | None:
+    """For a name that a module of the program does not have: the nearest one, or that two modules import each other."""
+    said = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
+    if said is None or '\n' in str(error):
+        return None
+    if said[2]:
+        return f'{error.name} is still being imported: two modules import each other. Import inside the function that needs it'
+    module = process.loader.modules.get(error.name or '')
+    if module is None:
+        return None
+    names = [name for name in vars(module) if not name.startswith('__')]
+    near = nearest(said[1], names)
+    return f'did you mean {near!r}?' if near else f'{error.name} defines: {", ".join(names)}' if 0 < len(names) < 12 else None
+
+
+def _parent_is_there(process: Process, name: str) -> bool:
+    parent = name.rpartition('.')[0]
+    return parent in process.loader.modules or parent in sys.modules
+
+
+def _is_module(path: str) -> bool:
+    return path.endswith('.py') or os.path.isfile(os.path.join(path, '__init__.py'))
+
+
 def _part_help(process: Process, name: str) -> str | None:
     """For a missing part of a package that is there: the nearest module beside it."""
     parent, _, leaf = name.rpartition('.')
-    module: Any = process.loader.modules.get(parent)
-    if module is None:
-        return None
+    module: Any = process.loader.modules.get(parent) or sys.modules[parent]
     beside = sorted({os.path.splitext(entry)[0] for folder in getattr(module, '__path__', ()) if os.path.isdir(folder)
-                     for entry in os.listdir(folder) if entry.endswith('.py') and not entry.startswith('_')})
+                     for entry in os.listdir(folder) if not entry.startswith('_') and _is_module(os.path.join(folder, entry))})
     near = nearest(leaf, beside)
     if near is not None:
         return f'did you mean {parent}.{near}?'
     return f'modules of {parent}: {", ".join(beside)}' if beside else f'{parent} has no such module'
+
+
+def _alike(name: str, near: str) -> bool:
+    """Whether only a letter or two differ: modules of other projects are called much like ROS's."""
+    from difflib import SequenceMatcher
+    return SequenceMatcher(None, name, near).ratio() >= 0.8
 
 
 def _near(process: Process, top: str) -> str:
@@ -89,7 +112,7 @@ def _near(process: Process, top: str) -> str:
     known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
     ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
     near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])
-    if near:
+    if near and (ending or _alike(top, near)):
         return f'; did you mean {near + ending!r}?'
     if ending:
         return ': is the package with these interfaces in the workspace?'

@@ -13,7 +13,6 @@ from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.spec import ProcessSpec
-from edulaunch.processes.warning_lines import lead_warnings_to_programs
 from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -39,7 +38,8 @@ class Host:
 
     :param env: the environment that programs inherit.
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
-    :param stdin: what programs may read, a text or an open text file, by launch name or executable; others read an empty input.
+    :param stdin: what programs may read, by launch name or executable: a text, a list of (simulated seconds, text), or an open
+        text file; others read an empty input.
     """
 
     def __init__(self, sim: Simulation, graph: Graph, index: Index, *, env: Mapping[str, str],
@@ -57,7 +57,6 @@ class Host:
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
-        lead_warnings_to_programs()
 
     def overlay(self, index: Index) -> Overlay:
         """What the workspaces of an index add to the underlay."""
@@ -75,10 +74,12 @@ class Host:
         return pid
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
-        """What the program reads: the text (or file) given for its launch name or executable, else nothing."""
-        from edulaunch.processes.streams import RealInput, ScriptedInput
+        """What the program reads: what is given for its launch name or executable, else nothing."""
+        from edulaunch.processes.inputs import Input, RealInput, TypedInput
         given = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
-        return ScriptedInput(given) if isinstance(given, str) else RealInput(given, self.watchdog)
+        if isinstance(given, str):
+            return Input(given)
+        return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self.watchdog)
 
     def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Process | RealProcess:
         """Start a program. Its first turn comes after what is due now.

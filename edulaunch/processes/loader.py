@@ -11,12 +11,15 @@ from __future__ import annotations
 import builtins
 import os
 import sys
+import warnings
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.finding import Finder, Found, namespace, regular
+from edulaunch.processes.not_here import REFUSED
 from edulaunch.processes.views import PRIVATE_COPIES, make_view
 
 if TYPE_CHECKING:
@@ -94,6 +97,8 @@ class Loader:
         if view is not None:
             return view if fromlist or name == top else self._view(top) or _shared_import(top)
         if not self.is_private(top) and (name == top or self._view(top) is None):
+            if top in REFUSED:
+                raise ModuleNotFoundError(f'No module named {top!r}', name=top)
             try:
                 return _shared_import(name, None, None, fromlist or (), 0)
             except ModuleNotFoundError as error:
@@ -154,6 +159,9 @@ class Loader:
         return self._load(name, found)
 
     def _shared(self, name: str) -> ModuleType:
+        top = name.partition('.')[0]
+        if top in REFUSED:
+            raise ModuleNotFoundError(f'No module named {top!r}', name=top)
         _shared_import(name, None, None, (), 0)
         return sys.modules[name]
 
@@ -219,11 +227,14 @@ class Loader:
         self.modules[name] = module
         if source is not None:
             module.__file__ = path
+            spec._initializing = True  # type: ignore[attr-defined]  # Python tells of circular imports then
             try:
                 self._execute(module, self._code(path, lambda _: code_of(source)))
             except BaseException:
                 del self.modules[name]
                 raise
+            finally:
+                spec._initializing = False  # type: ignore[attr-defined]
         return module
 
     def reload(self, module: ModuleType) -> ModuleType:
@@ -263,9 +274,27 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
 
 
 def read_script(path: str) -> CodeType:
-    """The code of a script or launch file, of which Python keeps no compiled copy."""
+    """The code of a script or launch file, of which Python keeps no compiled copy.
+
+    :raises: whatever compiling raises.
+    """
     with open(path, 'rb') as file:
-        return compile(file.read(), path, 'exec', dont_inherit=True)
+        source = file.read()
+    return _flawless(source, path) or compile(source, path, 'exec', dont_inherit=True)
+
+
+@lru_cache(maxsize=64)
+def _flawless(source: bytes, path: str) -> CodeType | None:
+    """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
+
+    None for one with errors or warnings: these are to come each time.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        try:
+            return compile(source, path, 'exec', dont_inherit=True)
+        except Exception:
+            return None
 
 
 def code_of(source: SourceFileLoader) -> CodeType:

@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
-from edulaunch.sim.task import Task
+from edulaunch.sim.task import Task, TaskKilled
 
 if TYPE_CHECKING:
     from edulaunch.processes.host import Host
     from edulaunch.processes.loader import Loader
     from edulaunch.processes.overlay import Overlay
 
+DEADLY = (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP, signal.SIGALRM, signal.SIGUSR1, signal.SIGUSR2)
+"""What ends a program that has no handler for it."""
 OnOutput = Callable[[str, str], object]
 OnExit = Callable[[int], object]
 
@@ -25,7 +27,7 @@ class Process:
 
     Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `cwd` (None: that of the launcher),
     `returncode` (None while it runs; negative for a signal, as in `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`,
-    `stdin`, `stdout`, `stderr`, `loader`.
+    `stdin`, `stdout`, `stderr`, `is_writing` (while its output is handed on), `loader`.
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -51,6 +53,7 @@ class Process:
         self.stdin: Any = host.stdin_for(spec)
         self.stdout = OutputStream(self, 'stdout')
         self.stderr = OutputStream(self, 'stderr')
+        self.is_writing = False
         self._main = main
         self._loader: Loader | None = None
         self._signal: int | None = None
@@ -79,9 +82,13 @@ class Process:
 
     def write(self, stream: str, text: str) -> None:
         """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
-        self.tracer.output(self, stream, text)
-        if self.on_output is not None:
-            self.on_output(stream, text)
+        before, self.is_writing = self.is_writing, True
+        try:
+            self.tracer.output(self, stream, text)
+            if self.on_output is not None:
+                self.on_output(stream, text)
+        finally:
+            self.is_writing = before
 
     def log(self, level: int, logger: str, message: str) -> None:
         """Record a log message (its console line is written separately)."""
@@ -118,7 +125,7 @@ class Process:
 
     def send_signal(self, signum: int) -> None:
         """Deliver a signal. A handler in `signal_handlers` decides; else SIGINT raises KeyboardInterrupt in the program where
-        it waits, SIGKILL, SIGTERM, SIGQUIT and SIGHUP end it, and any other is ignored. Nothing happens after the end.
+        it waits, those of DEADLY end it, and any other is ignored. Nothing happens after the end.
         """
         signum = int(signum)
         if self.returncode is not None:
@@ -128,7 +135,7 @@ class Process:
             self.task.interrupt(lambda: handler(signum))
         elif signum == signal.SIGINT:
             self.task.interrupt(_raise_keyboard_interrupt)
-        elif signum in (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP):
+        elif signum in DEADLY:
             self._signal = signum
             self.task.kill()
 
@@ -137,6 +144,10 @@ class Process:
         self.returncode = code
         self.task.kill()
         self.task.park()
+
+    def end_by(self, signum: int) -> None:
+        """End at once as if by a signal that nothing can handle."""
+        self.exit_now(-signum)
 
     def _run(self) -> None:
         code: int | None = None
@@ -162,17 +173,23 @@ class Process:
         except RunawayProgram as error:
             self._print_runaway(error)
             return 1
-        except Exception as error:
+        except TaskKilled:
+            raise
+        except BaseException as error:
             self._print_traceback(error)
             return 1
 
     def _print_traceback(self, error: BaseException) -> None:
         from edulaunch.processes.error_help import error_help
         from edulaunch.processes.traceback_text import student_traceback
+        view = self.loader.modules.get('sys')
+        if view is not None and 'excepthook' in view.__dict__:
+            view.excepthook(type(error), error, error.__traceback__)
+            return
         text, place = student_traceback(error)
         help = error_help(self, error)
         self.write('stderr', text if help is None else f'{text}  help: {help}\n')
-        self.state['exception'] = {'type': type(error).__name__, 'message': str(error), 'place': place}
+        self.state['exception'] = {'type': type(error).__name__, 'message': str(error).partition('\n  help: ')[0], 'place': place}
 
     def _print_runaway(self, error: RunawayProgram) -> None:
         from edulaunch.processes.traceback_text import runaway_text

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from edulaunch.processes.host import Host
 
 LOOK_EVERY_NS = 10_000_000
+READER_NAME = 'edulaunch reads '
+"""How the names of the threads begin that read what real programs print."""
 
 
 class RealProcess:
@@ -40,7 +42,7 @@ class RealProcess:
         self._open = 2
         for stream, pipe in (('stdout', self._child.stdout), ('stderr', self._child.stderr)):
             assert pipe is not None
-            threading.Thread(target=self._read, args=(stream, pipe), daemon=True).start()
+            threading.Thread(target=self._read, args=(stream, pipe), name=f'{READER_NAME}{stream}', daemon=True).start()
         host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
         self._look_again()
 
@@ -65,13 +67,21 @@ class RealProcess:
                 self._open -= 1
             elif self.on_output is not None:
                 self.on_output(stream, text)
-        if self._open or self._child.poll() is None:
+        if self._open or not self._has_ended_by(deadline):
             self._look_again()
             return
         self.returncode = self._child.returncode
         self.host.real_programs.remove(self)
         if self.on_exit is not None:
             self.on_exit(self.returncode)
+
+    def _has_ended_by(self, deadline: float) -> bool:
+        """Whether the program, which has closed its streams, ends before `deadline`; simulated time must not run ahead of it."""
+        try:
+            self._child.wait(max(0.0, deadline - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            return False
+        return True
 
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program and everything it started."""

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import traceback
+from collections.abc import Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -13,30 +14,61 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 _ENGINE = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
+CAUSE = '\nThe above exception was the direct cause of the following exception:\n\n'
+CONTEXT = '\nDuring handling of the above exception, another exception occurred:\n\n'
 
 
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
-    error carries a hint: then we have raised it knowingly. Or Python could not read the student's file at all: then nothing of it ran.
+    error carries a hint or is one of rclpy's own: then we have raised it knowingly. Or Python could not read the student's file
+    at all: then nothing of it ran.
     The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
     """
-    frames = traceback.extract_tb(error.__traceback__)
-    own = [frame for frame in frames if not _is_engine(frame.filename)]
+    return ''.join(_chain(error, [])), _place(error)
+
+
+def _place(error: BaseException) -> Origin | None:
+    unread = _unread_file(error)
+    return Origin(unread, getattr(error, 'lineno', 0) or 0) if unread is not None else innermost_place(error.__traceback__)
+
+
+def _chain(error: BaseException, told: list[BaseException]) -> Iterator[str]:
+    """The error after the one that it was raised from or that was being handled, if that came about in the student's code."""
+    told.append(error)
+    cause, context = error.__cause__, error.__context__
+    if cause is not None and cause not in told:
+        yield from _chain(cause, told)
+        yield CAUSE
+    elif context is not None and cause is None and not error.__suppress_context__ and context not in told and _own(context):
+        yield from _chain(context, told)
+        yield CONTEXT
+    yield from _one(error)
+
+
+def _one(error: BaseException) -> Iterator[str]:
+    """One error without those before it."""
+    own = _own(error)
+    knowingly = hasattr(error, 'edulaunch_hint') or type(error).__module__.startswith('rclpy.')
+    explained = knowingly or _unread_file(error) is not None
+    shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
+    if shown:
+        yield 'Traceback (most recent call last):\n'
+    plain = [traceback.FrameSummary(frame.filename, frame.lineno, frame.name, line=frame.line) for frame in shown]
+    yield from traceback.StackSummary.from_list(plain).format()
+    yield from traceback.format_exception_only(type(error), error)
+
+
+def _own(error: BaseException) -> list[traceback.FrameSummary]:
+    """Frames that are not the engine's."""
+    return [frame for frame in traceback.extract_tb(error.__traceback__) if not _is_engine(frame.filename)]
+
+
+def _unread_file(error: BaseException) -> str | None:
+    """The student's file that is no Python."""
     unread = error.filename if isinstance(error, SyntaxError) else None
-    explained = hasattr(error, 'edulaunch_hint') or (unread is not None and not _is_engine(unread))
-    shown = frames if not own and not explained else own
-    lines = ['Traceback (most recent call last):\n'] if shown else []
-    for frame in shown:
-        lines.append(f'  File "{frame.filename}", line {frame.lineno}, in {frame.name}\n')
-        if frame.line:
-            lines.append(f'    {frame.line}\n')
-    lines += traceback.format_exception_only(type(error), error)
-    if isinstance(error, SyntaxError) and unread is not None and explained:
-        return ''.join(lines), Origin(unread, error.lineno or 0)
-    last = own[-1] if own else None
-    return ''.join(lines), Origin(last.filename, last.lineno or 0) if last else None
+    return None if unread is None or _is_engine(unread) else unread
 
 
 def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | None]:
@@ -58,4 +90,4 @@ def innermost_place(trace: TracebackType | None) -> Origin | None:
 
 
 def _is_engine(filename: str) -> bool:
-    return filename.startswith((_ENGINE, '<frozen'))
+    return filename.startswith((_ENGINE, '<frozen', '<interface '))

@@ -37,6 +37,9 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
         self._selector = _Turns(self)
         self._clock_resolution = 1e-9
 
+    def __del__(self, _warn: object = None) -> None:
+        """Nothing of the operating system is held: a loop that nobody closed is no reason to warn."""
+
     def time(self) -> float:
         """Simulated seconds since the start."""
         return self.task.sim.elapsed_s

@@ -48,35 +48,39 @@ class Task:
         self._polls = 0
         self._done: list[Callable[[Task], object]] = []
         self._soon = sim._soon
-        self._turn: Item = [sim.start_ns, 0, 0, self._on_wake]
+        self._turn: Item = [sim.start_ns, 0, 0, None]
 
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
 
     def start(self) -> None:
         """Give the task its first turn, at the present simulated time."""
+        self.sim.schedule(self.sim.now_ns, self._make_greenlet())
+
+    def _make_greenlet(self) -> Callable[[], object]:
         self._greenlet = _TaskGreenlet(self._run)
         self._greenlet.task = self
-        self.sim.schedule(self.sim.now_ns, self._greenlet.switch)
+        switch: Callable[[], object] = self._greenlet.switch
+        self._turn[3] = switch
+        return switch
 
     def start_at_once(self) -> None:
         """As :meth:`start`, before everything else that was asked for this instant: the task that calls this goes on when the new
         one waits for the first time.
         """
-        self._greenlet = _TaskGreenlet(self._run)
-        self._greenlet.task = self
-        self._soon.appendleft([self.sim.now_ns, 0, 0, self._greenlet.switch])
+        self._soon.appendleft([self.sim.now_ns, 0, 0, self._make_greenlet()])
         starter = running_task()
         if starter is not None and starter.sim is self.sim:
             starter.let_first_go()
 
     def let_first_go(self) -> None:
-        """Run the first item that waits for the present instant, then go on."""
-        due, woken = self._soon.popleft(), self._woken
-        self._woken = False
+        """Run the first item that waits for the present instant, then go on. Wakes that come meanwhile are kept."""
+        due = self._soon.popleft()
         self._soon.extendleft((self._turn, due))
-        self.park()
-        self._woken = self._woken or woken
+        if self.loop is None:
+            self.sim.hub.switch()
+        else:
+            self.loop.step_aside(self.sim.hub.switch)
 
     def _run(self) -> None:
         try:
@@ -113,7 +117,8 @@ class Task:
         """
         self._polls = 0
         if not self._woken and not self._killed:
-            if deadline_ns is not None or self._timer is not None:
+            timer = self._timer
+            if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:
                 self._set_timer(deadline_ns)
             self._parked = True
             if self.loop is None:
@@ -130,20 +135,12 @@ class Task:
         return woken
 
     def _set_timer(self, deadline_ns: int | None) -> None:
-        timer = self._timer
-        if deadline_ns is None:
-            if timer is not None:
-                timer[3] = None
-                self._timer = None
-            return
-        sim = self.sim
-        if deadline_ns < sim.now_ns:
-            deadline_ns = sim.now_ns
-        if timer is not None:
-            if timer[0] == deadline_ns:
-                return
-            timer[3] = None
-        self._timer = sim.schedule(deadline_ns, self._on_timer)
+        if self._timer is not None:
+            self._timer[3] = None
+            self._timer = None
+        if deadline_ns is not None:
+            sim = self.sim
+            self._timer = sim.schedule(max(deadline_ns, sim.now_ns), self._on_timer)
 
     def _on_timer(self) -> None:
         self._timer = None
@@ -156,10 +153,6 @@ class Task:
             self._woken = True
             if self._parked:
                 self._soon.append(self._turn)
-
-    def _on_wake(self) -> None:
-        if self._parked:
-            self._greenlet.switch()
 
     def interrupt(self, action: Callable[[], object]) -> None:
         """Run `action` inside the task where it is parked (or will park next); what it raises is raised there."""

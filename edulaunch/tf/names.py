@@ -13,6 +13,7 @@ def check_name(frames: Container[str], name: str, function: str) -> None:
     """Raise when there is no such frame.
 
     :raises TransformFailure: with the text of tf2's exception; `function` is what the name was passed to.
+    :raises TypeError: for something else than a text, such as the None of a parameter without a value.
     """
     if name in frames:
         return
@@ -38,6 +39,8 @@ def problem(frames: Container[str], *names: str) -> str:
 
 
 def _broken_rule(name: str) -> str:
+    if not isinstance(name, str):
+        raise TypeError(f'a frame name must be str, not {type(name).__name__}')
     if not name:
         return 'in tf2 frame_ids cannot be empty'
     return "in tf2 frame_ids cannot start with a '/'" if name.startswith('/') else ''

@@ -5,7 +5,6 @@ import os
 from typing import TYPE_CHECKING
 
 from edulaunch.packages import nearest
-from edulaunch.packages.workspace import Workspace
 from edulaunch.workspace.layout import install_help
 from edulaunch.workspace.sources import SourcePackage, read_text
 
@@ -18,7 +17,7 @@ def package_hint(index: Index, package: str) -> str:
     near = nearest(package, index.packages())
     if near is not None:
         return f'did you mean the package {near!r}?'
-    workspaces = [place.folder for place in index._places if isinstance(place, Workspace)]
+    workspaces = [place.folder for place in index.workspaces]
     for workspace in workspaces:
         for folder, folders, files in os.walk(workspace):
             folders[:] = sorted(name for name in folders if not name.startswith('.'))
@@ -39,10 +38,8 @@ def _why_no_package(folder: str, files: list[str]) -> str:
 
 def source_package(index: Index, package: str) -> SourcePackage | None:
     """The package as it stands in a source workspace; None when it comes from elsewhere."""
-    place = index._place(package)
-    if not isinstance(place, Workspace):
-        return None
-    return SourcePackage(package, place.package_folder(package), place.contents(package))
+    folder, contents = index.source_folder(package), index.contents(package)
+    return None if folder is None or contents is None else SourcePackage(package, folder, contents)
 
 
 def launch_file_hint(index: Index, package: str, file: str | None) -> str | None:
@@ -83,7 +80,7 @@ def installed_file_hint(index: Index, path: str) -> str | None:
     """For a missing file in the share folder of a package: it stands in the source and is not installed."""
     head, sign, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
-    if not (sign and name) or index._place(package) is None or head != index.prefix(package):
+    if not (sign and name) or package not in index.packages() or head != index.prefix(package):
         return None
     found = source_package(index, package)
     source = None if found is None else os.path.join(found.folder, name)
@@ -94,7 +91,7 @@ def installed_file_hint(index: Index, path: str) -> str | None:
 
 def _built(index: Index, package: str) -> str | None:
     """For a package that colcon built: what was written since is not in it."""
-    place = index._place(package)
-    if place is None or 'install' not in place.path.split(os.sep):
+    prefix = index.packages().get(package)
+    if prefix is None or 'install' not in prefix.split(os.sep):
         return None
-    return f'{package} is read from {place.path}; after a change, build it again: colcon build --packages-select {package}'
+    return f'{package} is read from {prefix}; after a change, build it again: colcon build --packages-select {package}'

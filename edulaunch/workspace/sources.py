@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 
 from edulaunch.packages import Index
 from edulaunch.packages.reading import Contents
-from edulaunch.packages.workspace import Workspace
 
 DEPENDENCY_TAGS = ('depend', 'build_depend', 'build_export_depend', 'buildtool_depend', 'buildtool_export_depend',
                    'exec_depend', 'run_depend', 'test_depend')
@@ -86,7 +85,7 @@ class SourcePackage:
 def source_packages(index: Index) -> list[SourcePackage]:
     """The packages of an index's source workspaces, by name."""
     return [SourcePackage(name, place.package_folder(name), place.contents(name))
-            for place in index._places if isinstance(place, Workspace) for name in place.packages()]
+            for place in index.workspaces for name in place.packages()]
 
 
 def read_text(path: str) -> str:

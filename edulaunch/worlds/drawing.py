@@ -18,14 +18,14 @@ UNTOUCHED: Color = (255, 255, 255)
 class Pen:
     """What a turtle draws with: colour, width in pixels, and whether it touches the canvas."""
 
-    __slots__ = ('color', 'width', 'on', 'stroke', 'rows', 'shift', 'last_x', 'last_y')
+    __slots__ = ('color', 'width', 'on', 'stroke', 'reach', 'shift', 'last_x', 'last_y')
 
     def __init__(self, color: Color = (179, 184, 255), width: int = 3, on: bool = True) -> None:
         self.color = color
         self.width = width or 1  # a pen of width 0 is drawn one pixel wide
         self.on = on
         self.stroke = bytes(color) * self.width
-        self.rows = range(self.width)
+        self.reach = 0.5 * self.width  # how far apart squares are set, in pixels
         self.shift = _MARGIN + 1.0 - self.width / 2.0  # from a position in pixels to its square's first pixel
         self.lift()
 
@@ -67,13 +67,23 @@ class DrawingLayer:
 
     def draw(self, pen: Pen, x0: float, y0: float, x1: float, y1: float, time_ns: int) -> None:
         """Draw a line from (x0, y0) to (x1, y1), metres, y downward."""
-        width = pen.width
-        self.segments.append((pen.color, width, x0, y0, x1, y1, time_ns))
+        self.segments.append((pen.color, pen.width, x0, y0, x1, y1, time_ns))
         self.version += 1
         x0 *= METRE_PX
         y0 *= METRE_PX
         x1 *= METRE_PX
         y1 *= METRE_PX
+        if x0 == pen.last_x and y0 == pen.last_y:
+            reach = pen.reach
+            if -reach < x1 - x0 < reach and -reach < y1 - y0 < reach and 0.0 <= x1 < SIDE_PX and 0.0 <= y1 < SIDE_PX:
+                self._stamp(pen, x1, y1)
+                pen.last_x = x1
+                pen.last_y = y1
+                return
+        self._draw_squares(pen, x0, y0, x1, y1)
+
+    def _draw_squares(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> None:
+        """All of :meth:`draw` (in pixels) that is not usual: a line that begins elsewhere, is long, or leaves the canvas."""
         if not (0.0 <= x0 < SIDE_PX and 0.0 <= y0 < SIDE_PX and 0.0 <= x1 < SIDE_PX and 0.0 <= y1 < SIDE_PX):
             visible = _visible_part(x0, y0, x1, y1)
             if visible is None:
@@ -81,7 +91,7 @@ class DrawingLayer:
             x0, y0, x1, y1 = visible
         dx = x1 - x0
         dy = y1 - y0
-        apart = 0.5 * width
+        apart = pen.reach
         if x0 != pen.last_x or y0 != pen.last_y:
             self._stamp(pen, x0, y0)
         if not (-apart < dx < apart and -apart < dy < apart):
@@ -103,12 +113,10 @@ class DrawingLayer:
         edge = SIDE_PX - width
         if 0 <= column <= edge and 0 <= row <= edge:
             at = row * _ROW + 3 * column
-            end = at + 3 * width
+            length = 3 * width
             stroke = pen.stroke
-            for _ in pen.rows:
-                pixels[at:end] = stroke
-                at += _ROW
-                end += _ROW
+            for start in range(at, at + width * _ROW, _ROW):
+                pixels[start:start + length] = stroke
         else:
             _stamp_clipped(pixels, pen, column, row)
 

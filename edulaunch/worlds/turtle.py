@@ -18,11 +18,12 @@ class Turtle:
     is in radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
 
     After each :meth:`update`: `color` is what the colour sensor read, `wall_hit` the position (x, down)
-    outside the canvas it was stopped at (None: no wall), and `turned` whether a rotation goal was reached.
+    outside the canvas it was stopped at (None: no wall), `turned` whether a rotation goal was reached, and `still` whether
+    the turtle had no velocity and stayed where it was.
     """
 
     __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns',
-                 'rotation', 'color', 'wall_hit', 'turned', '_layer', '_seen', '_requests', '_moved')
+                 'rotation', 'color', 'wall_hit', 'turned', 'still', '_layer', '_seen', '_requests', '_moved')
 
     def __init__(
             self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
@@ -38,6 +39,7 @@ class Turtle:
         self.color = UNTOUCHED
         self.wall_hit: tuple[float, float] | None = None
         self.turned = False
+        self.still = False
         self._layer = layer
         self._seen = -1  # the layer's version the colour was read from
         self._requests: list[tuple[bool, float, float, float]] = []
@@ -94,8 +96,11 @@ class Turtle:
         if now_ns - self.command_ns > COMMAND_LASTS_NS:
             self.speed = self.sideways = self.turning = 0.0
         if self.speed or self.turning or self.sideways or self._moved:
+            self.still = False
             self._move(now_ns)
-        elif self._seen != self._layer.version:
+            return
+        self.still = True
+        if self._seen != self._layer.version:
             self.color = self._layer.color_at(self.x, self.down)
             self._seen = self._layer.version
 

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.cli.ros2.fill_message import FillError, ValuesError, fill_message, parse_values
-from edulaunch.interfaces.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
 from edulaunch.interfaces import message_class
+from edulaunch.interfaces.message_text import EVERYTHING, Shortening, message_csv, message_dict, message_yaml
 
 FINITE = st.floats(allow_nan=False, allow_infinity=False)
 

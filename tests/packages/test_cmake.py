@@ -58,6 +58,13 @@ FILES = {
         ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
         (
             (
+                'function(install_folder name)\n  install(DIRECTORY ${name} ${ARGN} DESTINATION share/robo)\n'
+                'endfunction()\ninstall_folder(config launch)'
+            ),
+            ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
+        ),
+        (
+            (
                 'if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION '
                 'share/robo)\nendif()'
             ),
@@ -79,6 +86,12 @@ def test_installed_programs_are_scripts_that_keep_their_source_file(workspace: A
     index = workspace.index()
     program = index.find_program(f'{index.prefix("robo")}/lib/robo/node.py')
     assert (program.kind, program.file) == ('script', str(workspace.path / 'robo' / 'scripts' / 'node.py'))
+
+
+def test_a_file_that_is_installed_as_executable_is_a_program(workspace: Any) -> None:
+    rule = 'install(FILES scripts/node.py DESTINATION lib/robo PERMISSIONS OWNER_READ OWNER_EXECUTE)'
+    workspace.cmake_package('robo', f'project(robo)\n{rule}', FILES)
+    assert workspace.index().executables('robo') == ['node.py']
 
 
 def test_only_listed_interfaces_are_generated(workspace: Any) -> None:

@@ -143,6 +143,42 @@ def test_of_two_packages_with_one_name_the_first_is_used_and_the_other_named(wor
     ]
 
 
+def test_of_two_packages_with_one_name_the_shallower_one_is_used(workspace: Any) -> None:
+    workspace.python_package('alpha', '', folder='backup/old/alpha').python_package('alpha', '', folder='src/alpha')
+    index = workspace.index()
+    assert index.source_folder('alpha') == str(workspace.path / 'src/alpha')
+    assert 'backup/old/alpha' in str(index.warnings[0])
+
+
+def test_links_to_packages_are_followed_and_no_package_is_found_twice(workspace: Any, tmp_path: Path) -> None:
+    workspace.python_package('alpha', '', folder='../elsewhere/alpha').python_package('beta', '', folder='src/zeta')
+    os.symlink(tmp_path / 'elsewhere', workspace.path / 'src' / 'linked')
+    os.symlink(workspace.path, workspace.path / 'src' / 'loop')
+    os.symlink(workspace.path / 'src' / 'zeta', workspace.path / 'src' / 'a_link')
+    index = workspace.index()
+    assert [index.source_folder(name) for name in index.packages()] == [
+        str(workspace.path / 'src' / 'linked' / 'alpha'), str(workspace.path / 'src' / 'zeta')]
+    assert index.warnings == ()
+
+
+def test_built_in_programs_stand_in_for_those_that_a_workspace_would_build_from_cpp(workspace: Any) -> None:
+    workspace.cmake_package('turtlesim', 'project(turtlesim)\nadd_executable(turtlesim_node a.cpp)\n'
+                            'add_executable(own_node b.cpp)\ninstall(TARGETS turtlesim_node own_node DESTINATION lib/turtlesim)')
+    index = Index(workspaces=[workspace.path])
+    path = index.find_executable('turtlesim', 'turtlesim_node')
+    assert path is not None and path.startswith(index.search_paths()[0]) and index.executables('turtlesim') == ['turtlesim_node']
+    program = index.find_program(path)
+    assert program is not None and program.path == path and program.kind == 'entry_point'
+    assert [str(warning) for warning in index.warnings] == [
+        f'{workspace.path}/turtlesim/CMakeLists.txt:2: turtlesim_node is built from C++, which does not run here; '
+        'the built-in turtlesim has it and is used']
+
+
+def test_the_packages_of_ros_that_are_only_modules_are_packages_too() -> None:
+    assert {'rclpy', 'launch', 'launch_ros', 'ament_index_python', 'tf2_ros', 'turtlesim'} <= Index().packages().keys()
+    assert not [name for name in Index().packages() if name.startswith('_')]
+
+
 @pytest.mark.parametrize(
     ('text', 'sentence'),
     [

@@ -71,6 +71,14 @@ def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, 
             'import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
             'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])'
         ),
+        (
+            'from pathlib import Path\nfrom setuptools import setup\n'
+            'setup(data_files=[("share/robo/launch", [str(x) for x in Path("launch").glob("*.xml")])])'
+        ),
+        (
+            'from pathlib import Path\nfrom setuptools import setup\nhere = Path(__file__).resolve().parent\n'
+            'setup(data_files=[("share/robo/launch", list(map(str, (here / "launch").rglob("c.*"))))])'
+        ),
     ],
 )
 def test_lists_made_by_a_program_are_followed(workspace: Any, setup: str) -> None:
@@ -199,3 +207,12 @@ def test_an_endless_loop_is_not_followed_for_ever(workspace: Any) -> None:
     loop = 'names = list(range(9))\nfor a in names:\n  names.append(a)\n'
     workspace.python_package('robo', HEAD + loop + "setup(name='robo', packages=['robo'])\n")
     workspace.index().executables('robo')
+
+
+@pytest.mark.parametrize('start', [b'\xef\xbb\xbf', '# -*- coding: latin-1 -*-\n# gr\xfcn\n'.encode('latin-1')])
+def test_encodings_that_python_reads_are_read(workspace: Any, start: bytes) -> None:
+    workspace.python_package('robo', '')
+    text = b"from setuptools import setup\r\nsetup(entry_points={'gui_scripts': ['go = robo.go:main']})\r\n"
+    (workspace.path / 'robo' / 'setup.py').write_bytes(start + text)
+    (workspace.path / 'robo' / 'setup.cfg').write_bytes(b'\xef\xbb\xbf[install]\r\ninstall-scripts=$base/lib/robo\r\n')
+    assert workspace.index().executables('robo') == ['go'] and workspace.warnings('robo') == []

@@ -14,11 +14,16 @@ import pytest
     ('import qqq_zzz', "program-1 needs the module 'qqq_zzz', which is not here. If it is no module of yours, try: pip install qqq_zzz"),
     ('from robot import arm', None),
     ('import robot.amr', 'did you mean robot.arm?'),
+    ('from rclpy.nod import Node', 'did you mean rclpy.node?'),
+    ('from robot.arm import mvoe', "did you mean 'move'?"),
+    ('import scipy_nothing', "program-1 needs the module 'scipy_nothing', which is not here. If it is no module of yours, try: pip install scipy_nothing"),
+    ('import msvcrt', "program-1 needs the module 'msvcrt' (a Windows console), which is not here; the other programs go on without it"),
+    ('import rospy', "program-1 needs the module 'rospy' (ROS 1; with ROS 2 it is rclpy), which is not here; the other programs go on without it"),
     ('from geometry_msgs.msg import Twist\nTwist().linaer', "did you mean 'linear'?"),
 ])
 def test_help(world: Any, text: str, help: str | None) -> None:
     world.write('lib/robot/__init__.py', '')
-    world.write('lib/robot/arm.py', '')
+    world.write('lib/robot/arm.py', 'def move(): ...')
     lines = world.run(text).splitlines()
     assert (lines[-1] if lines else None) == (None if help is None else f'  help: {help}')
 
@@ -27,3 +32,17 @@ def test_the_program_is_named_as_the_launch_file_names_it(world: Any) -> None:
     world.start(world.write('p.py', 'import cv2_nothing_of_the_kind'), 'eye-3', package='vision', executable='eye')
     world.sim.run()
     assert "help: eye-3 (eye of vision) needs the module 'cv2_nothing_of_the_kind'" in world.log[-1][2]
+
+
+@pytest.mark.parametrize('module', ['pygame', 'PyQt5', 'curses', 'pynput'])
+def test_what_takes_the_real_screen_or_keyboard_is_refused_even_where_it_is_installed(
+        world: Any, module: str, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path_factory.mktemp('site')
+    (folder / f'{module}.py').write_text('print("opens a window")')
+    monkeypatch.syspath_prepend(str(folder))
+    assert f"ModuleNotFoundError: No module named '{module}'\n  help: program-1 needs the module '{module}'" in world.run(f'import {module}')
+
+
+def test_a_program_may_have_a_module_of_such_a_name_itself(world: Any) -> None:
+    world.write('keyboard.py', 'keys = 3')
+    assert world.run('import keyboard\nprint(keyboard.keys)') == '3\n'

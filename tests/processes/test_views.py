@@ -240,3 +240,54 @@ def test_reading_at_the_end_of_a_file_again_and_again_lets_time_pass(world: Any)
 def test_there_is_no_screen(world: Any) -> None:
     wrote = world.run('from turtle import position, Turtle\nprint("imported")\nTurtle()')
     assert wrote.startswith('imported\n') and 'no display name' in wrote and 'the simulation has no screen' in wrote
+
+
+@pytest.mark.parametrize(('text', 'output'), [
+    ('import pickle, datetime\nprint(pickle.loads(pickle.dumps([datetime.datetime.now(), datetime.date.today()])))',
+     '[datetime.datetime(2023, 11, 14, 22, 13, 20), datetime.date(2023, 11, 14)]\n'),
+    ('import datetime\nprint(datetime.datetime.fromtimestamp(3600), datetime.date.fromtimestamp(0))', '1970-01-01 01:00:00 1970-01-01\n'),
+    ('import time\nprint(time.clock_gettime(time.CLOCK_MONOTONIC), time.clock_gettime_ns(time.CLOCK_REALTIME))', '0.0 1700000000000000000\n'),
+    ('import time\nprint(time.mktime(time.localtime()) - time.time())', '0.0\n'),
+    ('import os, shutil\nprint(os.cpu_count(), shutil.get_terminal_size((70, 20)).columns)', '4 70\n'),
+    ('import concurrent.futures as f\nprint(f.ThreadPoolExecutor()._max_workers)', '8\n'),
+    ('import os\nos.write(1, b"out ")\nos.write(2, b"err")', 'out err'),
+])
+def test_more_of_the_simulated_machine(world: Any, text: str, output: str) -> None:
+    assert world.run(text) == output
+
+
+def test_alarms_ring_in_simulated_time(world: Any) -> None:
+    assert world.run("""
+        import signal, time
+        signal.signal(signal.SIGALRM, lambda number, frame: print('rings', time.monotonic()))
+        signal.alarm(2)
+        time.sleep(3)
+        signal.setitimer(signal.ITIMER_REAL, 0.5, 0.25)
+        time.sleep(0.8)
+        print(signal.alarm(0))
+        time.sleep(5)
+        """) == 'rings 2.0\nrings 3.5\nrings 3.75\n1\n'
+
+
+def test_an_abort_and_an_unhandled_alarm_end_a_program_by_their_signals(world: Any) -> None:
+    world.run('import os\nos.abort()', 'aborts')
+    world.run('import signal, time\nsignal.alarm(1)\ntime.sleep(5)', 'rings')
+    assert world.codes == {'aborts': -6, 'rings': -14}
+
+
+def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
+    wrote = world.run("""
+        import asyncio, os, signal
+        async def main():
+            pressed = asyncio.Event()
+            loop = asyncio.get_running_loop()
+            loop.add_signal_handler(signal.SIGINT, pressed.set)
+            loop.call_later(2, os.kill, os.getpid(), signal.SIGINT)
+            await pressed.wait()
+            print('pressed', loop.time())
+            await asyncio.create_subprocess_exec('ls')
+        asyncio.run(main())
+        """)
+    assert wrote.startswith('pressed 2.0\n') and wrote.endswith(
+        'RuntimeError: asyncio: subprocess_exec cannot be used in the simulation\n'
+        '  help: start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time\n')

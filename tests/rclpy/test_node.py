@@ -9,11 +9,13 @@ import rclpy
 from rclpy import wait_for_message as waiting
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.exceptions import (
+    InvalidHandle,
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
 )
+from rclpy.expand_topic_name import expand_topic_name
 from rclpy.node import Node
 from rclpy.qos import QoSPolicyKind, QoSProfile
 from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
@@ -244,3 +246,31 @@ def test_a_loop_that_only_looks_at_the_graph_lets_the_world_go_on(world: World, 
     world.start(late, name='late')
     (at, _, what), = world.run(2)
     assert (at // 10, what) == (50, 'there')
+
+
+def test_a_destroyed_node_makes_nothing_and_has_no_name_any_more(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.destroy_node()
+        for use in (node.get_name, node.get_topic_names_and_types, lambda: node.create_publisher(String, 't', 1)):
+            with pytest.raises(InvalidHandle, match='cannot use Destroyable because destruction was requested'):
+                use()
+        world.say(node.get_logger().info('still there'))
+
+    assert ros(body) == [True]
+
+
+@pytest.mark.parametrize('make', [lambda node: Node(None), lambda node: node.create_publisher(String, 3, 1),
+                                  lambda node: node.create_client(Empty, None)])
+def test_a_name_that_is_no_text_is_a_type_error(ros: Ros, world: World, make: Callable[[Node], Any]) -> None:
+    def body() -> None:
+        with pytest.raises(TypeError, match='a name must be a str, not (int|NoneType)'):
+            make(Node('n'))
+
+    ros(body)
+
+
+@pytest.mark.parametrize(('names', 'what'), [(('a?', 'n', '/'), 'topic name'), (('a', 'n?', '/'), 'node name'), (('a', 'n', '/?'), 'node namespace')])
+def test_expanding_needs_legal_names(names: tuple[str, str, str], what: str) -> None:
+    with pytest.raises(ValueError, match=f'{what} is invalid: '):
+        expand_topic_name(*names)

@@ -351,3 +351,15 @@ def test_the_alternative_of_get_parameter_or(ros: Ros, world: World) -> None:
 
 def test_every_exception_is_in_the_exceptions_module() -> None:
     assert {name for name in exceptions.__all__ if not isinstance(getattr(exceptions, name), type)} == set()
+
+
+@pytest.mark.parametrize(('text', 'nodes', 'words'), [
+    ('/a:\n  ros__parameters:\n    x: 1\n', ['/b'], r"Param file does not contain parameters for /b,only for nodes: \['/a'\] "),
+    ('/**:\n  ros__parameters:\n    x: 1\n', None, 'Param file does not contain selected parameters'),
+    ('/a:\n  ros__parameters: {}\n', None, 'Param file does not contain any valid parameters'),
+    ('/a:\n  x: 1\n', None, 'YAML file is not a valid ROS parameter file for node /a')])
+def test_a_file_without_the_wanted_parameters_is_refused(tmp_path: Path, text: str, nodes: list[str] | None, words: str) -> None:
+    file = tmp_path / 'p.yaml'
+    file.write_text(text)
+    with pytest.raises(RuntimeError, match=words):
+        parameter_dict_from_yaml_file(str(file), target_nodes=nodes)

@@ -113,8 +113,9 @@ def test_a_destroyed_publisher_cannot_publish(ros: Ros, world: World) -> None:
 @pytest.mark.parametrize(('msg_type', 'error', 'text'), [
     (Empty, RuntimeError, "The message type provided is not valid (<class 'std_srvs.srv._empty.Empty'>), "
                           'this might be a service or action'),
-    (str, AttributeError, "type object 'str' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should "
-                          'be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.'),
+    *((wrong, AttributeError, f"type object '{named}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should "
+       'be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
+      for wrong, named in ((str, 'type'), ('chatter', 'str'), (rclpy, 'module'))),
 ])
 def test_wrong_type_objects_are_explained(ros: Ros, world: World, msg_type: Any, error: type[Exception], text: str) -> None:
     def body() -> None:

@@ -201,3 +201,39 @@ def test_two_interleaved_simulations_behave_as_each_alone() -> None:
     alone = run([Simulation()], 2_000_000_000)[0]
     assert len(alone) == 10
     assert run([Simulation(), Simulation()], 40_000_000) == [alone, alone]
+
+
+def test_a_task_that_is_started_at_once_runs_before_its_starter_goes_on() -> None:
+    sim, log = Simulation(), []
+    child = Task(sim, lambda: (note(sim, log, 'child'), current_task().sleep_until(sim.now_ns + 10**9), note(sim, log, 'child again')))
+
+    def body() -> None:
+        child.start_at_once()
+        note(sim, log, 'starter')
+
+    start(sim, body)
+    start(sim, lambda: note(sim, log, 'somebody else'))
+    sim.run()
+    assert log == [(0.0, 'child'), (0.0, 'starter'), (0.0, 'somebody else'), (1.0, 'child again')]
+
+
+def test_starting_another_at_once_loses_no_wake_and_keeps_the_wait_that_follows() -> None:
+    sim, log = Simulation(), []
+
+    def body() -> None:
+        me = current_task()
+        Task(sim, me.wake).start_at_once()
+        note(sim, log, me.park(sim.now_ns + 10**9))
+        note(sim, log, me.park(sim.now_ns + 10**9))
+
+    start(sim, body)
+    sim.run()
+    assert log == [(0.0, 'True'), (1.0, 'False')]
+
+
+def test_outside_any_task_another_can_be_started_at_once_too() -> None:
+    ambient = AmbientTask(Simulation())
+    log: Log = []
+    Task(ambient.sim, lambda: note(ambient.sim, log, 'ran')).start_at_once()
+    ambient.let_first_go()
+    assert log == [(0.0, 'ran')]

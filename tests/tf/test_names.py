@@ -64,3 +64,8 @@ def test_a_full_lookup_checks_all_names_even_when_they_are_equal():
 def test_latest_common_time_names_itself():
     with pytest.raises(TransformFailure, match='"a" passed to get_latest_common_time does not exist. '):
         TransformBuffer().latest_common_time('a', 'b')
+
+
+def test_a_name_that_is_no_text_is_a_type_error():
+    with pytest.raises(TypeError, match='a frame name must be str, not NoneType'):
+        TransformBuffer().lookup(None, 'a', SECOND)

@@ -85,3 +85,8 @@ def test_turning_a_covariance_keeps_the_trace_of_each_block(covariance, yaw):
     for corner in (0, 3, 18, 21):
         places = [corner + 7 * i for i in range(3)]
         assert sum(turned[i] for i in places) == pytest.approx(sum(covariance[i] for i in places), abs=1e-9)
+
+
+def test_the_transformed_types_are_names_of_the_package():
+    assert under_test.PoseStamped is PoseStamped
+    assert {'PointStamped', 'Vector3Stamped', 'TransformStamped'} < set(under_test.__all__)

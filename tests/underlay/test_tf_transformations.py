@@ -102,3 +102,36 @@ def test_about_an_axis_and_half_way():
 def test_vectors_have_lengths():
     assert under_test.vector_norm((3.0, 4.0)) == 5.0
     assert np.allclose(under_test.unit_vector((3.0, 4.0)), (0.6, 0.8))
+
+
+@given(st.tuples(*[st.floats(0.2, 3.0)] * 3), st.tuples(*[st.floats(-1.0, 1.0)] * 3), st.tuples(*[st.floats(-1.4, 1.4)] * 3))
+def test_a_matrix_is_put_together_again_from_its_parts(scale, shear, turn):
+    matrix = under_test.compose_matrix(scale, shear, turn, (1.0, 2.0, 3.0))
+    parts = under_test.decompose_matrix(matrix)
+    assert under_test.is_same_transform(under_test.compose_matrix(*parts), matrix)
+    assert (tuple(parts[0]), parts[2]) == (pytest.approx(scale), pytest.approx(turn, abs=1e-6))
+
+
+def test_what_cannot_be_undone_has_no_parts():
+    with pytest.raises(ValueError, match='Matrix is singular'):
+        under_test.decompose_matrix(np.diag([0.0, 1.0, 1.0, 1.0]))
+
+
+@given(st.floats(0.1, 3.0), st.sampled_from([(0, 0, 1), (1, 2, 3)]), st.tuples(*[st.floats(-2.0, 2.0)] * 3))
+def test_the_axis_of_a_turn_is_found(angle, axis, point):
+    matrix = under_test.rotation_matrix(angle, axis, point)
+    assert under_test.is_same_transform(under_test.rotation_matrix(*under_test.rotation_from_matrix(matrix)), matrix)
+
+
+def test_scaling_and_mirroring_keep_the_origin():
+    assert (under_test.scale_matrix(2.0, (1.0, 0.0, 0.0)) @ (1.0, 1.0, 0.0, 1.0)).tolist() == [1.0, 2.0, 0.0, 1.0]
+    assert (under_test.reflection_matrix((1.0, 0.0, 0.0), (2.0, 0.0, 0.0)) @ (3.0, 5.0, 0.0, 1.0)).tolist() == [-1.0, 5.0, 0.0, 1.0]
+
+
+def test_chance_repeats_from_program_to_program_of_one_name():
+    assert under_test.vector_norm(under_test.random_quaternion()) == pytest.approx(1.0)
+    assert under_test.random_quaternion((0.0, 0.25, 0.0)) == pytest.approx((1.0, 0.0, 0.0, 0.0))
+    assert under_test.random_rotation_matrix((0.5, 0.1, 0.7)).shape == (4, 4)
+    assert len(under_test.random_vector(5)) == 5 and max(under_test.random_vector(5)) < 1.0
+    with pytest.raises(AttributeError):
+        under_test.__getattr__('random_nothing')

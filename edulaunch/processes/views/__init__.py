@@ -18,9 +18,11 @@ VIEWS = {
     'asyncio': 'asyncio_view.make',
     'atexit': 'atexit_view.make',
     'datetime': 'datetime_view.make',
+    'fcntl': 'keyboard_view.make_fcntl',
     'importlib': 'importlib_view.make',
     'importlib.resources': 'importlib_view.make_resources',
     'importlib.util': 'importlib_view.make_util',
+    'multiprocessing': 'multiprocessing_view.make',
     'numpy': 'numpy_view.make',
     'numpy.random': 'numpy_view.make_random',
     'os': 'os_view.make',
@@ -50,9 +52,11 @@ def _standard(name: str) -> Callable[[], tuple[str, bool]]:
     return place
 
 
-PRIVATE_COPIES = {name: _standard(name) for name in ('concurrent', 'logging', 'sched', 'secrets')}
-"""Standard packages that every program executes for itself, so that they use its views of time, threads and streams: what
-gives the file of each, and whether it is a package."""
+PRIVATE_COPIES = {name: _standard(name) for name in (
+    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'logging', 'optparse', 'sched', 'secrets', 'shutil',
+    'traceback')}
+"""Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
+what gives the file of each, and whether it is a package."""
 
 
 def make_view(name: str, process: Process) -> ModuleType | None:

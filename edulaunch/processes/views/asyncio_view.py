@@ -47,6 +47,41 @@ class ProcessEventLoop(SimulatedEventLoop):
         return answer
 
 
+    def add_signal_handler(self, sig: int, callback: Callable[..., object], *args: Any) -> None:  # type: ignore[override]
+        """Call `callback` on the loop when the program gets the signal."""
+        self._process.signal_handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
+
+    def remove_signal_handler(self, sig: int) -> bool:
+        """Whether there was one."""
+        return self._process.signal_handlers.pop(sig, None) is not None
+
+
+def _refusal(name: str, instead: str) -> Callable[..., Any]:
+    """A method that only tells what to do instead."""
+
+    def refuse(self: ProcessEventLoop, *_: Any, **__: Any) -> Any:
+        error: Any = RuntimeError(f'asyncio: {name} cannot be used in the simulation')
+        error.edulaunch_hint = instead
+        raise error
+
+    return refuse
+
+
+REFUSED = {
+    'start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time': (
+        'subprocess_exec', 'subprocess_shell'),
+    'the simulated machine has no network; nodes talk over topics, services and actions': (
+        'create_connection', 'create_server', 'create_datagram_endpoint', 'create_unix_connection', 'create_unix_server',
+        'sock_connect'),
+    'read the keyboard with input() in a thread: await asyncio.to_thread(input)': (
+        'add_reader', 'connect_read_pipe', 'connect_write_pipe'),
+}
+"""What to do in place of what, for methods of the loop that need a real machine."""
+for _instead, _names in REFUSED.items():
+    for _name in _names:
+        setattr(ProcessEventLoop, _name, _refusal(_name, _instead))
+
+
 def make(view: ModuleType, process: Process) -> ModuleType:
     """`run`, `Runner` and everything that makes or gives a loop."""
     loops: dict[Task, Any] = {}

@@ -22,8 +22,9 @@ def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str,
             file.flush()
 
     def private_input(prompt: object = '') -> str:
-        process.stdout.write(str(prompt))
-        line: str = process.stdin.readline()
+        view: Any = process.loader.modules.get('sys') or process
+        view.stdout.write(str(prompt))
+        line: str = view.stdin.readline()
         if not line:
             raise EOFError('EOF when reading a line')
         return line.rstrip('\n')

@@ -30,10 +30,19 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     class datetime(real.datetime, metaclass=_RealInstances):
         """As `datetime.datetime`."""
 
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            return real.datetime, real.datetime.__reduce_ex__(self, protocol)[1]
+
         @classmethod
         def now(cls, tz: real.tzinfo | None = None) -> Any:
             """The simulated time."""
             return now() if tz is None else now().replace(tzinfo=real.timezone.utc).astimezone(tz)
+
+        @classmethod
+        def fromtimestamp(cls, timestamp: float, tz: real.tzinfo | None = None) -> Any:
+            """Local time is UTC."""
+            made = super().fromtimestamp(timestamp, tz or real.timezone.utc)
+            return made if tz is not None else made.replace(tzinfo=None)
 
         @classmethod
         def utcnow(cls) -> Any:
@@ -48,10 +57,18 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     class date(real.date, metaclass=_RealInstances):
         """As `datetime.date`."""
 
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            return real.date, real.date.__reduce_ex__(self, protocol)[1]
+
         @classmethod
         def today(cls) -> Any:
             """The simulated day."""
             return now().date()
+
+        @classmethod
+        def fromtimestamp(cls, timestamp: float, /) -> Any:
+            """The day in UTC."""
+            return (real.datetime(1970, 1, 1) + real.timedelta(seconds=timestamp)).date()
 
     view.__dict__.update(datetime=datetime, date=date)
     copy_names(view, real)

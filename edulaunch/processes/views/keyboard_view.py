@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
 from edulaunch.sim import sync
-from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -18,18 +17,15 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
     import select as real
 
     def is_input(file: Any) -> bool:
-        return file is process.stdin or file == 0
+        return file is process.stdin or file == 0 or getattr(file, '_input', None) is process.stdin
 
     def select(rlist: Any, wlist: Any, xlist: Any, timeout: float | None = None, /) -> tuple[list[Any], list[Any], list[Any]]:
         keyboards, others = [file for file in rlist if is_input(file)], [file for file in rlist if not is_input(file)]
         ready = real.select(others, wlist, xlist, 0) if others or wlist or xlist else ([], [], [])
-        if keyboards and process.stdin.is_ready():
-            current_task().poll()
+        if keyboards and process.stdin.wait(0.0 if any(ready) else timeout):
             return keyboards + list(ready[0]), *ready[1:]
-        if any(ready):
+        if any(ready) or keyboards:
             return ready
-        if timeout is None:
-            process.stdin.wait_for_ever()
         sync.sleep(timeout or 0.0)
         return real.select(others, wlist, xlist, 0) if others or wlist or xlist else ready
 
@@ -52,8 +48,42 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
     def tcsetattr(fd: Any, when: int, attributes: list[Any], /) -> None:
         state['now'] = [*attributes[:6], list(attributes[6])]
         process.stdin.by_key = not attributes[3] & real.ICANON
+        terminal = process.stdin.terminal() if hasattr(process.stdin, 'terminal') else None
+        if terminal is not None:
+            _change_terminal(process, terminal, process.stdin.by_key)
 
     view.__dict__.update(tcgetattr=tcgetattr, tcsetattr=tcsetattr, tcflush=lambda fd, queue, /: None, tcdrain=lambda fd, /: None)
+    copy_names(view, real)
+    return view
+
+
+def _change_terminal(process: Process, terminal: int, by_key: bool) -> None:
+    """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends. Ctrl-C
+    stays what it is.
+    """
+    import termios
+    mode = termios.tcgetattr(terminal)
+    if 'terminal' not in process.state:
+        process.state['terminal'] = list(mode)
+        process.at_exit.append(lambda: termios.tcsetattr(terminal, termios.TCSADRAIN, process.state['terminal']))
+    letters = termios.ICANON | termios.ECHO
+    mode[3] = mode[3] & ~letters if by_key else mode[3] | letters
+    termios.tcsetattr(terminal, termios.TCSADRAIN, mode)
+
+
+def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
+    """`fcntl.fcntl` on the program's input: reading does not wait after O_NONBLOCK."""
+    import fcntl as real
+    import os
+
+    def fcntl(fd: Any, cmd: int, arg: Any = 0, /) -> Any:
+        if fd is not process.stdin and fd not in (0, 1, 2):
+            return real.fcntl(fd, cmd, arg)
+        if cmd == real.F_SETFL and (fd is process.stdin or fd == 0):
+            process.stdin.blocking = not arg & os.O_NONBLOCK
+        return 0 if process.stdin.blocking or cmd != real.F_GETFL else os.O_NONBLOCK
+
+    view.__dict__['fcntl'] = fcntl
     copy_names(view, real)
     return view
 

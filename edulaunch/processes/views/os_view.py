@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import io
 import os as real
+import signal
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,9 @@ if TYPE_CHECKING:
 
 LEFT_OUT = ('fork', 'forkpty', 'register_at_fork')
 """A simulated program cannot be copied by the operating system."""
+
+CPUS = 4
+"""Of the simulated machine: pools are as large on every real one."""
 
 
 class Reader(io.StringIO):
@@ -61,14 +65,26 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         real.listdir(target)  # raises what the real one does
         process.cwd = target
 
+    def read(fd: int, length: int, /) -> bytes:
+        return process.stdin.read1(length).encode() if fd == 0 else real.read(fd, length)
+
+    def write(fd: int, data: Any, /) -> int:
+        if fd not in (1, 2):
+            return real.write(fd, data)
+        return (process.stdout if fd == 1 else process.stderr).buffer.write(data)
+
+    def get_terminal_size(fd: int = 1, /) -> Any:
+        raise OSError(25, 'Inappropriate ioctl for device')
+
     def getcwd() -> str:
         return process.cwd or real.getcwd()
 
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
         getpid=lambda: process.pid, getppid=lambda: 1000, kill=lambda pid, signum, /: _kill(process, pid, signum),
-        _exit=process.exit_now, getcwd=getcwd, chdir=chdir,
-        system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom)
+        _exit=process.exit_now, abort=lambda: process.end_by(signal.SIGABRT), getcwd=getcwd, chdir=chdir,
+        cpu_count=lambda: CPUS, process_cpu_count=lambda: CPUS, get_terminal_size=get_terminal_size,
+        system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom, read=read, write=write)
     copy_names(view, real)
     for name in LEFT_OUT:
         view.__dict__.pop(name, None)

@@ -25,7 +25,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
         def __init__(self, args: Any, bufsize: int = -1, executable: Any = None, stdin: Any = None, stdout: Any = None,
                      stderr: Any = None, **options: Any) -> None:
-            super().__init__(process, args, stdout=stdout, stderr=stderr, **options)
+            super().__init__(process, args, stdin=stdin, stdout=stdout, stderr=stderr, **options)
 
     run = _runner(process, Popen)
 

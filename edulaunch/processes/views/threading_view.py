@@ -71,7 +71,7 @@ class Thread:
         self._target, self._args, self._kwargs = target, args, kwargs or {}
         suffix = f' ({target.__name__})' if target is not None and hasattr(target, '__name__') else ''
         self.name = name if name is not None else f'Thread-{threads.next_number()}{suffix}'
-        self.daemon = threads.current().daemon if daemon is None else bool(daemon)
+        self.daemon: bool = threads.current().daemon if daemon is None else bool(daemon)
         self._task: Task | None = None
         self._started = False
         self.ident: int | None = None

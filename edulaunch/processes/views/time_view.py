@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import time as real
+from calendar import timegm
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -40,7 +41,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         'perf_counter': lambda: monotonic_ns() / 1e9, 'perf_counter_ns': monotonic_ns,
         'process_time': lambda: monotonic_ns() / 1e9, 'process_time_ns': monotonic_ns,
         'thread_time': lambda: monotonic_ns() / 1e9, 'thread_time_ns': monotonic_ns,
-        'sleep': sync.sleep, 'strftime': strftime,
+        'clock_gettime_ns': lambda clock, /: time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns(),
+        'clock_gettime': lambda clock, /: (time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns()) / 1e9,
+        'sleep': sync.sleep, 'mktime': lambda when, /: float(timegm(when)), 'strftime': strftime,
         'gmtime': seconds(real.gmtime), 'localtime': seconds(real.gmtime),
         'ctime': seconds(lambda when: real.asctime(real.gmtime(when))),
         'asctime': lambda when=None: real.asctime(real.gmtime(sim.now_ns // 10**9) if when is None else when)}

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node
 from edulaunch.cli.ros2.fill_message import FillError, fill_message, parse_values
 from edulaunch.cli.ros2.interface_class import interface_class
-from edulaunch.interfaces.message_text import message_yaml
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.errors import InterfaceError
+from edulaunch.interfaces.message_text import message_yaml
 from edulaunch.processes.current import current_process
 
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from edulaunch.interfaces.message_text import message_yaml
 from edulaunch.cli.ros2.output import say
 from edulaunch.interfaces import current_registry
+from edulaunch.interfaces.message_text import message_yaml
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

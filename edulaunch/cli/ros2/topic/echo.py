@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, qos_options
 from edulaunch.cli.ros2.message_filter import message_filter
-from edulaunch.interfaces.message_text import Shortening, message_csv, message_yaml, plain_value
 from edulaunch.cli.ros2.output import complain, say
 from edulaunch.cli.ros2.topic_class import topic_class
 from edulaunch.interfaces.message import Message
+from edulaunch.interfaces.message_text import Shortening, message_csv, message_yaml, plain_value
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, MutableMapping, Sequence
+from functools import lru_cache
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -14,14 +15,28 @@ if TYPE_CHECKING:
 
     from edulaunch.processes import Process
 
+    from .launch_context import LaunchContext
+
 T = TypeVar('T')
 
 
 def running_process() -> Process:
     """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script.
     """
+    return _current_process()()
+
+
+@lru_cache(maxsize=1)
+def _current_process() -> Callable[[], Process]:
+    # An import statement takes as long as the question, which every action asks.
     from edulaunch.processes.current import current_process
-    return current_process()
+    return current_process
+
+
+def is_plain_script() -> bool:
+    """Whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
+    from edulaunch.sim.task import AmbientTask, current_task
+    return isinstance(current_task(), AmbientTask)
 
 
 def environment() -> MutableMapping[str, str]:
@@ -36,6 +51,22 @@ def process_state(key: str, make: Callable[[], T]) -> T:
         state[key] = make()
     value: T = state[key]
     return value
+
+
+def state_of(context: LaunchContext) -> dict[str, Any]:
+    """The state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
+    try:
+        return context._state
+    except AttributeError:
+        return running_process().state
+
+
+def process_counter(context: LaunchContext) -> list[int]:
+    """The number of the process that was numbered last, as the only item of a list; for any context, as above."""
+    try:
+        return context._process_counter
+    except AttributeError:
+        return process_state('launch.process_counter', lambda: [0])
 
 
 def new_event_loop() -> AbstractEventLoop:

@@ -56,8 +56,10 @@ class HandlerTable:
             group = groups.get(key)
             if group is None:
                 groups[key] = {rank: handler}
-                self._types[event_type] = self._types.get(event_type, 0) + 1
-                self._known_answers.clear()
+                known = self._types.get(event_type, 0)
+                self._types[event_type] = known + 1
+                if not known:
+                    self._known_answers.clear()
             else:
                 group[rank] = handler
 
@@ -80,7 +82,8 @@ class HandlerTable:
             if not group:
                 del self._groups[key]
                 self._types[event_type] -= 1
-                self._known_answers.clear()
+                if not self._types[event_type]:
+                    self._known_answers.clear()
 
     def may_handle(self, event_type: type) -> bool:
         """Whether any handler could accept an event of this type. Quick; True is no promise."""

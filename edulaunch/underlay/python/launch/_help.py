@@ -42,7 +42,7 @@ def help_line(error: BaseException) -> str | None:
     """`  help: file.launch.py:12 (Node): what to try`; None when nothing is known."""
     text = launch_help(error)
     place = launch_origin(error)
-    start = f'{place}{_entity(error)}' if place is not None else ''
+    start = '' if place is None else f'{place._replace(file=running_process().index.source_path(place.file))}{_entity(error)}'
     if not (text or start):
         return None
     return f"  help: {': '.join(part for part in (start, text) if part)}"

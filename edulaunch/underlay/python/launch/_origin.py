@@ -17,25 +17,29 @@ FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
 Place = tuple[str, int] | tuple[CodeType, int]
 """File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
 
-MAKERS: set[CodeType] = set()
-"""Code of ours that says itself where the actions come from which it makes: the frontends' parser.
+MAKERS: dict[int, CodeType] = {}
+"""Code of ours where the search ends: the frontends' parser, which says itself where its actions come from, and a visit.
 
-Only code of ours is looked up in it: a code object's hash covers everything in it, so that of a launch file with thousands of
-nodes takes longer than to make an action.
+By identity: the hash of a code object covers everything in it, so that of a launch file with thousands of nodes takes longer
+than to make an action.
 """
 _KEPT_TABLES = 64
 _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
-"""Line tables by the identity of their code (for the same reason), which they keep alive."""
+"""Line tables by the identity of their code, which they keep alive."""
 
 
 def caller_outside_launch(made: object) -> Place | None:
-    """The place in the innermost running code that is neither ours nor the constructor of `made` itself."""
+    """The place in the innermost running code that is neither ours nor the constructor of `made` itself.
+
+    What an action of ours makes while it is visited comes from where that action comes from.
+    """
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         code = frame.f_code
         if code.co_filename.startswith(FACES):
-            if code in MAKERS:
-                return None
+            if id(code) in MAKERS:
+                place: Place | None = getattr(frame.f_locals['self'], '_Action__origin', None)
+                return place
         elif code.co_name != '__init__' or not _makes(code, frame, made):
             return code, frame.f_lasti
         frame = frame.f_back

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ._origin import caller_outside_launch, note_origin, origin_of
+from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
 from .condition import Condition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
@@ -87,6 +87,8 @@ class Action(LaunchDescriptionEntity):
         except Exception as error:
             note_origin(error, self)
             raise
+
+    MAKERS[id(visit.__code__)] = visit.__code__
 
     def __announce_completion(self, context: LaunchContext) -> None:
         if not context._has_handlers_for(ExecutionComplete):

@@ -8,6 +8,8 @@ from collections.abc import Awaitable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from ._beside import Company, run_beside_tasks, run_beside_threads
+from ._done import Done
 from ._engine import new_event_loop, running_process
 from ._help import show_help
 from ._origin import note_origin
@@ -55,8 +57,10 @@ class LaunchService:
         self.__pending: dict[asyncio.Future[Any], LaunchDescriptionEntity] = {}
         self.__failed: list[tuple[LaunchDescriptionEntity, Exception]] = []
         self.__loop: asyncio.AbstractEventLoop | None = None
+        self.__thread = 0
         self.__task: asyncio.Task[Any] | None = None
         self.__news: asyncio.Future[None] | None = None
+        self.__company = Company()
         self.__shutting_down = False
         self.__interrupted = False
         self.__return_code = 0
@@ -93,7 +97,8 @@ class LaunchService:
     def shutdown(self, force_sync: bool = False) -> Awaitable[None] | None:
         """Ask the service to end; nothing happens when it does not run. May be called from any thread.
 
-        :returns: something to await when called on the service's own loop (unless `force_sync`), else None.
+        :returns: something to await, or to make a task of, when called in the thread that runs the service (unless
+            `force_sync`), else None.
         """
         if self.__loop is None:
             return None
@@ -102,11 +107,7 @@ class LaunchService:
             self.__shut_down(reason)
             return None
         self.__loop.call_soon_threadsafe(self.__shut_down, reason)
-        if not self.__is_inside():
-            return None
-        done = self.__loop.create_future()
-        done.set_result(None)
-        return done
+        return Done() if self.__thread == threading.get_ident() else None
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
         """Run until the launch has ended; returns 0, or 1 when an exception was caught or the run was
@@ -121,7 +122,7 @@ class LaunchService:
             task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
             while True:
                 try:
-                    return loop.run_until_complete(task)
+                    return run_beside_threads(loop, task, self.__company)
                 except KeyboardInterrupt:
                     if task.done():
                         raise
@@ -139,7 +140,7 @@ class LaunchService:
         _check_thread()
         loop = asyncio.get_running_loop()
         if not isinstance(loop, SimulatedEventLoop):
-            return self.run(shutdown_when_idle=shutdown_when_idle)
+            return await self.__run_beside_tasks(shutdown_when_idle)
         if self.__loop is not None:
             raise RuntimeError('LaunchService cannot be run multiple times concurrently.')
         with self.__running_on(loop), AsyncSafeSignalManager(loop) as signals:
@@ -152,11 +153,20 @@ class LaunchService:
                 self.__return_code = 1
         return self.__return_code
 
+    async def __run_beside_tasks(self, shutdown_when_idle: bool) -> int:
+        loop = new_event_loop()
+        try:
+            task = loop.create_task(self.run_async(shutdown_when_idle=shutdown_when_idle))
+            return await run_beside_tasks(loop, task, self.__company)
+        finally:
+            _cancel_all_tasks(loop)
+            loop.close()
+
     @contextmanager
     def __running_on(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
         import asyncio
         context = self.__context
-        self.__loop, self.__task = loop, asyncio.current_task()
+        self.__loop, self.__task, self.__thread = loop, asyncio.current_task(), threading.get_ident()
         self.__return_code, self.__shutting_down, self.__interrupted = 0, False, False
         context._set_asyncio_loop(loop)
         context._set_is_shutdown(False)
@@ -169,10 +179,6 @@ class LaunchService:
             context._set_asyncio_loop(None)
             self.__loop = self.__task = None
             self.__pending.clear()
-
-    def __is_inside(self) -> bool:
-        from asyncio import _get_running_loop
-        return _get_running_loop() is self.__loop
 
     # -- inside
 
@@ -248,9 +254,10 @@ class LaunchService:
     def __visit(self, entity: LaunchDescriptionEntity) -> None:
         with collector_paused():
             pairs = visit_all_entities_and_collect_futures(entity, self.__context)
+        on_done = self.__on_done
         for visited, future in pairs:
             self.__pending[future] = visited
-            future.add_done_callback(self.__on_done)
+            future.add_done_callback(on_done)
 
     def __on_done(self, future: asyncio.Future[Any]) -> None:
         entity = self.__pending.pop(future, None)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import assumptions
+from launch._engine import assumptions, state_of
 
 from ._temporary_files import TemporaryFiles, temporary_path
 from .parameter_descriptions import Parameter
@@ -63,7 +63,7 @@ class ParameterArguments:
         """The node's own, normalized ones."""
         for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=True):
             if isinstance(value, dict):
-                path = temporary_path(f'{self._owner} {len(self.items)} {value}')
+                path = temporary_path(f'{self._owner} {len(self.items)} {value}', state_of(context))
                 self._unwritten.append((path, value))
                 self.items.append((path, True))
                 self._sources.append((value, written))

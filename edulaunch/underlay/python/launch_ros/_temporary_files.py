@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import os
-
-from launch._engine import process_state
+from typing import Any
 
 Written = tuple[str, int]
 """Path and inode: the file is only removed while it is still the one that was written."""
 
 
-def temporary_path(key: str) -> str:
+def temporary_path(key: str, state: dict[str, Any]) -> str:
     """The path `launch_params_XXXXXXXX` in the temporary folder, for a file to be written later.
 
     The name is made from `key`, so that command lines (which are recorded) repeat from run to run. Two keys of
     one launch never get the same path.
+
+    :param state: of the process that runs launch.
     """
     import tempfile
     import zlib
 
     digest = zlib.crc32(key.encode())
-    keys: dict[int, str] = process_state('launch_ros.parameter_files', dict)
+    keys: dict[int, str] = state.setdefault('launch_ros.parameter_files', {})
     while keys.setdefault(digest, key) != key:
         digest = zlib.crc32(b'another', digest)
     return f'{tempfile.gettempdir()}{os.sep}launch_params_{digest:08x}'
@@ -37,18 +38,27 @@ class TemporaryFiles:
         self._written: list[Written] = []
 
     def write(self, path: str, text: str) -> None:
-        """Write a file, whole at once."""
-        import tempfile
+        """Write a file, whole at once; one that an earlier run left with this text stays: to look takes a tenth of the time."""
+        if _text_of(path) != text:
+            import tempfile
 
-        handle, draft = tempfile.mkstemp(prefix='launch_params_')
-        with open(handle, 'w', encoding='utf-8') as stream:
-            stream.write(text)
-        os.replace(draft, path)
+            handle, draft = tempfile.mkstemp(prefix='launch_params_')
+            with open(handle, 'w', encoding='utf-8') as stream:
+                stream.write(text)
+            os.replace(draft, path)
         self._written.append((path, os.stat(path).st_ino))
 
     def remove(self) -> None:
         """Remove all of them."""
         _remove(self._written)
+
+
+def _text_of(path: str) -> str | None:
+    try:
+        with open(path, encoding='utf-8') as stream:
+            return stream.read()
+    except (OSError, UnicodeError):
+        return None
 
 
 def _remove(written: list[Written]) -> None:

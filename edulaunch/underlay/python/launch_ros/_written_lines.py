@@ -13,6 +13,8 @@ _TOKEN = re.compile(
 )
 LONGEST_CALL = 400
 """Lines; what stands farther below the beginning of a call is not looked at."""
+SHORT_CALL = 12
+"""Lines; nearly all calls end here, and to read farther for each takes longer than to launch it."""
 
 
 def key_lines(file: str, line: int) -> dict[str, int]:
@@ -22,9 +24,18 @@ def key_lines(file: str, line: int) -> dict[str, int]:
     import linecache
 
     lines = linecache.getlines(file)[line - 1 : line - 1 + LONGEST_CALL]
+    beginning = ''.join(lines[:SHORT_CALL])
+    if len(lines) > SHORT_CALL and '"""' not in beginning and "'''" not in beginning:
+        found, is_closed = _keys_in(beginning, line)
+        if is_closed:
+            return found
+    return _keys_in(''.join(lines), line)[0]
+
+
+def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
+    """The keys, and whether the call ends in the text, which begins on `line`."""
     found: dict[str, int] = {}
     depth = 0
-    text = ''.join(lines)
     counted, number = 0, line
     for token in _TOKEN.finditer(text):
         if token['open']:
@@ -32,9 +43,9 @@ def key_lines(file: str, line: int) -> dict[str, int]:
         elif token['close']:
             depth -= 1
             if depth <= 0:
-                break
+                return found, True
         elif token['colon'] and depth:
             number += text.count('\n', counted, token.start())
             counted = token.start()
             found[token['text'].lstrip('rbuRBU').strip('"\'')] = number
-    return found
+    return found, False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import assumptions
+from launch._engine import assumptions, state_of
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
@@ -157,14 +157,14 @@ class ParameterFile:
         path = Path(perform_substitutions(context, self.__param_file))
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:
-            path = self.__write(path, _substituted(context, path))
+            path = self.__write(context, path, _substituted(context, path))
         self.__evaluated = path
         return path
 
-    def __write(self, source: Path, text: str) -> Path:
+    def __write(self, context: LaunchContext, source: Path, text: str) -> Path:
         from pathlib import Path
 
-        path = temporary_path(f'{source}\n{text}')
+        path = temporary_path(f'{source}\n{text}', state_of(context))
         self.__files.write(path, text)
         return Path(path)
 

@@ -5,6 +5,7 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
+from launch.frontend.entity import Entities
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
 
@@ -57,7 +58,7 @@ class Entity(BaseEntity):
         self.asked.add(name)
         if data_type is str and name in self._attributes:
             return self._attributes[name]
-        if data_type is str or data_type is None or not check_is_list_entity(data_type):
+        if data_type is not Entities and (data_type is None or not check_is_list_entity(data_type)):
             text = self._attributes.get(name)
             if text is not None:
                 return text if data_type is str else self._typed(name, text, data_type, can_be_str)
@@ -71,6 +72,14 @@ class Entity(BaseEntity):
             AttributeError(
                 f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
             f"the attribute '{name}'")
+
+    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
+        """The texts of the two attributes (typed: the second one converted), when there is nothing else."""
+        attributes = self._attributes
+        if len(attributes) != 2 or len(self._element) or first not in attributes or second not in attributes:
+            return None
+        value = attributes[second]
+        return attributes[first], typed(value, None, True) if is_typed else value
 
     def given(self, names: Collection[str]) -> list[str]:
         """Those of `names` that are there, attributes before child elements, in the order of the file."""

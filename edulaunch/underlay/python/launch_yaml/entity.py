@@ -97,6 +97,15 @@ class Entity(BaseEntity):
             raise hints.at(error, self, f"write the value of '{name}' in quotes" if quoted else None)
         return value
 
+    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
+        """The values of the two keys, when there is nothing else and they have the types."""
+        element = self._element
+        if not isinstance(element, dict) or len(element) != 2 or first not in element or second not in element:
+            return None
+        name, value = element[first], element[second]
+        fits = type(name) is str and (type(value) in _SCALARS if is_typed else type(value) is str)
+        return (name, value) if fits else None
+
     def given(self, names: Collection[str]) -> list[str]:
         """Those of `names` that are keys, in the order of the file."""
         self.asked.update(names)

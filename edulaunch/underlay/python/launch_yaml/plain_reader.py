@@ -7,6 +7,7 @@ in the same time. Whatever is not of this kind for certain is left to libyaml: t
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Any
 
 from launch.utilities._yaml_values import YAML_BOOLEANS
@@ -19,7 +20,8 @@ MAX_DEPTH = 40
 _CHARACTERS = re.compile(r'[ -~\n]*')
 _SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null'))
 _KEY = r'[A-Za-z_][A-Za-z0-9_-]*'
-_LINE = re.compile(rf'( *)((?:- )*)(?:({_KEY}):(?: (\S.*))?|(\S.*))')
+_KEY_ALONE = re.compile(_KEY)
+_LINE = re.compile(rf'^( *)((?:- )*)(?:({_KEY}):(?: (\S.*))?|(\S.*))?$', re.MULTILINE)
 # Begins like a word; no colon, no comment, nothing that means something in YAML; no space at the end.
 _TEXT = re.compile(r'[A-Za-z_/$][A-Za-z0-9_/$().+-]*(?: [A-Za-z0-9_/$().+-]+)*')
 _QUOTED = re.compile(r'"[^"\\]*"|\'[^\']*\'')
@@ -29,8 +31,8 @@ _PAIR = rf'{_KEY}: (?:[A-Za-z0-9_/$().+-]+(?: [A-Za-z0-9_/$().+-]+)*|"[^"\\]*"|\
 _FLOW = re.compile(rf'\{{({_PAIR}(?:, {_PAIR})*)\}}')
 _FLOW_PAIR = re.compile(rf'({_KEY}): ("[^"\\]*"|\'[^\']*\'|[^,]+)')
 
-_Row = tuple[int, str | None, str | None, int]
-"""Column; the key, None for the dash of a list, '' for a value alone; the value's text; the line."""
+_Row = tuple[int, str | None, str, int]
+"""Column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
 
 
 class NotPlain(Exception):
@@ -55,24 +57,20 @@ def read_plain(text: str) -> Any:
 
 def _rows(text: str) -> list[_Row]:
     rows: list[_Row] = []
-    match = _LINE.fullmatch
-    for number, line in enumerate(text.split('\n'), 1):
-        found = match(line)
-        if found is None:
-            if line.strip(' '):
-                raise NotPlain
-            continue
-        spaces, dashes, key, value, alone = found.groups()
+    for number, (spaces, dashes, key, value, alone) in enumerate(_LINE.findall(text), 1):
         column = len(spaces)
-        if alone is not None and alone[0] == '#' and not dashes:
-            continue
-        if dashes:
+        if not dashes:
+            if not key and (not alone or alone[0] == '#'):
+                continue
+        elif key or alone:
             for _ in range(0, len(dashes), 2):
-                rows.append((column, None, None, number))
+                rows.append((column, None, '', number))
                 column += 2
-        rows.append((column, key, value, number) if key is not None else (column, '', alone, number))
+        else:
+            raise NotPlain
+        rows.append((column, key, value or alone, number))
     if rows:
-        rows.append((-1, '', None, 0))
+        rows.append((-1, '', '', 0))
     return rows
 
 
@@ -85,7 +83,7 @@ def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
         return _list(rows, start, column, depth)
     if key:
         return _mapping(rows, start, column, depth)
-    if text is None or rows[start + 1][0] > column:
+    if not text or rows[start + 1][0] > column:
         raise NotPlain
     return _value(text, rows[start][3]), start + 1
 
@@ -93,8 +91,13 @@ def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
 def _list(rows: list[_Row], start: int, column: int, depth: int) -> tuple[list[Any], int]:
     items: list[Any] = []
     while rows[start][0] == column and rows[start][1] is None:
-        item, start = _block(rows, start + 1, depth + 1)
-        items.append(item)
+        inside, key, text, line = rows[start + 1]
+        if key == '' and text and rows[start + 2][0] <= inside:
+            items.append(_value(text, line))
+            start += 2
+        else:
+            item, start = _block(rows, start + 1, depth + 1)
+            items.append(item)
     if rows[start][0] > column:
         raise NotPlain
     return items, start
@@ -110,7 +113,7 @@ def _mapping(rows: list[_Row], start: int, column: int, depth: int) -> tuple[Map
         start += 1
         if key.lower() in _SPECIAL:
             raise NotPlain
-        if text is not None:
+        if text:
             if rows[start][0] > column:
                 raise NotPlain
             mapping[key] = _value(text, line)
@@ -125,20 +128,42 @@ def _mapping(rows: list[_Row], start: int, column: int, depth: int) -> tuple[Map
 
 
 def _value(text: str, line: int) -> Any:
-    if text[0] == '{':
-        found = _FLOW.fullmatch(text)
-        if found is None:
+    if text[0] != '{':
+        return _scalar(text)
+    if '"' in text or "'" in text:
+        return _quoted_flow(text, line)
+    if text[-1] != '}':
+        raise NotPlain
+    mapping = Mapping()
+    mapping.line = line
+    for pair in text[1:-1].split(', '):
+        key, _, value = pair.partition(': ')
+        if not value or not _is_flow_key(key):
             raise NotPlain
-        mapping = Mapping()
-        mapping.line = line
-        for key, value in _FLOW_PAIR.findall(found[1]):
-            if key.lower() in _SPECIAL:
-                raise NotPlain
-            mapping[key] = _scalar(value)
-        return mapping
-    return _scalar(text)
+        mapping[key] = _scalar(value)
+    return mapping
 
 
+def _quoted_flow(text: str, line: int) -> Mapping:
+    """A one-line mapping in which a comma may also stand inside quotes."""
+    found = _FLOW.fullmatch(text)
+    if found is None:
+        raise NotPlain
+    mapping = Mapping()
+    mapping.line = line
+    for key, value in _FLOW_PAIR.findall(found[1]):
+        if not _is_flow_key(key):
+            raise NotPlain
+        mapping[key] = _scalar(value)
+    return mapping
+
+
+@lru_cache(maxsize=1024)
+def _is_flow_key(key: str) -> bool:
+    return _KEY_ALONE.fullmatch(key) is not None and key.lower() not in _SPECIAL
+
+
+@lru_cache(maxsize=4096)
 def _scalar(text: str) -> Any:
     if _TEXT.fullmatch(text):
         if text.lower() not in _SPECIAL:

@@ -6,6 +6,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.graph.qos import incompatible_policy
+from rclpy.impl.qos_watch import LivelinessWatch, Missed, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -36,6 +37,50 @@ class QoSSubscriptionEventType(IntEnum):
     RCL_SUBSCRIPTION_MATCHED = 5
 
 
+class QoSOfferedDeadlineMissedInfo(NamedTuple):
+    """A publisher did not publish within the deadline that it offers."""
+
+    total_count: int
+    total_count_change: int
+
+
+class QoSRequestedDeadlineMissedInfo(NamedTuple):
+    """A subscription heard nothing within the deadline that it requests."""
+
+    total_count: int
+    total_count_change: int
+
+
+class QoSLivelinessLostInfo(NamedTuple):
+    """A publisher did not show that it is alive within its lease."""
+
+    total_count: int
+    total_count_change: int
+
+
+class QoSLivelinessChangedInfo(NamedTuple):
+    """How many of a subscription's publishers are alive and how many are not."""
+
+    alive_count: int
+    not_alive_count: int
+    alive_count_change: int
+    not_alive_count_change: int
+
+
+class QoSMessageLostInfo(NamedTuple):
+    """Messages got lost on the way, which does not happen here."""
+
+    total_count: int
+    total_count_change: int
+
+
+class IncompatibleTypeInfo(NamedTuple):
+    """Endpoints of another type are on the topic."""
+
+    total_count: int
+    total_count_change: int
+
+
 class QoSOfferedIncompatibleQoSInfo(NamedTuple):
     """A subscription wants more than this publisher offers."""
 
@@ -61,7 +106,7 @@ class MatchedInfo(NamedTuple):
     current_count_change: int
 
 
-PublisherMatchedInfo = MatchedInfo
+PublisherMatchedInfo = QoSPublisherMatchedInfo = MatchedInfo
 QoSSubscriptionMatchedInfo = MatchedInfo
 
 
@@ -134,11 +179,16 @@ class _EventCallbacks:
     """What both kinds of callbacks share. `incompatible_qos` defaults to a warning in the log."""
 
     _info_class: Any
+    _deadline_info: Any
     _warning: str
 
-    def __init__(self, *, incompatible_qos: EventCallback | None = None, matched: EventCallback | None = None,
-                 use_default_callbacks: bool = True) -> None:
+    def __init__(self, *, deadline: EventCallback | None = None, liveliness: EventCallback | None = None,
+                 incompatible_qos: EventCallback | None = None, incompatible_type: EventCallback | None = None,
+                 matched: EventCallback | None = None, use_default_callbacks: bool = True) -> None:
+        self.deadline = deadline
+        self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
@@ -154,6 +204,14 @@ class _EventCallbacks:
             self._watch_incompatible(node, entity, impl, group, callback)
         if self.matched is not None:
             self._watch_matched(node, entity, impl, group, self.matched)
+        if self.deadline is not None:
+            watch_deadline(impl, _missed(node, entity, group, self.deadline, self._deadline_info).add)
+        if self.liveliness is not None:
+            self._watch_liveliness(node, entity, impl, group, self.liveliness)
+
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        """Of a publisher or of a subscription's publishers."""
+        raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
         count = _IncompatibleCount(self._info_class)
@@ -178,6 +236,15 @@ class _EventCallbacks:
             handler.ready_changed()
 
         impl.on_matched = on_matched
+        if count.current:
+            handler.ready_changed()
+
+
+def _missed(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, info_class: Any) -> Missed:
+    """A count whose changes are told to the callback, on the executor's turn."""
+    count = Missed(info_class, lambda: handler.ready_changed())
+    handler = _added(node, entity, EventHandler(group, callback, count.take))
+    return count
 
 
 def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
@@ -198,25 +265,35 @@ def _incompatible_partners(impl: Any) -> list[str]:
 
 
 class PublisherEventCallbacks(_EventCallbacks):
-    """Callbacks of a publisher. Deadlines are always kept and publishers always alive, so those two never come."""
+    """Callbacks of a publisher, each called with one of the infos of this module.
+
+    :param deadline: nothing was published for as long as the publisher's deadline.
+    :param liveliness: a publisher that must show itself (MANUAL_BY_TOPIC) did not do so for its lease.
+    :param incompatible_qos: a subscription wants more; by default a warning is logged.
+    :param matched: a subscription came or went.
+    """
 
     _info_class = QoSOfferedIncompatibleQoSInfo
+    _deadline_info = QoSOfferedDeadlineMissedInfo
     _warning = ("New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
                 'Last incompatible policy: {}')
 
-    def __init__(self, *, deadline: EventCallback | None = None, liveliness: EventCallback | None = None,
-                 incompatible_qos: EventCallback | None = None, incompatible_type: EventCallback | None = None,
-                 matched: EventCallback | None = None, use_default_callbacks: bool = True) -> None:
-        super().__init__(incompatible_qos=incompatible_qos, matched=matched, use_default_callbacks=use_default_callbacks)
-        self.deadline = deadline
-        self.liveliness = liveliness
-        self.incompatible_type = incompatible_type
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        watch_lease(impl, _missed(node, entity, group, callback, QoSLivelinessLostInfo).add)
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
-    """Callbacks of a subscription. Only `incompatible_qos` and `matched` ever come: nothing is lost or late on the way."""
+    """Callbacks of a subscription, each called with one of the infos of this module.
+
+    :param deadline: nothing was heard for as long as the subscription's deadline, counted from the first message on.
+    :param liveliness: a publisher came to life or ended, or did not show itself for the lease.
+    :param incompatible_qos: a publisher offers less; by default a warning is logged.
+    :param message_lost: never called, since nothing gets lost here.
+    :param matched: a publisher came or went.
+    """
 
     _info_class = QoSRequestedIncompatibleQoSInfo
+    _deadline_info = QoSRequestedDeadlineMissedInfo
     _warning = ("New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
                 'Last incompatible policy: {}')
 
@@ -224,8 +301,19 @@ class SubscriptionEventCallbacks(_EventCallbacks):
                  liveliness: EventCallback | None = None, message_lost: EventCallback | None = None,
                  incompatible_type: EventCallback | None = None, matched: EventCallback | None = None,
                  use_default_callbacks: bool = True) -> None:
-        super().__init__(incompatible_qos=incompatible_qos, matched=matched, use_default_callbacks=use_default_callbacks)
-        self.deadline = deadline
-        self.liveliness = liveliness
+        super().__init__(deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible_qos,
+                         incompatible_type=incompatible_type, matched=matched, use_default_callbacks=use_default_callbacks)
         self.message_lost = message_lost
-        self.incompatible_type = incompatible_type
+
+    def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
+        handler = _added(node, entity, EventHandler(group, callback, watch.take))
+        counted = impl.on_matched
+
+        def on_matched(change: int) -> None:
+            if counted is not None:
+                counted(change)
+            watch.look()
+
+        impl.on_matched = on_matched
+        watch.look()

@@ -1,9 +1,16 @@
 """From a name as a program writes it to its absolute form."""
 from __future__ import annotations
 
-from edulaunch.graph.names import expand_name
+from edulaunch.graph.names import expand_name, namespace_problem, node_name_problem, topic_name_problem
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """The absolute form of a topic or service name in a node; remap rules are not applied."""
+    """The absolute form of a topic or service name in a node; remap rules are not applied.
+
+    :raises ValueError: when one of the three breaks its rules.
+    """
+    for what, problem in (('node name', node_name_problem(node_name)), ('node namespace', namespace_problem(node_namespace)),
+                          ('topic name', topic_name_problem(topic_name))):
+        if problem is not None:
+            raise ValueError(f'{what} is invalid: {problem[0]}')
     return expand_name(topic_name, node_name, node_namespace)

@@ -102,10 +102,12 @@ class Parameter:
     def get_parameter_value(self) -> ParameterValue:
         """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
-        message = ParameterValue(type=self._type_.value)
+        number = self._type_.value
+        message = ParameterValue()
+        message.type = number
         if self._type_ is not ParameterType.NOT_SET:
             value = list(self._value) if isinstance(self._value, tuple) else self._value
-            setattr(message, _VALUE_FIELDS[self._type_.value], value)
+            setattr(message, _VALUE_FIELDS[number], value)
         return message
 
     def to_parameter_msg(self) -> ParameterMsg:
@@ -146,21 +148,26 @@ def parameter_dict_from_yaml_file(parameter_file: str, use_wildcard: bool = Fals
 
     :param use_wildcard: whether entries under `/**` count.
     :param target_nodes: the full names of the nodes that count; None for all of the file.
-    :raises RuntimeError: when the file has none of them, or is no parameter file.
+    :raises RuntimeError: when the file lacks one of them, has no parameters, or is no parameter file.
     """
     import yaml
     with open(parameter_file, encoding='utf-8') as file:
         content = yaml.safe_load(file) or {}
     keys = ['/**'] if use_wildcard and '/**' in content else []
-    keys += [key for key in content if key != '/**' and (target_nodes is None or key in target_nodes)]
+    for key in target_nodes or ():
+        if key not in content:
+            raise RuntimeError(f'Param file does not contain parameters for {key},only for nodes: {list(content)} ')
+    keys += target_nodes or [key for key in content if key != '/**']
     if not keys:
-        raise RuntimeError('Param file does not contain any valid parameters')
+        raise RuntimeError('Param file does not contain selected parameters')
     found: dict[str, Any] = {}
     for key in keys:
         body = content[key]
         if not isinstance(body, dict) or 'ros__parameters' not in body:
             raise RuntimeError(f'YAML file is not a valid ROS parameter file for node {key}')
         found.update(_flattened(body['ros__parameters'], f'{namespace}.' if namespace else ''))
+    if not found:
+        raise RuntimeError('Param file does not contain any valid parameters')
     return {name: Parameter(name, value=value).to_parameter_msg() for name, value in found.items()}
 
 

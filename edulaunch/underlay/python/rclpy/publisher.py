@@ -70,7 +70,10 @@ class Publisher:
         return self._impl
 
     def assert_liveliness(self) -> None:
-        """Show that the publisher is alive. It always counts as alive while it exists."""
+        """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish."""
+        show_life = getattr(self._impl, 'show_life', None)
+        if show_life is not None:
+            show_life()
 
     def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:
         """Whether all messages were received: delivery takes no time, so always True."""

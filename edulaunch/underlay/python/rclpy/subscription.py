@@ -53,6 +53,7 @@ class Subscription(Entity):
         self._callback = value
         self._callback_type = callback_type(value)
         self._simple = self._callback_type is Subscription.CallbackType.MessageOnly
+        self._wire_callback: Callable[[Any], object] | None = None
         self.is_async = is_coroutine_function(value)
 
     def _run(self, executor: Executor) -> Any:
@@ -65,7 +66,17 @@ class Subscription(Entity):
             self._signal()
         if self._simple:
             return self._callback(self._from_wire(taken[0]))
+        if self._wire_callback is not None:
+            return self._wire_callback(taken[0])
         return self._callback(self._from_wire(taken[0]), self._info(taken))
+
+    def _take_wires(self, callback: Callable[[Any], object]) -> None:
+        """Call `callback` with the wire of each message in place of the present callback, which must do the same with messages.
+
+        For listeners of our own that only put the values elsewhere: no message is made. Another callback ends it.
+        """
+        self._wire_callback = callback
+        self._simple = False
 
     def _info(self, taken: Taken) -> dict[str, Any]:
         return {'source_timestamp': taken[1], 'received_timestamp': taken[1],

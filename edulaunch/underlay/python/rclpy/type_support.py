@@ -9,11 +9,9 @@ from rclpy.impl.hints import hinted
 def check_for_type_support(msg_or_srv_type: Any) -> None:
     """Raise AttributeError, with ROS 2's hint, for anything that is no interface class."""
     if not isinstance(getattr(msg_or_srv_type, 'TYPE', None), str):
-        kind = 'type object' if isinstance(msg_or_srv_type, type) else 'object'
-        name = getattr(msg_or_srv_type, '__name__', type(msg_or_srv_type).__name__)
         raise AttributeError(
-            f"{kind} '{name}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should be a ROS 2 "
-            'message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
+            f"type object '{type(msg_or_srv_type).__name__}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type "
+            'but it should be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
@@ -58,4 +56,7 @@ def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
 
 def _has(cls: Any, name: str) -> bool:
     """As `hasattr`, without making the parts of services and actions, which are made when first read."""
-    return any(name in vars(base) for base in getattr(cls, '__mro__', ()))
+    for base in getattr(cls, '__mro__', ()):  # noqa: SIM110 - a loop takes half the time, and each service asks twice
+        if name in base.__dict__:
+            return True
+    return False

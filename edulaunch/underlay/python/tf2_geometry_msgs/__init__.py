@@ -1,6 +1,16 @@
-"""Importing this package teaches `Buffer.transform` the stamped types of geometry_msgs."""
+"""Importing this package teaches `Buffer.transform` the stamped types of geometry_msgs. They are names of this package too."""
 
 from __future__ import annotations
+
+from geometry_msgs.msg import (
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    TransformStamped,
+    Vector3Stamped,
+)
 
 from tf2_geometry_msgs.tf2_geometry_msgs import (
     do_transform_point,
@@ -15,6 +25,13 @@ from tf2_geometry_msgs.tf2_geometry_msgs import (
 )
 
 __all__ = [
+    'PointStamped',
+    'PolygonStamped',
+    'Pose',
+    'PoseStamped',
+    'PoseWithCovarianceStamped',
+    'TransformStamped',
+    'Vector3Stamped',
     'do_transform_point',
     'do_transform_polygon_stamped',
     'do_transform_pose',

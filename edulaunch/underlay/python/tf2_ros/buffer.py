@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from tf2_py import BufferCore
+from tf2_py._reports import report
 from tf2_py._times import nanoseconds
+from tf2_py.buffer_core import NS_PER_S
 
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
@@ -60,6 +62,14 @@ class Buffer(BufferCore, BufferInterface):
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
         """Add a transform, and look again at what somebody is waiting for."""
         BufferCore.set_transform(self, transform, authority)
+        if self._new_data_callbacks:
+            self._call_new_data_callbacks()
+
+    def _set_wire(self, wire: tuple[Any, ...], authority: str) -> None:
+        """:meth:`set_transform` with the wire tuple of a transform."""
+        rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
+        if rejections:
+            report(rejections)
         if self._new_data_callbacks:
             self._call_new_data_callbacks()
 
@@ -202,3 +212,8 @@ class Buffer(BufferCore, BufferInterface):
         self._new_data_callbacks.append(on_new_data)
         future.add_done_callback(forget)
         return future
+
+
+def fills_directly(buffer: Any) -> bool:
+    """Whether nobody has put a `set_transform` of their own into the buffer."""
+    return type(buffer).set_transform is Buffer.set_transform and 'set_transform' not in vars(buffer)

@@ -10,6 +10,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from edulaunch.processes.current import current_process
+from tf2_ros.buffer import fills_directly
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -58,6 +59,8 @@ class TransformListener:
             static_qos,
             callback_group=self.group,
         )
+        if fills_directly(buffer):
+            self.tf_sub._take_wires(_wire_receiver(buffer))
         self.executor: Any = None
         if spin_thread:
             self._start_thread()
@@ -92,6 +95,16 @@ class TransformListener:
             if subscription is not None:
                 setattr(self, name, None)
                 self.node.destroy_subscription(subscription)
+
+
+def _wire_receiver(buffer: Buffer) -> Any:
+    set_wire = buffer._set_wire
+
+    def receive(wire: tuple[Any, ...]) -> None:
+        for transform in wire[0]:
+            set_wire(transform, AUTHORITY)
+
+    return receive
 
 
 def _receiver(set_transform: Any) -> Any:

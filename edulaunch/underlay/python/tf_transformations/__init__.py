@@ -7,6 +7,16 @@ functions that return arrays only. `axes` is 's' (fixed axes) or 'r' (turning ax
 
 from __future__ import annotations
 
+from typing import Any
+
+from tf_transformations.affine import (
+    compose_matrix,
+    decompose_matrix,
+    is_same_transform,
+    reflection_matrix,
+    rotation_from_matrix,
+    scale_matrix,
+)
 from tf_transformations.eulers import (
     euler_from_matrix,
     euler_from_quaternion,
@@ -34,12 +44,15 @@ from tf_transformations.quaternions import (
 )
 
 __all__ = [
+    'compose_matrix',
     'concatenate_matrices',
+    'decompose_matrix',
     'euler_from_matrix',
     'euler_from_quaternion',
     'euler_matrix',
     'identity_matrix',
     'inverse_matrix',
+    'is_same_transform',
     'quaternion_about_axis',
     'quaternion_conjugate',
     'quaternion_from_euler',
@@ -48,9 +61,25 @@ __all__ = [
     'quaternion_matrix',
     'quaternion_multiply',
     'quaternion_slerp',
+    'random_quaternion',
+    'random_rotation_matrix',
+    'random_vector',
+    'reflection_matrix',
+    'rotation_from_matrix',
     'rotation_matrix',
+    'scale_matrix',
     'translation_from_matrix',
     'translation_matrix',
     'unit_vector',
     'vector_norm',
 ]
+
+_BY_CHANCE = ('random_quaternion', 'random_rotation_matrix', 'random_vector')
+
+
+def __getattr__(name: str) -> Any:
+    if name in _BY_CHANCE:
+        from tf_transformations import chance
+
+        return getattr(chance, name)
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

@@ -4,6 +4,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from geometry_msgs.msg import TransformStamped
+from rclpy.constants import S_TO_NS
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
 from turtlesim.msg import Pose
@@ -23,17 +24,19 @@ class FramePublisher(Node):
         self._transform = TransformStamped()
         self._transform.header.frame_id = 'world'
         self._transform.child_frame_id = self._turtle
+        self._stamp = self._transform.header.stamp
+        self._translation = self._transform.transform.translation
+        self._rotation = self._transform.transform.rotation
 
     def _on_pose(self, pose: Pose) -> None:
-        stamped = self._transform
-        stamp = stamped.header.stamp
-        stamp.sec, stamp.nanosec = self._clock.now().seconds_nanoseconds()
-        transform = stamped.transform
-        transform.translation.x = pose.x
-        transform.translation.y = pose.y
-        transform.rotation.z = sin(pose.theta / 2.0)
-        transform.rotation.w = cos(pose.theta / 2.0)
-        self._broadcaster.sendTransform(stamped)
+        stamp, translation, rotation = self._stamp, self._translation, self._rotation
+        stamp._sec, stamp._nanosec = divmod(self._clock._now_ns(), S_TO_NS)
+        translation._x = pose._x
+        translation._y = pose._y
+        half = pose._theta / 2.0
+        rotation._z = sin(half)
+        rotation._w = cos(half)
+        self._broadcaster.sendTransform(self._transform)
 
 
 def main() -> None:

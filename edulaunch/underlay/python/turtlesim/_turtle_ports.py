@@ -38,8 +38,8 @@ class TurtlePorts:
             node.create_service(TeleportAbsolute, f'{name}/teleport_absolute', self._on_teleport_absolute),
         ]
         self._rotation = RotateAbsoluteServer(node, turtle)
-        self._publish_pose = self._poses.handle.publish
-        self._publish_color = self._colors.handle.publish
+        self._publish_pose, self._publish_color = self._poses.handle.publish, self._colors.handle.publish
+        self._resting: tuple[float, ...] | None = None  # the pose of a turtle that stands still: always the same
 
     def destroy(self) -> None:
         """Take the turtle off the graph."""
@@ -67,17 +67,24 @@ class TurtlePorts:
         if turtle.wall_hit is not None:
             x, down = turtle.wall_hit
             self._log.warning(f'Oh no! I hit the wall! (Clamping from [x={x:f}, y={down:f}])')
-        self._publish_pose(_singles(
-            turtle.x, SIDE - turtle.down, turtle.theta, turtle.linear_velocity, turtle.turning))
+        if not turtle.still:
+            pose = _pose_of(turtle)
+            self._resting = None
+        else:
+            pose = self._resting or _pose_of(turtle)
+            self._resting = pose
+        self._publish_pose(pose)
         self._publish_color(turtle.color)
         if self._debug:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} '
                             f'theta: {turtle.theta:f}')
 
     def _on_command(self, twist: Any) -> None:
-        holonomic = self._node.get_parameter('holonomic').value
-        self.turtle.command(twist.linear.x, twist.angular.z, self._clock.now().nanoseconds,
-                            twist.linear.y if holonomic else None)
+        linear, turtle = twist._linear, self.turtle
+        sideways = None
+        if (linear._y or turtle.sideways) and self._node.get_parameter('holonomic').value:
+            sideways = linear._y
+        turtle.command(linear._x, twist._angular._z, self._clock._now_ns(), sideways)
         if self._rotation.goal is not None:
             self._log.warning('Velocity command received during rotation goal. Aborting goal')
             self._rotation.abort()
@@ -95,9 +102,10 @@ class TurtlePorts:
         return response
 
 
-def _singles(*values: float) -> tuple[float, ...]:
-    """The five fields of a Pose, rounded to 32 bits."""
+def _pose_of(turtle: Turtle) -> tuple[float, ...]:
+    """The wire of a Pose: five fields, rounded to 32 bits."""
+    speed = turtle.linear_velocity if turtle.sideways else abs(turtle.speed)
     try:
-        return _POSE.unpack(_POSE.pack(*values))
+        return _POSE.unpack(_POSE.pack(turtle.x, SIDE - turtle.down, turtle.theta, speed, turtle.turning))
     except OverflowError:
-        return tuple(as_float32(value) for value in values)
+        return tuple(as_float32(value) for value in (turtle.x, turtle.y, turtle.theta, speed, turtle.turning))

@@ -1,6 +1,7 @@
 """Running a program and watching it."""
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from .._engine import environment
@@ -183,12 +184,11 @@ class ExecuteLocal(Action):
         return None
 
     def __schedule(self, context: LaunchContext) -> None:
-        from ._process_watch import ProcessWatch
         if not isinstance(self.__output, (str, dict)):
             self.__output = perform_substitutions(context, self.__output)
         assert self.__process_details is not None
         loop = context.asyncio_loop
-        watch = ProcessWatch(self, self.__process_details, self.__options, self.__output, loop)
+        watch = _watch_type()(self, self.__process_details, self.__options, self.__output, loop)
         if self.__on_exit is not None:
             context.register_event_handler(OnProcessExit(target_action=self, on_exit=self.__on_exit))
         context.register_event_handler(watch)
@@ -198,3 +198,10 @@ class ExecuteLocal(Action):
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Done when the process has ended for good."""
         return None if self.__watch is None else self.__watch.completed
+
+
+@lru_cache(maxsize=1)
+def _watch_type() -> type[ProcessWatch]:
+    """Imported when the first process is scheduled; the statement itself takes time, too."""
+    from ._process_watch import ProcessWatch
+    return ProcessWatch

@@ -103,9 +103,9 @@ class IncludeLaunchDescription(Action):
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:
         given = self.__argument_names(context)
         declared = description.get_launch_arguments_with_include_launch_description_actions()
-        if given and self.origin is not None and is_students(self.origin.file):
-            note_undeclared(
-                given, [argument.name for argument, _ in declared], self.__source.location, self.origin)
+        origin = self.origin if given else None
+        if origin is not None and is_students(origin.file):
+            note_undeclared(given, [argument.name for argument, _ in declared], self.__source.location, origin)
         for argument, includes in declared:
             note_declared(argument)
             if argument._conditionally_included or argument.default_value is not None:

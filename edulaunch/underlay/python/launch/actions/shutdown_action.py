@@ -7,6 +7,7 @@ from .._parsed_by import parsed_as_action
 from ..events.process.process_exited import ProcessExited
 from ..events.shutdown import Shutdown as ShutdownEvent
 from ..some_substitutions_type import SomeSubstitutionsType
+from ..utilities._plain_text import plain_text
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
 from .emit_event import EmitEvent
@@ -24,7 +25,8 @@ class Shutdown(EmitEvent):
     parse = parsed_as_action('shutdown')
 
     def __init__(self, *, reason: SomeSubstitutionsType = 'reason not given', **kwargs: Any) -> None:
-        super().__init__(event=ShutdownEvent(), **kwargs)
+        text = plain_text(reason)
+        super().__init__(event=ShutdownEvent() if text is None else ShutdownEvent(reason=text), **kwargs)
         self.__reason = normalize_to_list_of_substitutions(reason)
 
     def execute(self, context: LaunchContext) -> None:

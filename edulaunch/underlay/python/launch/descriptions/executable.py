@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from .._engine import process_counter
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..substitutions.launch_configuration import LaunchConfiguration
@@ -134,8 +135,9 @@ class Executable:
         self._command = [*prefix, *cmd] if prefix else cmd
         name = (os.path.basename(self._command[0]) if self.__name is None
                 else perform_substitutions(context, self.__name))
-        context._process_counter[0] += 1
-        self.__final_name = f'{name}-{context._process_counter[0]}'
+        counter = process_counter(context)
+        counter[0] += 1
+        self.__final_name = f'{name}-{counter[0]}'
         self.__final_cwd = None if self.__cwd is None else perform_substitutions(context, self.__cwd)
         self.__final_env = (
             dict(context.environment) if self.__env is None else _perform_variables(context, self.__env))

@@ -64,6 +64,15 @@ class Entity(ABC):
         """
         return [name for name in names if self._has(name)]
 
+    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
+        """The two attributes of an element that has both and nothing else, which is then completely parsed.
+
+        (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer.
+
+        :param is_typed: the second one is a scalar by YAML's rules; else both are texts.
+        """
+        return None
+
     def _has(self, name: str) -> bool:
         try:
             return any(self.get_attr(name, data_type=data_type, optional=True) is not None

@@ -95,7 +95,7 @@ class Parser:
             raise hints.at(error, entity, hints.about_element(entity))
         return parse
 
-    MAKERS.add(parse_action.__code__)
+    MAKERS[id(parse_action.__code__)] = parse_action.__code__
 
     parse_substitution = staticmethod(parse_substitution)
     parse_if_substitutions = staticmethod(parse_if_substitutions)

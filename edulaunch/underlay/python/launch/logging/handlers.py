@@ -1,6 +1,6 @@
 """Python's log handlers, with a format for each logger.
 
-`StreamHandler`, `FileHandler`, `NullHandler`, and under their own names all handlers of `logging.handlers`.
+`Handler`, `StreamHandler`, `FileHandler`, `NullHandler`, and under their own names all handlers of `logging.handlers`.
 """
 from __future__ import annotations
 
@@ -38,6 +38,7 @@ def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
     return Trait
 
 
+Handler = with_per_logger_formatting(logging.Handler)
 StreamHandler = with_per_logger_formatting(logging.StreamHandler)
 FileHandler = with_per_logger_formatting(logging.FileHandler)
 NullHandler = with_per_logger_formatting(logging.NullHandler)

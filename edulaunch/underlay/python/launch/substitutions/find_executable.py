@@ -41,7 +41,7 @@ class FindExecutable(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """The path."""
         name = perform_substitutions(context, self.__name)
-        path = which(name, path=context.environment.get('PATH'))
+        path = which(name)
         assumed = assumptions() if path is None else None
         if assumed is not None:
             path = assumed.program(name)

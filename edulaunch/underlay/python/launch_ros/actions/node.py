@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
+from launch._engine import process_counter
 from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -227,19 +228,24 @@ class Node(ExecuteProcess):
         """Global parameters first, so that the node's own can overwrite them."""
         name = self.node_name
         node_key = name if self.is_node_name_fully_specified() else '/**'
-        arguments = self.__parameter_arguments = ParameterArguments(context._process_counter[0], name, node_key)
-        arguments.add_global(context.launch_configurations.get('global_params', ()))
-        if self.__own_parameters is not None:
+        arguments = self.__parameter_arguments = ParameterArguments(process_counter(context)[0], name, node_key)
+        for_all = context.launch_configurations.get('global_params')
+        if for_all:
+            arguments.add_global(for_all)
+        if self.__own_parameters:
             arguments.add_own(context, self.__own_parameters)
         if arguments.items:
             self.process_description._before_look = arguments.write_files
-        for text, is_file in arguments.items:
-            words += ('--params-file' if is_file else '-p', text)
+            for text, is_file in arguments.items:
+                words += ('--params-file' if is_file else '-p', text)
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:
         rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
         for source, target in self.__own_remappings:
-            rules.append((_text(context, source) or '', _text(context, target) or ''))
+            if type(source) is str and type(target) is str:
+                rules.append((source, target))
+            else:
+                rules.append((_text(context, source) or '', _text(context, target) or ''))
         for source_name, target_name in rules:
             words += ('-r', f'{source_name}:={target_name}')
 

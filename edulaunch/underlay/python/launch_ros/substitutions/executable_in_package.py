@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._engine import state_of
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -48,7 +49,7 @@ class ExecutableInPackage(FindPackagePrefix):
         given = self.__executable
         executable = given if isinstance(given, str) else perform_substitutions(context, given)
         package = self._package_name(context)
-        found: dict[tuple[str, str], str] = context._state.setdefault('launch_ros.executables', {})
+        found: dict[tuple[str, str], str] = state_of(context).setdefault('launch_ros.executables', {})
         path = found.get((package, executable))
         if path is None:
             path = found[package, executable] = self.__find(context, package, executable)

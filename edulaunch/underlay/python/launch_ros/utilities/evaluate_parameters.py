@@ -34,6 +34,8 @@ def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> Evalu
 
 
 def _evaluate(context: LaunchContext, item: Any) -> Any:
+    if type(item) is PlainParameters:
+        return dict(item)
     if isinstance(item, ParameterFile):
         return item.evaluate(context)
     return evaluate_parameter_dict(context, item) if isinstance(item, dict) else item

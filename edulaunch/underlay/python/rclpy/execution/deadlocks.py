@@ -40,7 +40,7 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
     core = node._rclpy
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
     callback = _name_of(executor._running_entity())
-    start = f"{function}() in {callback} of node '{node.get_fully_qualified_name()}'{student_place()}"
+    start = f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()}"
     if any(entity.callback_group.can_execute(entity) for entity in others):
         current_process().note('nested spin', (
             f'{start}: until {callback} has ended no other callback of its group can run, and afterwards the node is not spun '
@@ -54,7 +54,7 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
 def note_foreign_future(node: Node, entity: Any) -> None:
     """Note that a node is spun until the client of another one, which nobody spins, gets its answer."""
     current_process().note('deadlock', (
-        f"rclpy.spin_until_future_complete() of node '{node.get_fully_qualified_name()}'{student_place()} waits for ever: "
+        f"rclpy.spin_until_future_complete() of node '{node._rclpy.full_name}'{student_place()} waits for ever: "
         f"{entity._awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."))
 
 
@@ -84,4 +84,4 @@ def _name_of(entity: Any) -> str:
 def _node_of(entity: Entity) -> str:
     executor = entity._ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
-    return next((f"'{node.get_fully_qualified_name()}'" for node in nodes if node._rclpy.ready_list is entity._ready_list), '?')
+    return next((f"'{node._rclpy.full_name}'" for node in nodes if node._rclpy.ready_list is entity._ready_list), '?')

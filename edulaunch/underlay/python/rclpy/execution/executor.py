@@ -60,13 +60,13 @@ class Executor(Waiting):
         """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
         if self._is_shutdown:
             raise ShutdownException()
-        if node in self._nodes:
+        ready_list = node._rclpy.ready_list
+        if ready_list.executor is self:
             return False
+        ready_list.executor = self
         self._nodes.append(node)
         if node.executor is not self:
             node.executor = self
-        ready_list = node._rclpy.ready_list
-        ready_list.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()
         return True
@@ -244,12 +244,16 @@ class Executor(Waiting):
         now = self._sim.now_ns
         if self._tasks:
             self._run_tasks()
-        if any(ready.entities or ready.due_ns <= now for ready in self._lists):
-            for entity in sorted(self._collect(), key=_rclcpp_order):
-                if not entity._destroyed:
-                    self._execute(entity)
-            if self._tasks:
-                self._run_tasks()
+        for ready in self._lists:
+            if ready.entities or ready.due_ns <= now:
+                break
+        else:
+            return
+        for entity in sorted(self._collect(), key=_rclcpp_order):
+            if not entity._destroyed:
+                self._run_entity(entity)
+        if self._tasks:
+            self._run_tasks()
 
     def _run_tasks(self, until: Future | None = None) -> None:
         """Execute the pending tasks, newest first; stop when `until` is done."""

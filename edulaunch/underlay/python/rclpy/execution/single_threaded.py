@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 from edulaunch.sim.task import current_task
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.constants import S_TO_NS
 from rclpy.execution.exceptions import ExternalShutdownException, ShutdownException
 from rclpy.execution.executor import Executor
 from rclpy.execution.waiting import TURNS_BEFORE_TIME_PASSES
-from rclpy.readiness import NEVER_NS, Entity, ReadyList
+from rclpy.readiness import NEVER_NS, ReadyList
 from rclpy.task import Future
 
 
@@ -67,8 +67,8 @@ class SingleThreadedExecutor(Executor):
         """
         context, sim, waiting, task = self._context, self._sim, self._waiting, current_task()
         while context._ok and not self._is_shutdown:
-            if not ready_list.entities and ready_list.due_ns > sim.now_ns and not self._woken and not self._new_tasks:
-                due_ns = ready_list.due_ns
+            entities, due_ns, now = ready_list.entities, ready_list.due_ns, sim.now_ns
+            if not entities and due_ns > now and not self._woken and not self._new_tasks:
                 waiting.append(task)
                 try:
                     task.park(due_ns if due_ns < NEVER_NS else None)
@@ -76,39 +76,35 @@ class SingleThreadedExecutor(Executor):
                     waiting.remove(task)
                 self._raise_if_over()
                 continue
-            now = sim.now_ns
             if now != self._seen_ns:
                 self._seen_ns = now
                 self._turns = 0
             else:
                 self._turns += 1
-            entity = None if self._woken else self._only_one(ready_list, now)
-            if entity is None:
-                self._turn()
-                return
-            group = entity.callback_group
-            if type(group) is not MutuallyExclusiveCallbackGroup or group.busy_with is not None or entity.is_async:
-                self._run_entity(entity)
+            if self._woken or self._turns > TURNS_BEFORE_TIME_PASSES:
+                break
+            if len(entities) == 1 and due_ns > now:
+                entity = entities.pop()
+            elif not entities and due_ns <= now and len(ready_list.timers) == 1:
+                entity = ready_list.timers[0]
             else:
+                break
+            group = entity.callback_group
+            if group.__class__ is MutuallyExclusiveCallbackGroup and group.busy_with is None and not entity.is_async:
                 group.busy_with = entity
                 try:
                     entity._run(self)
                 finally:
                     group.busy_with = None
+            elif group.__class__ is ReentrantCallbackGroup and not entity.is_async:
+                entity._run(self)
+            else:
+                self._run_entity(entity)
             if self._tasks:
                 self._run_tasks()
-
-    def _only_one(self, ready_list: ReadyList, now: int) -> Entity | None:
-        """The one entity that is ready, taken off its list; None when there are none or several."""
-        entities = ready_list.entities
-        if self._turns > TURNS_BEFORE_TIME_PASSES:
-            return None
-        if not entities:
-            if ready_list.due_ns <= now and len(ready_list.timers) == 1:
-                return ready_list.timers[0]
-        elif len(entities) == 1 and ready_list.due_ns > now:
-            return entities.pop()
-        return None
+        else:
+            return
+        self._turn()
 
     def _turn(self, until: Future | None = None, deadline_ns: int = NEVER_NS) -> None:
         """One wait with all it brings: what `spin_once` does in several calls. Ends early when `until` is done."""

@@ -10,6 +10,7 @@ from edulaunch.graph.names import (
     full_topic_name_problem,
     namespace_problem,
     node_name_problem,
+    plain_name,
     remapped_name,
     remapped_namespace,
     remapped_node_name,
@@ -17,12 +18,14 @@ from edulaunch.graph.names import (
 )
 from edulaunch.graph.ros_arguments import Override, RosArguments
 from edulaunch.processes.current import current_process
+from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
 )
+from rclpy.impl.hints import hinted
 from rclpy.readiness import ReadyList
 
 if TYPE_CHECKING:
@@ -93,16 +96,25 @@ class NodeCore:
         """The full name with dots: `a.b.c` for node c in /a/b."""
         return self.full_name[1:].replace('/', '.')
 
+    def check_alive(self) -> None:
+        """Raise InvalidHandle when the node was destroyed."""
+        if self.destroyed:
+            raise hinted(InvalidHandle('cannot use Destroyable because destruction was requested'),
+                         f"node '{self.full_name}' was destroyed before, by destroy_node()")
+
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         """The absolute, remapped form of a topic or service name.
 
         :param kind: 'topic' or 'service'.
         :raises InvalidTopicNameException, InvalidServiceNameException: when the name breaks the rules.
         """
-        error = InvalidTopicNameException if kind == 'topic' else InvalidServiceNameException
-        _check(topic_name_problem, name, error)
-        expanded = expand_name(name, self.name, self.namespace)
-        _check(full_topic_name_problem, expanded, error)
+        self.check_alive()
+        expanded = plain_name(name, self.namespace)
+        if expanded is None:
+            error = InvalidTopicNameException if kind == 'topic' else InvalidServiceNameException
+            _check(topic_name_problem, name, error)
+            expanded = expand_name(name, self.name, self.namespace)
+            _check(full_topic_name_problem, expanded, error)
         return expanded if only_expand else remapped_name(self.rules, kind, expanded, self.name, self.namespace)
 
     def given_parameters(self) -> dict[str, Override]:
@@ -116,6 +128,8 @@ class NodeCore:
 
 
 def _check(problem_of: Any, name: str, error: Any) -> None:
+    if not isinstance(name, str):
+        raise TypeError(f'incompatible function arguments: a name must be a str, not {type(name).__name__}')
     problem = problem_of(name)
     if problem is not None:
         raise error(name, *problem)

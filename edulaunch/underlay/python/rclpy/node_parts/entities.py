@@ -233,16 +233,18 @@ class NodeEntities:
         return self._rclpy.resolve(service, 'service', only_expand)
 
     def get_name(self) -> str:
-        """The node's own name."""
+        """The node's own name. Raises InvalidHandle when the node was destroyed."""
+        self._rclpy.check_alive()
         return self._rclpy.name
 
     def get_namespace(self) -> str:
-        """The namespace, '/' for the root."""
+        """The namespace, '/' for the root. Raises InvalidHandle when the node was destroyed."""
+        self._rclpy.check_alive()
         return self._rclpy.namespace
 
     def get_fully_qualified_name(self) -> str:
-        """The namespace and the name."""
-        return fully_qualified_name(self._rclpy.namespace, self._rclpy.name)
+        """The namespace and the name. Raises InvalidHandle when the node was destroyed."""
+        return fully_qualified_name(self.get_namespace(), self.get_name())
 
 
 def _destroy(entities: list[Any], entity: Any) -> bool:

@@ -112,6 +112,7 @@ def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
 
 def _looked_at(core: NodeCore) -> Graph:
     """The graph; a loop that does nothing but look at it is moved on by simulated time."""
+    core.check_alive()
     current_task().poll()
     graph: Graph = core.graph
     return graph

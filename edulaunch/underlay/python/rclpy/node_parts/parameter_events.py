@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.ros_arguments import Override
+from rclpy.constants import S_TO_NS
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 
@@ -16,9 +17,10 @@ class ParameterEvents:
     """Publishes one rcl_interfaces/ParameterEvent for each successful declaration or change of a node."""
 
     def __init__(self, node: Node) -> None:
+        from rcl_interfaces.msg import Parameter as ParameterMsg
         from rcl_interfaces.msg import ParameterEvent
         self._core = node._rclpy
-        self._event_class = ParameterEvent
+        self._to_wire = ParameterMsg.to_wire
         self._publisher = node.create_publisher(ParameterEvent, '/parameter_events', qos_profile_parameter_events)
         self._declared: set[str] = set()
 
@@ -35,11 +37,11 @@ class ParameterEvents:
         for parameter in deleted:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
         if core.context._ok:
-            event = self._event_class(stamp=core.clock.now().to_msg(), node=core.full_name)
-            for field, parameters in (('new_parameters', new), ('changed_parameters', changed), ('deleted_parameters', deleted)):
-                if parameters:
-                    setattr(event, field, [parameter.to_parameter_msg() for parameter in parameters])
-            self._publisher.publish(event)
+            stamp = divmod(core.clock._now_ns(), S_TO_NS)
+            self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
+
+    def _wires(self, parameters: list[Parameter]) -> tuple[Any, ...]:
+        return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
 
     def _origin(self, parameter: Parameter) -> str:
         """Where a value came from, in words: at its declaration from outside or the program, later from a change."""

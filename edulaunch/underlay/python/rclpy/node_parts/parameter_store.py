@@ -142,7 +142,10 @@ class ParameterStore:
 
 def _result(problem: str | None) -> SetParametersResult:
     from rcl_interfaces.msg import SetParametersResult
-    return SetParametersResult(successful=problem is None, reason=problem or '')
+    result = SetParametersResult()
+    result.successful = problem is None
+    result.reason = problem or ''
+    return result
 
 
 def _dynamic_descriptor(parameter: Parameter) -> Any:

@@ -39,6 +39,10 @@ def pairs(entity: Entity, parser: Parser, tag: str, first: str = 'name',
     """Children like `<arg name="a" value="b"/>`, in order."""
     found = []
     for child in entity.get_attr(tag, data_type=Entities):
+        plain = child.plain_pair(first, second)
+        if plain is not None:
+            found.append((parser.parse_substitution(plain[0]), parser.parse_substitution(plain[1])))
+            continue
         found.append((parser.parse_substitution(child.get_attr(first)),
                       parser.parse_substitution(child.get_attr(second))))
         child.assert_entity_completely_parsed()

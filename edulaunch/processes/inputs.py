@@ -1,0 +1,304 @@
+"""What a simulated program reads: a text, lines that come at given times, a pipe, or the keyboard of whoever runs the simulation.
+
+Reading waits in simulated time: the other programs go on meanwhile.
+"""
+from __future__ import annotations
+
+import os
+from codecs import getincrementaldecoder
+from collections import deque
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.sim.sync import wait_until
+from edulaunch.sim.task import Task, current_task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.watchdog import Watchdog
+
+LOOK_EVERY_NS = 10_000_000
+"""While somebody may type, simulated time keeps this close to real time."""
+
+
+class Input:
+    """`sys.stdin` of a simulated program: an empty file. Subclasses say where more text comes from.
+
+    A program that reads key by key (see the `termios` view) has a keyboard instead: nobody presses a key after the last one.
+
+    :ivar by_key: whether the program took the terminal out of its line mode.
+    :ivar blocking: whether reading waits (see the `fcntl` view).
+    """
+
+    name = '<stdin>'
+    encoding = 'utf-8'
+    errors = 'strict'
+    mode = 'r'
+    newlines = None
+    closed = False
+    by_key = False
+    blocking = True
+
+    def __init__(self, text: str = '') -> None:
+        self._text = text
+
+    def has_ended(self) -> bool:
+        """Whether no more text will come."""
+        return True
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for more text and add it. False when the deadline came first."""
+        return False
+
+    def take_due(self) -> None:
+        """Add what has come already, without waiting."""
+
+    def is_ready(self) -> bool:
+        """Whether reading would not have to wait."""
+        self.take_due()
+        return bool(self._text) or (self.has_ended() and not self.by_key)
+
+    def wait(self, timeout_s: float | None) -> bool:
+        """Wait until there is something to read, or `timeout_s` simulated seconds."""
+        task = current_task()
+        deadline = None if timeout_s is None else task.sim.now_ns + round(timeout_s * 1e9)
+        while not self.is_ready():
+            if self.has_ended():
+                self._wait_for_ever(deadline)
+                return False
+            if not self.take_more(deadline) and deadline is not None and task.sim.now_ns >= deadline:
+                return False
+        task.poll()
+        return True
+
+    def _wait_for_ever(self, deadline_ns: int | None = None) -> None:
+        """Wait for a key that nobody presses: until a signal ends the program, or the deadline."""
+        task = current_task()
+        while deadline_ns is None or task.sim.now_ns < deadline_ns:
+            task.park(deadline_ns)
+
+    def _fill(self, size: int, end: str = '') -> None:
+        """Wait until there are `size` characters (-1: all of them), or `end` is there, or no more will come."""
+        self.take_due()
+        while (size < 0 or len(self._text) < size) and not (end and end in self._text) and not self.has_ended():
+            if not self.blocking:
+                break
+            self.take_more(None)
+        if not self._text:
+            if self.by_key and self.blocking:
+                self._wait_for_ever()
+            current_task().poll()  # a loop that reads on and on must not stop the time
+
+    def _cut(self, length: int) -> str:
+        text, self._text = self._text[:length], self._text[length:]
+        return text
+
+    def read(self, size: int | None = -1, /) -> str:
+        """As any text file; at the end of a keyboard's keys it waits."""
+        size = -1 if size is None else size
+        self._fill(size)
+        return self._cut(len(self._text) if size < 0 else size)
+
+    def read1(self, size: int) -> str:
+        """What is there, at most `size` characters; waits when nothing is."""
+        self._fill(1)
+        return self._cut(size)
+
+    def readline(self, size: int = -1, /) -> str:
+        """As any text file; at the end of a keyboard's keys it waits."""
+        self._fill(size, '\n')
+        end = self._text.find('\n') + 1 or len(self._text)
+        return self._cut(end if size < 0 else min(size, end))
+
+    def readlines(self, hint: int = -1, /) -> list[str]:
+        """All lines until the end."""
+        return list(self)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.readline, '')
+
+    def __next__(self) -> str:
+        line = self.readline()
+        if not line:
+            raise StopIteration
+        return line
+
+    @property
+    def buffer(self) -> BytesInput:
+        """The stream for bytes."""
+        return BytesInput(self)
+
+    def isatty(self) -> bool:
+        """A launched program reads no terminal."""
+        return False
+
+    def fileno(self) -> int:
+        """The number that it has in every program."""
+        return 0
+
+    def readable(self) -> bool:
+        """Yes."""
+        return True
+
+    def writable(self) -> bool:
+        """No."""
+        return False
+
+    def seekable(self) -> bool:
+        """No."""
+        return False
+
+    def flush(self) -> None:
+        """Nothing to do."""
+
+    def close(self) -> None:
+        """Nothing to do."""
+
+
+class BytesInput:
+    """`sys.stdin.buffer`: text is UTF-8 bytes."""
+
+    def __init__(self, text: Input) -> None:
+        self._input = text
+
+    def read(self, size: int = -1) -> bytes:
+        """As any binary file."""
+        return self._input.read(size).encode()
+
+    def readline(self) -> bytes:
+        """As any binary file."""
+        return self._input.readline().encode()
+
+    def __iter__(self) -> Iterator[bytes]:
+        return iter(self.readline, b'')
+
+
+class TypedInput(Input):
+    """Text that comes at given times, as somebody would type it.
+
+    :param pieces: (simulated seconds since the start, text), in any order.
+    """
+
+    def __init__(self, pieces: Sequence[tuple[float, str]]) -> None:
+        super().__init__()
+        self._pieces = deque(sorted(((round(seconds * 1e9), text) for seconds, text in pieces), key=lambda piece: piece[0]))
+
+    def has_ended(self) -> bool:
+        """After the last piece."""
+        return not self._pieces
+
+    def take_due(self) -> None:
+        """Add the pieces whose time has come."""
+        sim = current_task().sim
+        while self._pieces and self._pieces[0][0] <= sim.now_ns - sim.start_ns:
+            self._text += self._pieces.popleft()[1]
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for the next piece."""
+        task = current_task()
+        due = task.sim.start_ns + self._pieces[0][0]
+        task.sleep_until(due if deadline_ns is None else min(due, deadline_ns))
+        self.take_due()
+        return deadline_ns is None or due <= deadline_ns
+
+
+class PipedInput(Input):
+    """What another program writes: the other end of `Popen(..., stdin=PIPE).stdin`."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._open = True
+        self._waiters: deque[Task] = deque()
+
+    def feed(self, text: str, *, last: bool = False) -> None:
+        """Add text; after the `last` the file ends."""
+        self._text += text
+        self._open = self._open and not last
+        for task in self._waiters:
+            task.wake()
+
+    def has_ended(self) -> bool:
+        """When the other end was closed."""
+        return not self._open
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait for the other program."""
+        length = len(self._text)
+        timeout = None if deadline_ns is None else max(0, deadline_ns - current_task().sim.now_ns) / 1e9
+        return wait_until(lambda: len(self._text) > length or not self._open, self._waiters, timeout)
+
+
+class RealInput(Input):
+    """An open text file of this machine, such as the terminal. While somebody types, simulated time keeps pace with real time and
+    the other programs go on; what is there already is read at once.
+
+    :param file: a terminal, a pipe or a file. One that is no file of the operating system is read line by line.
+    :param watchdog: told to be patient while such a file is read.
+    """
+
+    def __init__(self, file: Any, watchdog: Watchdog | None) -> None:
+        super().__init__()
+        self._file = file
+        self._watchdog = watchdog
+        self._ended = False
+        self._number = _waitable(file)
+        self._decoder = getincrementaldecoder('utf-8')('replace')
+
+    def isatty(self) -> bool:
+        """Whether it is a terminal."""
+        return bool(self._file.isatty())
+
+    def terminal(self) -> int | None:
+        """The real terminal's number, for programs that change its mode."""
+        return self._number if self._number is not None and self.isatty() else None
+
+    def has_ended(self) -> bool:
+        """At the end of the file."""
+        return self._ended
+
+    def take_due(self) -> None:
+        """Add what has been typed."""
+        if self._number is not None:
+            self._look(0.0)
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait a moment of real and as much simulated time."""
+        if self._number is None:
+            return self._read_patiently()
+        if self._look(LOOK_EVERY_NS / 1e9):
+            return True
+        task = current_task()
+        task.sleep_until(task.sim.now_ns + LOOK_EVERY_NS)
+        return False
+
+    def _look(self, seconds: float) -> bool:
+        import select
+        assert self._number is not None
+        if self._ended or not select.select([self._number], [], [], seconds)[0]:
+            return self._ended
+        chunk = os.read(self._number, 65536)
+        self._ended = not chunk
+        self._text += self._decoder.decode(chunk, final=self._ended)
+        return True
+
+    def _read_patiently(self) -> bool:
+        if self._watchdog is not None:
+            self._watchdog.asleep = True
+        try:
+            line = self._file.readline()
+        finally:
+            if self._watchdog is not None:
+                self._watchdog.asleep = False
+        self._text += line
+        self._ended = not line
+        return True
+
+
+def _waitable(file: Any) -> int | None:
+    """The file's number, when the operating system can tell whether reading it would wait."""
+    import select
+    try:
+        number: int = file.fileno()
+        select.select([number], [], [], 0)
+    except (AttributeError, OSError, ValueError):
+        return None
+    return number

@@ -1,0 +1,85 @@
+"""A launch beside what else a plain script does: real threads, signals, other asyncio loops."""
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import threading
+
+import pytest
+from launch import LaunchDescription, LaunchService
+from launch.actions import ExecuteProcess, OpaqueFunction, TimerAction
+from launch.actions import Shutdown as ShutdownAction
+from osrf_pycommon.process_utils import get_loop
+
+
+def service(*entities: object, noninteractive: bool = False) -> LaunchService:
+    launch_service = LaunchService(noninteractive=noninteractive)
+    launch_service.include_launch_description(LaunchDescription(entities))  # type: ignore[arg-type]
+    return launch_service
+
+
+def test_real_thread_may_shut_down_a_launch_that_waits_for_ever() -> None:
+    launch_service = service()
+    threading.Timer(0.05, launch_service.shutdown).start()
+    assert launch_service.run(shutdown_when_idle=False) == 0
+
+
+def test_beside_a_real_thread_time_keeps_pace() -> None:
+    fired: list[str] = []
+    launch_service = service(TimerAction(period=60.0, actions=[OpaqueFunction(function=lambda _: fired.append('too late'))]))
+    threading.Timer(0.05, launch_service.shutdown).start()
+    assert launch_service.run() == 0
+    assert fired == []
+
+
+def test_ctrl_c_reaches_a_real_program_in_a_plain_script() -> None:
+    codes: list[int] = []
+    program = ExecuteProcess(cmd=['sleep', '20'], on_exit=lambda event, _: codes.append(event.returncode))
+    launch_service = service(program, noninteractive=True)
+    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    assert launch_service.run() == 0
+    assert codes == [-signal.SIGINT]
+
+
+def test_other_tasks_of_the_awaiting_loop_go_on() -> None:
+    launch_service = service()
+
+    async def main() -> int:
+        task = asyncio.get_running_loop().create_task(launch_service.run_async(shutdown_when_idle=False))
+        await asyncio.sleep(0.03)
+        assert launch_service.task is not None and not task.done()
+        ended = launch_service.shutdown()
+        assert ended is not None
+        await ended
+        return await task
+
+    assert asyncio.run(main()) == 0
+
+
+def test_cancelled_run_on_another_loop_returns_1(capsys: pytest.CaptureFixture[str]) -> None:
+    launch_service = service(TimerAction(period=60.0, actions=[]))
+
+    async def main() -> int:
+        task = asyncio.get_running_loop().create_task(launch_service.run_async())
+        await asyncio.sleep(0.03)
+        task.cancel()
+        return await task
+
+    assert asyncio.run(main()) == 1
+    assert '[ERROR] [launch]: run task was canceled' in capsys.readouterr().out
+
+
+def test_shutdown_gives_something_to_make_a_task_of() -> None:
+    launch_service, loop = service(), get_loop()
+    run = loop.create_task(launch_service.run_async(shutdown_when_idle=False))
+    loop.run_until_complete(asyncio.sleep(1))
+    loop.create_task(launch_service.shutdown())  # type: ignore[arg-type]
+    assert loop.run_until_complete(run) == 0
+
+
+def test_streams_closed_early_do_not_let_time_run_ahead() -> None:
+    program = ExecuteProcess(cmd=['sh', '-c', 'exec >&- 2>&-; sleep 0.1'])
+    launch_service = service(program, TimerAction(period=5.0, actions=[ShutdownAction()]))
+    assert launch_service.run() == 0
+    assert program.return_code == 0

@@ -1,0 +1,64 @@
+"""What a program prints when an exception ends it: what Python prints, without the engine."""
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+
+def printed(world: Any, text: str) -> list[str]:
+    return [line.replace(str(world.folder), '@') for line in world.run(text).splitlines()]
+
+
+def test_an_exception_comes_with_the_one_it_was_raised_from(world: Any) -> None:
+    lines = printed(world, 'try:\n    {}["a"]\nexcept KeyError as error:\n    raise ValueError("no a") from error')
+    assert lines[3:6] == ["KeyError: 'a'", '', 'The above exception was the direct cause of the following exception:']
+    assert lines[-1] == 'ValueError: no a' and len(lines) == 11
+
+
+@pytest.mark.parametrize(('ending', 'count'), [('', 2), (' from None', 1)])
+def test_an_exception_comes_with_the_one_that_was_being_handled(world: Any, ending: str, count: int) -> None:
+    lines = printed(world, f'try:\n    1 / 0\nexcept ZeroDivisionError:\n    raise ValueError("second"){ending}')
+    assert lines.count('Traceback (most recent call last):') == count
+    assert ('During handling of the above exception, another exception occurred:' in lines) == (count == 2)
+
+
+def test_what_the_engine_handled_inside_is_not_told(world: Any) -> None:
+    lines = printed(world, 'import rclpy\nrclpy.init()\nrclpy.create_node("a").get_parameter("speed")')
+    assert lines.count('Traceback (most recent call last):') == 1 and len(lines) == 4
+
+
+def test_endless_recursion_is_told_in_a_few_lines(world: Any) -> None:
+    lines = printed(world, 'def again():\n    again()\nagain()')
+    assert len(lines) < 15 and lines[-1].startswith('RecursionError') and lines[-2].startswith('  [Previous line repeated ')
+
+
+def test_a_wrong_field_is_shown_where_the_student_set_it(world: Any) -> None:
+    lines = printed(world, 'from geometry_msgs.msg import Twist\nTwist().linear.x = 1\n')
+    assert lines == ['Traceback (most recent call last):', '  File "@/program-1.py", line 2, in <module>', '    Twist().linear.x = 1',
+                     "AssertionError: The 'x' field must be of type 'float'", '  help: an int was given: write 1.0']
+
+
+@pytest.mark.parametrize('text', ['class Odd(BaseException):\n    pass\nraise Odd("x")', 'raise GeneratorExit'])
+def test_no_exception_ends_a_program_in_silence(world: Any, text: str) -> None:
+    assert printed(world, text)[0] == 'Traceback (most recent call last):' and world.codes == {'program-1': 1}
+
+
+def test_a_programs_own_excepthook_is_called(world: Any) -> None:
+    assert printed(world, 'import sys\nsys.excepthook = lambda kind, error, trace: print("hook", kind.__name__)\n1 / 0') == ['hook ZeroDivisionError']
+    assert world.codes == {'program-1': 1}
+
+
+def test_python_tells_of_modules_that_import_each_other(world: Any) -> None:
+    world.write('lib/one.py', 'from two import b\na = 1')
+    world.write('lib/two.py', 'from one import a\nb = 1')
+    error, help = printed(world, 'import one')[-2:]
+    assert error.startswith("ImportError: cannot import name 'a' from partially initialized module 'one' (most likely due to a circular import)")
+    assert help == '  help: one is still being imported: two modules import each other. Import inside the function that needs it'
+
+
+def test_an_executor_of_a_thread_ends_without_frames_of_the_engine(world: Any) -> None:
+    lines = printed(world, 'import threading, time, rclpy\nfrom rclpy.executors import MultiThreadedExecutor\nrclpy.init()\n'
+                    'executor = MultiThreadedExecutor()\nthread = threading.Thread(target=executor.spin)\nthread.start()\n'
+                    'time.sleep(1)\nrclpy.shutdown()\nthread.join()')
+    assert lines == ['Exception in thread Thread-1 (spin):', 'rclpy.executors.ExternalShutdownException']

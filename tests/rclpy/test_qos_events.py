@@ -1,0 +1,113 @@
+"""What happens to endpoints over time: deadlines, leases, matches, lifespans."""
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import rclpy
+from rclpy.duration import Duration
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile
+from std_msgs.msg import String
+
+from .conftest import World
+
+
+def spin(node: Node, seconds: float) -> None:
+    """Spin for so long."""
+    over: list[bool] = []
+    timer = node.create_timer(seconds, lambda: over.append(True))
+    while not over:
+        rclpy.spin_once(node)
+    node.destroy_timer(timer)
+
+
+def counts(world: World) -> list[Any]:
+    return [(time, tuple(info)) for time, _, info in world.log]
+
+
+@pytest.mark.parametrize('side', ['publisher', 'subscription'])
+def test_a_missed_deadline_is_told_each_period_from_the_first_message_on(world: World, side: str) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        qos = QoSProfile(depth=1, deadline=Duration(seconds=0.5))
+        tell: dict[str, Any] = {side: world.say}
+        publisher = node.create_publisher(String, 't', qos, event_callbacks=PublisherEventCallbacks(deadline=tell.get('publisher')))
+        node.create_subscription(String, 't', lambda _: None, qos,
+                                 event_callbacks=SubscriptionEventCallbacks(deadline=tell.get('subscription')))
+        spin(node, 1.0)
+        for _ in range(2):
+            publisher.publish(String())
+            spin(node, 0.4)
+        publisher.assert_liveliness()   # no message
+        spin(node, 1.0)
+
+    world.start(program)
+    world.run()
+    assert counts(world) == [(1900.0, (1, 1)), (2400.0, (2, 1))]
+
+
+def test_a_publisher_that_does_not_show_itself_for_its_lease_is_not_alive(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        qos = QoSProfile(depth=1, liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_duration=Duration(seconds=0.5))
+        publisher = node.create_publisher(String, 't', qos, event_callbacks=PublisherEventCallbacks(liveliness=world.say))
+        node.create_subscription(String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
+        for show in (lambda: publisher.publish(String()), publisher.assert_liveliness, lambda: None, publisher.assert_liveliness):
+            show()
+            spin(node, 0.4)
+        node.destroy_publisher(publisher)
+        spin(node, 1.0)
+
+    world.start(program)
+    world.run()
+    assert counts(world) == [(0.0, (1, 0, 1, 0)), (900.0, (1, 1)), (900.0, (0, 1, -1, 1)), (1200.0, (1, 0, 1, -1)), (1600.0, (0, 0, -1, 0))]
+
+
+def test_other_publishers_are_alive_while_they_exist(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_subscription(String, 't', lambda _: None, 1, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
+        spin(node, 0.1)
+        publishers = [node.create_publisher(String, 't', 1) for _ in range(2)]
+        spin(node, 0.1)
+        node.destroy_publisher(publishers[0])
+        spin(node, 0.1)
+
+    world.start(program)
+    world.run()
+    assert counts(world) == [(100.0, (2, 0, 2, 0)), (200.0, (1, 0, -1, 0))]
+
+
+def test_partners_that_were_there_first_count_as_matched(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_publisher(String, 't', 1)
+        node.create_subscription(String, 't', lambda _: None, 1, event_callbacks=SubscriptionEventCallbacks(matched=world.say))
+        spin(node, 0.1)
+
+    world.start(program)
+    world.run()
+    assert counts(world) == [(0.0, (1, 1, 1, 1))]
+
+
+def test_a_late_subscription_gets_what_has_not_outlived_its_lifespan(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        qos = QoSProfile(depth=9, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=1.0))
+        publisher = node.create_publisher(String, 't', qos)
+        for word in 'abc':
+            publisher.publish(String(data=word))
+            spin(node, 0.6)
+        node.create_subscription(String, 't', lambda msg: world.say(msg.data), qos)
+        spin(node, 0.1)
+
+    world.start(program)
+    world.run()
+    assert [what for _, _, what in world.log] == ['c']
