@@ -15,7 +15,7 @@ TICK_NS = 16_000_000
 
 
 def engine(seconds: float) -> tuple[float, int]:
-    """CPU seconds to run the launch file with recording on, after its start-up, and how many messages were published."""
+    """Seconds (wall clock) to run the launch file with recording on, after its start-up, and how many messages were published."""
     with edulaunch.Session() as session:
         session.launch(LAUNCH_FILE)
         session.run(3.0)
@@ -107,7 +107,7 @@ class Bare:
 
 
 def bare(seconds: float) -> tuple[float, int]:
-    """CPU seconds of the bare loop, and how many messages it made."""
+    """Seconds (wall clock) of the bare loop, and how many messages it made."""
     loop = Bare()
     began = time.perf_counter()
     count = loop.run(seconds)

@@ -4,6 +4,8 @@ from __future__ import annotations
 import platform
 
 import large_project
+import launch_files
+import pictures
 import start_up
 import tf_lookup
 
@@ -14,13 +16,31 @@ WANTED = {
     'import launch, launch_ros (ms)': 'under 40',
     'edugrade solutions/circle.launch.py (ms)': 'under 800',
     'latest, 3 frames (us)': 'under 5',
+    '1000 nodes, Python (ms)': 'under 100',
+    '1000 nodes, XML (ms)': 'under 120',
+    '1000 nodes, YAML (ms)': 'under 120',
+    '5000 nodes / 1000 nodes, Python': 'about 5',
+    '5000 nodes / 1000 nodes, XML': 'about 5',
+    '5000 nodes / 1000 nodes, YAML': 'about 5',
+    '1000 nodes / bare work, Python': 'at most 3',
+    '1000 nodes / bare work, XML': 'at most 12',
+    '1000 nodes / bare work, YAML': 'at most 1',
+    '50 nested includes (ms)': 'under 25',
+    '50 nested includes, unchanged files (ms)': 'under 20',
+    'turtles (ms)': 'under 100',
+    'frames (ms)': 'under 100',
+    'tf_tree (ms)': 'under 100',
+    'graph (ms)': 'under 100',
+    'replay of 60 s (ms)': 'under 600',
 }
+PARTS = (('large project, 20 s', large_project), ('start-up', start_up), ('tf', tf_lookup), ('launch files', launch_files),
+         ('pictures', pictures))
 
 
 def main() -> None:
     """Print a table."""
     print(f'Python {platform.python_version()} on {platform.machine()}')
-    for title, part in (('large project, 20 s', large_project), ('start-up', start_up), ('tf', tf_lookup)):
+    for title, part in PARTS:
         print(f'\n{title}')
         for name, value in part.measure().items():
             print(f'  {name:<48} {value:>10.2f}   {WANTED.get(name, "")}'.rstrip())

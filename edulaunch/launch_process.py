@@ -87,10 +87,23 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
     for row in launch.recorder.processes:
         if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name:
             error = row['exception']
-            why = f" ({error['type']}: {error['message']})" if error else ''
-            where = f" at {error['file']}:{error['line']}" if error and error['file'] else ''
-            lines.append(f"{row['name']} died with exit code {row['returncode']}{why}{where}")
+            place = error if error and error['file'] else row
+            where = f" at {launch.process.index.source_path(place['file'])}:{place['line']}" if place['file'] else ''
+            said = _said(launch, row['name'])
+            why = f"{error['type']}: {error['message']}" if error else next((line for line in said if not _is_help(line)), '')
+            help = f'; {said[0]}' if said and _is_help(said[0]) else ''
+            lines.append(f"{row['name']} died with exit code {row['returncode']}{f' ({why})' if why else ''}{where}{help}")
     return lines
+
+
+def _said(launch: LaunchRun, name: str) -> list[str]:
+    """The lines that a program wrote to its error stream, the last one first."""
+    text = ''.join(row[3] for row in launch.recorder.output_lines if row[1] == name and row[2] == 'stderr')
+    return [line.strip() for line in reversed(text.splitlines()) if line.strip()]
+
+
+def _is_help(line: str) -> bool:
+    return line.startswith('help: ')
 
 
 def show_arguments(session: Session, package_or_path: str, file: str | None) -> int:

@@ -13,6 +13,11 @@ from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recorder
 
 SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
+_STOPPED = {
+    'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
+    'RunawayProgramError': ('the launch file never came to its end and was stopped',
+                            'look for a loop that does not end: a launch file only says what to start'),
+}
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
@@ -132,6 +137,11 @@ class LaunchRun:
             from edulaunch.launch_process import explain
             told = explain(error, self.process.index)
             raise LaunchFileError(told.text, help=told.help) from error
+        stopped = self.process.state.get('exception')
+        if stopped is not None and stopped['type'] in _STOPPED:
+            place = stopped['place']
+            what, help = _STOPPED[stopped['type']]
+            raise LaunchFileError(what if place is None else f'{what}\n  at {place}', help=help)
 
     def describe(self, recorder: Recorder) -> None:
         """Tell the recorder what was launched."""

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 from typing import TextIO
@@ -30,9 +31,9 @@ class Session:
     :param workspaces: folders with packages (a colcon workspace, its `install` folder, or source packages), searched in this
         order before the underlay.
     :param env: environment of everything that runs; default: a copy of this program's, with USER set.
-    :param stdin: for programs that read their keyboard, by launch name or executable: a text, which is there from the start; a
-        list of (simulated seconds, text), each typed at its time; or an open text file such as `sys.stdin`, while which is waited
-        for simulated time keeps pace with real time.
+    :param stdin: for programs that read their keyboard, by launch name ('game-2', or 'game' for each so called) or executable:
+        a text, which is there from the start; a list of (simulated seconds, text), each typed at its time; or an open text
+        file such as `sys.stdin` (while a program waits for it, simulated time keeps pace with real time).
     :param console: called as console(stream, text) with everything that launch prints.
     :param turn_limit_s: a program that keeps its turn for so many seconds of real time is stopped; 0: none is.
     """
@@ -129,6 +130,8 @@ def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mappin
     :param duration_s: simulated seconds to run; what runs then is stopped without being recorded.
     :param seed: equal launch file, arguments and seed give the same recording, byte for byte.
     :param workspaces: folders with the student's packages.
+    :param console: called as console(stream, text) with everything that launch prints; without one, only what went wrong is told,
+        one line each on the error stream: programs that died and why, misspelt launch arguments.
     :raises UnusableInput: when the file or package does not exist.
     :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's own text, the
         file and line, and what to try.
@@ -138,7 +141,11 @@ def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mappin
         launch = session.launch(path_or_package, file, texts)
         session.run(duration_s)
         launch.raise_error()
-        return session.recording()
+        recording = session.recording()
+    if console is None:
+        for line in recording.launch.warnings:
+            print(f'warning: {line}', file=sys.stderr)
+    return recording
 
 
 def index_for(workspaces: Sequence[PathLike]) -> Index:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.composing import placed
 from edulaunch.canvas.worlds import GAP_S
+from edulaunch.recording.absent import NothingToDraw, not_recorded
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
@@ -51,7 +52,7 @@ def distance_scene(recording: Recording, first: str, second: str, close_m: float
         if position and time_s - others[position - 1][0] < GAP_S:
             points.append((time_s, math.hypot(x - others[position - 1][1], y - others[position - 1][2])))
     if not points:
-        raise ValueError(f'{first!r} and {second!r} were never there at the same time')
+        raise NothingToDraw(f'{first!r} and {second!r} were never there at the same time')
     return DistanceScene(first, second, close_m, recording.duration_s, points, _close_since(points, close_m))
 
 
@@ -72,7 +73,7 @@ def places_of(recording: Recording, name: str) -> list[Place]:
         return [(float(t), float(x), float(y)) for t, x, y in zip(track.t, track.x, track.y, strict=True)]
     frames = placed(recording.frames_at(recording.duration_s))
     if name not in frames:
-        raise KeyError(f'nothing called {name!r} moved in this recording; there are: {", ".join([*things, *frames]) or "none"}')
+        raise not_recorded(f'nothing called {name!r} moved', name, [*things, *frames])
     return _frame_places(recording, name)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.composing import Placed, placed, rotated
+from edulaunch.recording.absent import NothingToDraw
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
@@ -55,7 +56,7 @@ def frames_scene(recording: Recording, time_s: float) -> FramesScene:
     """
     frames = recording.frames_at(time_s)
     if not frames:
-        raise ValueError(f'no tf frame had been broadcast at t = {time_s:.3f} s; {_who(recording)}')
+        raise NothingToDraw(f'no tf frame had been broadcast at t = {time_s:.3f} s; {_who(recording)}')
     trees: dict[str, list[FrameMark]] = {}
     for name, place in placed(frames).items():
         trees.setdefault(place.root, []).append(_mark(name, place, frames.get(name)))

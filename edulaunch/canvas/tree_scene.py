@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.layout import WIDEST, Point, lay_out
 from edulaunch.canvas.style import SMALL, mono_width, shortened
+from edulaunch.recording.absent import NothingToDraw
 
 if TYPE_CHECKING:
     from edulaunch.recording.frames import FrameLink
@@ -58,7 +59,7 @@ def tree_scene(recording: Recording) -> TreeScene:
 
     found = frame_links(recording)
     if not found:
-        raise ValueError('no tf frame was broadcast in this recording: nobody published to /tf or /tf_static')
+        raise NothingToDraw('no tf frame was broadcast in this recording: nobody published to /tf or /tf_static')
     names = list(dict.fromkeys(name for link in found.values() for name in (*link.parents, link.child)))
     place = {name: number for number, name in enumerate(names)}
     links = [(place[parent], place[link.child]) for link in found.values() for parent in link.parents]

@@ -7,6 +7,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from edulaunch.canvas.style import Colour
+from edulaunch.recording.absent import NothingToDraw
 from edulaunch.recording.trajectory import ODOMETRY, POSE, moving_things
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def read_worlds(recording: Recording) -> list[World]:
     """
     things = moving_things(recording)
     if not things:
-        raise ValueError('nothing moved in this recording: no turtle pose and no odometry was published')
+        raise NothingToDraw('nothing moved in this recording: no turtle pose and no odometry was published')
     windows: dict[str, list[tuple[str, str]]] = {}
     for name, topic in things.items():
         if recording.topics[topic].type == POSE:

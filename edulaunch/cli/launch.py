@@ -6,6 +6,7 @@ import os
 import signal
 import sys
 from types import FrameType
+from typing import TextIO
 
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
@@ -27,6 +28,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--launch-prefix', metavar='PREFIX', help="put these words in front of each program, such as 'xterm -e'")
     parser.add_argument('--launch-prefix-filter', metavar='REGEX', help='put them only in front of programs whose name matches')
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
+    parser.add_argument('--stdin', action='append', default=[], type=_stdin, metavar='NAME=FILE',
+                        help='keyboard of the program NAME: a file, or - for this terminal; may be repeated')
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
@@ -52,20 +55,36 @@ def main(arguments: argparse.Namespace) -> int:
     given.update(_prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
-    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env) as session:
+    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env,
+                 stdin=dict(arguments.stdin)) as session:
         if arguments.show_args or arguments.print:
             return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
         recording = session.recording()
-        for line in recording.launch.warnings:
+        for line in (*recording.launch.warnings, *map(str, session.index.warnings)):
             print(f'warning: {line}', file=sys.stderr)
+        for name in session.host.unread_stdin:
+            print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
         if arguments.record:
             recording.save(arguments.record)
             summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
             print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
     return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def _stdin(word: str) -> tuple[str, str | TextIO]:
+    name, sign, file = word.partition('=')
+    if not (name and sign and file):
+        raise argparse.ArgumentTypeError(f'{word!r} is not NAME=FILE')
+    if file == '-':
+        return name, sys.stdin
+    try:
+        with open(file, encoding='utf-8') as keys:
+            return name, keys.read()
+    except (OSError, UnicodeDecodeError) as error:
+        raise argparse.ArgumentTypeError(f'{file} cannot be read: {error}') from None
 
 
 def _prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:

@@ -4,8 +4,12 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.workspace.new_package import NewPackage
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -40,18 +44,22 @@ def main(arguments: argparse.Namespace) -> int:
 def create(arguments: argparse.Namespace) -> int:
     """Make a package, and say what is made."""
     from edulaunch.errors import PackageError
-    from edulaunch.workspace.new_package import NewPackage, create_package
-    name, email = maintainer()
-    package = NewPackage(
-        arguments.package_name, arguments.destination_directory, arguments.build_type, arguments.license, arguments.description,
-        tuple(arguments.dependencies), arguments.maintainer_name or name, arguments.maintainer_email or email,
-        arguments.node_name, arguments.library_name)
+    from edulaunch.workspace.new_package import create_package
     try:
-        create_package(package, print)
+        create_package(described_package(arguments, *maintainer()), print)
     except PackageError as error:
         print(error, file=sys.stderr)
         return 1
     return 0
+
+
+def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
+    """What the options describe; `name` and `email` are those of the maintainer when no option says so."""
+    from edulaunch.workspace.new_package import NewPackage
+    return NewPackage(
+        arguments.package_name, arguments.destination_directory, arguments.build_type, arguments.license, arguments.description,
+        tuple(arguments.dependencies), arguments.maintainer_name or name, arguments.maintainer_email or email,
+        arguments.node_name, arguments.library_name)
 
 
 def maintainer() -> tuple[str, str]:

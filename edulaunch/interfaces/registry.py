@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
@@ -38,6 +39,7 @@ class Registry:
         self._folders: dict[str, str] | None = None
         self._specs: dict[str, InterfaceSpec] = {}
         self._classes: dict[str, type[Any]] = {}
+        self._one_thread = threading.RLock()  # real threads of a plain script import messages too
         self._making: list[str] = []
 
     # What there is
@@ -125,6 +127,10 @@ class Registry:
         owner = self._owner(type_name)
         if owner is not self:
             return owner.get(type_name)
+        with self._one_thread:
+            return self._classes.get(type_name) or self._made(type_name)
+
+    def _made(self, type_name: str) -> type[Any]:
         if type_name in self._making:
             ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
             raise InterfaceError(

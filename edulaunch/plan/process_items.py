@@ -140,6 +140,6 @@ def _content(path: str) -> Any:
         return None
     with open(path, encoding='utf-8') as stream:
         try:
-            return yaml.safe_load(stream)
+            return yaml.load(stream, Loader=getattr(yaml, 'CSafeLoader', yaml.SafeLoader))
         except yaml.YAMLError:
             return None

@@ -3,13 +3,14 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
-from edulaunch.sim.task import AmbientTask
+from edulaunch.sim.task import AmbientTask, Task, current_task
 from edulaunch.underlay_place import underlay_prefix
 
 
@@ -22,6 +23,13 @@ class AmbientProcess(Process):
         target.write(text)
         target.flush()
 
+    def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
+        """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
+        if current_task().is_guest:
+            from edulaunch.sim.guests import start_guest
+            return start_guest(body, name)
+        return super().start_thread(body, name, daemon, at_once=at_once)
+
 
 def make_ambient_process(task: AmbientTask) -> Process:
     """A process around `task`, with a graph, an index of the underlay and a host of its own."""
@@ -32,5 +40,6 @@ def make_ambient_process(task: AmbientTask) -> Process:
     process.task = task
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.stdin = sys.stdin
+    process.is_writing = True  # to the real streams, always
     process.signal_handlers.clear()
     return process

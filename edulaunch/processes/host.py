@@ -12,6 +12,7 @@ from edulaunch.packages import Index, Program
 from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
+from edulaunch.processes.python_commands import python_command
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.simulation import Simulation
 
@@ -38,8 +39,9 @@ class Host:
 
     :param env: the environment that programs inherit.
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
-    :param stdin: what programs may read, by launch name or executable: a text, a list of (simulated seconds, text), or an open
-        text file; others read an empty input.
+    :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
+        of (simulated seconds, text), or an open text file; others read an empty input.
+    :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
     def __init__(self, sim: Simulation, graph: Graph, index: Index, *, env: Mapping[str, str],
@@ -53,6 +55,7 @@ class Host:
         self.real_programs: list[RealProcess] = []
         self._ros2 = ros2
         self._stdin = dict(stdin or {})
+        self.unread_stdin = list(self._stdin)
         self.watchdog: Watchdog | None = None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self._pid = FIRST_PID
@@ -75,8 +78,15 @@ class Host:
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
         """What the program reads: what is given for its launch name or executable, else nothing."""
-        from edulaunch.processes.inputs import Input, RealInput, TypedInput
-        given = self._stdin.get(spec.name, self._stdin.get(spec.executable or '', ''))
+        from edulaunch.processes.inputs import Input, TypedInput
+        from edulaunch.processes.real_input import RealInput
+        names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
+        name = next((name for name in names if name in self._stdin), None)
+        if name is None:
+            return Input('')
+        if name in self.unread_stdin:
+            self.unread_stdin.remove(name)
+        given = self._stdin[name]
         if isinstance(given, str):
             return Input(given)
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self.watchdog)
@@ -128,8 +138,8 @@ class Host:
             if os.path.basename(word) == 'ros2' and self._ros2 is not None:
                 return words[position:], None
             if position == 0 and os.path.basename(word) not in WRAPPERS:
-                return None
-        return None
+                break
+        return python_command(words, spec.cwd, frozenset(self.overlay(self.index).modules)) if _names_python(words) else None
 
     def ended(self, process: Process) -> None:
         """Called by a process when it has ended."""
@@ -149,6 +159,12 @@ class Host:
                 thread.kill()
         until = self.sim.now_ns
         self.sim.run(until)
+
+
+def _names_python(words: list[str]) -> bool:
+    """Whether this may be a Python program of nobody's package; anything else is not looked at closer."""
+    first = os.path.basename(words[0]) if words else ''
+    return first.endswith('.py') or first.startswith('python')
 
 
 def _runner(program: Program) -> CommandRunner:

@@ -1,23 +1,14 @@
-"""What a simulated program reads: a text, lines that come at given times, a pipe, or the keyboard of whoever runs the simulation.
+"""What a simulated program reads: a text, lines that come at given times, a pipe. (`real_input` is the keyboard of a person.)
 
 Reading waits in simulated time: the other programs go on meanwhile.
 """
 from __future__ import annotations
 
-import os
-from codecs import getincrementaldecoder
 from collections import deque
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.sync import wait_until
 from edulaunch.sim.task import Task, current_task
-
-if TYPE_CHECKING:
-    from edulaunch.processes.watchdog import Watchdog
-
-LOOK_EVERY_NS = 10_000_000
-"""While somebody may type, simulated time keeps this close to real time."""
 
 
 class Input:
@@ -225,80 +216,3 @@ class PipedInput(Input):
         length = len(self._text)
         timeout = None if deadline_ns is None else max(0, deadline_ns - current_task().sim.now_ns) / 1e9
         return wait_until(lambda: len(self._text) > length or not self._open, self._waiters, timeout)
-
-
-class RealInput(Input):
-    """An open text file of this machine, such as the terminal. While somebody types, simulated time keeps pace with real time and
-    the other programs go on; what is there already is read at once.
-
-    :param file: a terminal, a pipe or a file. One that is no file of the operating system is read line by line.
-    :param watchdog: told to be patient while such a file is read.
-    """
-
-    def __init__(self, file: Any, watchdog: Watchdog | None) -> None:
-        super().__init__()
-        self._file = file
-        self._watchdog = watchdog
-        self._ended = False
-        self._number = _waitable(file)
-        self._decoder = getincrementaldecoder('utf-8')('replace')
-
-    def isatty(self) -> bool:
-        """Whether it is a terminal."""
-        return bool(self._file.isatty())
-
-    def terminal(self) -> int | None:
-        """The real terminal's number, for programs that change its mode."""
-        return self._number if self._number is not None and self.isatty() else None
-
-    def has_ended(self) -> bool:
-        """At the end of the file."""
-        return self._ended
-
-    def take_due(self) -> None:
-        """Add what has been typed."""
-        if self._number is not None:
-            self._look(0.0)
-
-    def take_more(self, deadline_ns: int | None) -> bool:
-        """Wait a moment of real and as much simulated time."""
-        if self._number is None:
-            return self._read_patiently()
-        if self._look(LOOK_EVERY_NS / 1e9):
-            return True
-        task = current_task()
-        task.sleep_until(task.sim.now_ns + LOOK_EVERY_NS)
-        return False
-
-    def _look(self, seconds: float) -> bool:
-        import select
-        assert self._number is not None
-        if self._ended or not select.select([self._number], [], [], seconds)[0]:
-            return self._ended
-        chunk = os.read(self._number, 65536)
-        self._ended = not chunk
-        self._text += self._decoder.decode(chunk, final=self._ended)
-        return True
-
-    def _read_patiently(self) -> bool:
-        if self._watchdog is not None:
-            self._watchdog.asleep = True
-        try:
-            line = self._file.readline()
-        finally:
-            if self._watchdog is not None:
-                self._watchdog.asleep = False
-        self._text += line
-        self._ended = not line
-        return True
-
-
-def _waitable(file: Any) -> int | None:
-    """The file's number, when the operating system can tell whether reading it would wait."""
-    import select
-    try:
-        number: int = file.fileno()
-        select.select([number], [], [], 0)
-    except (AttributeError, OSError, ValueError):
-        return None
-    return number

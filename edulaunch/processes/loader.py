@@ -67,6 +67,25 @@ class Loader:
         self._execute(module, self._code(path, read_script))
         return module
 
+    def run_module(self, name: str) -> ModuleType:
+        """Execute a module of the program as `python -m` does: as `__main__`, in its package.
+
+        :raises ModuleNotFoundError: when there is none of that name.
+        """
+        parent, _, leaf = name.rpartition('.')
+        path = list(getattr(self.import_module(parent), '__path__', ())) if parent else []
+        found = (regular(leaf, path) or namespace(leaf, path)) if parent else self.finder.first_match(leaf)
+        if found is None:
+            raise ModuleNotFoundError(f'No module named {name}', name=name)
+        if found.is_package:
+            return self.run_module(f'{name}.__main__')
+        module = ModuleType('__main__')
+        module.__file__, module.__package__ = found.path, parent
+        module.__spec__ = ModuleSpec(name, None, origin=found.path)
+        self.process.argv[0] = found.path
+        self._execute(module, self._code(found.path, read_script))
+        return module
+
     def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
         """The compiled code of a file; copies of a program share it until the file changes."""
         compiled, now = self.process.host.compiled, os.stat(path)
@@ -85,7 +104,7 @@ class Loader:
         found = regular(name.rpartition('.')[2], list(package.__path__))
         if found is None:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
-        return self._load(name, found)
+        return self.load_file(name, found)
 
     def import_(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
                 fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:
@@ -132,7 +151,7 @@ class Loader:
             found = regular(leaf, path) or namespace(leaf, path)
             if found is None:
                 return self._not_private(name, parent)
-            made = self._load(name, found)
+            made = self.load_file(name, found)
         setattr(parent, leaf, made)
         return made
 
@@ -156,7 +175,7 @@ class Loader:
                 found = self.finder.last_match(name)
                 if error.name != name or found is None:
                     raise
-        return self._load(name, found)
+        return self.load_file(name, found)
 
     def _shared(self, name: str) -> ModuleType:
         top = name.partition('.')[0]
@@ -214,7 +233,8 @@ class Loader:
             self.modules[name] = view
         return view
 
-    def _load(self, name: str, found: Found) -> ModuleType:
+    def load_file(self, name: str, found: Found) -> ModuleType:
+        """Execute a file, or take a folder, as the private module of that name."""
         path, is_package = found
         module = ModuleType(name)
         source = None if os.path.isdir(path) else SourceFileLoader(name, path)
@@ -280,21 +300,27 @@ def read_script(path: str) -> CodeType:
     """
     with open(path, 'rb') as file:
         source = file.read()
-    return _flawless(source, path) or compile(source, path, 'exec', dont_inherit=True)
+    return _flawless(source, path, tuple(warnings.filters)) or compile(source, path, 'exec', dont_inherit=True)
 
 
 @lru_cache(maxsize=64)
-def _flawless(source: bytes, path: str) -> CodeType | None:
+def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
     """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
 
-    None for one with errors or warnings: these are to come each time.
+    None for one with errors or warnings: these are to come each time. (`catch_warnings` is not used to find out: it makes
+    Python forget which warnings it has shown, so that a first run would show more of them than a second one.)
+
+    :param filters: those in force, which decide what is said.
     """
-    with warnings.catch_warnings():
-        warnings.simplefilter('error')
-        try:
-            return compile(source, path, 'exec', dont_inherit=True)
-        except Exception:
-            return None
+    said: list[Any] = []
+    before, warnings.showwarning = warnings.showwarning, lambda *told, **more: said.append(told)
+    try:
+        code = compile(source, path, 'exec', dont_inherit=True)
+    except Exception:
+        return None
+    finally:
+        warnings.showwarning = before
+    return None if said else code
 
 
 def code_of(source: SourceFileLoader) -> CodeType:

@@ -1,4 +1,4 @@
-"""What runs inside a simulated process: an entry point's function, or a script as `__main__`."""
+"""What runs inside a simulated process: an entry point's function, or a script or module as `__main__`."""
 from __future__ import annotations
 
 import os
@@ -12,10 +12,15 @@ from edulaunch.processes.process import Process
 def run_program(process: Process, program: Program) -> object:
     """Run `program` with the process's private modules; returns what its main function returned."""
     loader = process.loader
-    loader.finder.last.extend(program.python_roots)
+    if program.kind != 'module':
+        loader.finder.last.extend(program.python_roots)
     if program.kind == 'script':
         loader.roots.append(os.path.dirname(program.path))
         loader.run_file(program.file, '__main__', script=True)
+        return None
+    if program.kind == 'module':
+        loader.roots.insert(0, program.python_roots[0])
+        loader.run_module(program.module)
         return None
     return entry_function(process, program)()
 

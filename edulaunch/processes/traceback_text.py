@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.errors import RunawayProgramError
 from edulaunch.processes.origin import Origin
+from edulaunch.processes.suggestion import with_suggestion
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -57,7 +58,8 @@ def _one(error: BaseException) -> Iterator[str]:
         yield 'Traceback (most recent call last):\n'
     plain = [traceback.FrameSummary(frame.filename, frame.lineno, frame.name, line=frame.line) for frame in shown]
     yield from traceback.StackSummary.from_list(plain).format()
-    yield from traceback.format_exception_only(type(error), error)
+    *before, last = traceback.format_exception_only(type(error), error)
+    yield from (*before, with_suggestion(last, error))
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:

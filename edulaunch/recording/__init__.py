@@ -5,7 +5,19 @@ it, `file_format.py` writes and reads it as text that is the same byte for byte 
 """
 from __future__ import annotations
 
-from edulaunch.recording.recorder import Recorder
+from typing import TYPE_CHECKING, Any
+
 from edulaunch.recording.recording import Recording
 
+if TYPE_CHECKING:
+    from edulaunch.recording.recorder import Recorder
+
 __all__ = ['Recorder', 'Recording']
+
+
+def __getattr__(name: str) -> Any:
+    """The recorder comes late: who only reads recordings loads no engine."""
+    if name == 'Recorder':
+        from edulaunch.recording.recorder import Recorder
+        return Recorder
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

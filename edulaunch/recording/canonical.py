@@ -4,6 +4,8 @@ from __future__ import annotations
 from typing import Any
 
 TEXT_PARTS = ('launch', 'processes', 'output', 'logs', 'notes', 'parameters')
+TEXT_TYPES = ('rcl_interfaces/msg/Log', 'rcl_interfaces/msg/ParameterEvent', 'std_msgs/msg/String')
+"""Messages that tell of files: log lines, parameters that name a share folder, plain texts."""
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
@@ -12,7 +14,7 @@ def canonical(content: dict[str, Any]) -> dict[str, Any]:
     """
     roots = sorted(content['roots'], key=lambda root: -len(root[0]))
     short = {part: _shorten(content[part], roots) for part in TEXT_PARTS}
-    topics = [{**topic, 'messages': _shorten(topic['messages'], roots)} if topic['topic'] == '/rosout' else topic
+    topics = [{**topic, 'messages': _shorten(topic['messages'], roots)} if topic['type'] in TEXT_TYPES else topic
               for topic in content['topics']]
     return {**content, **short, 'topics': topics, 'roots': []}
 

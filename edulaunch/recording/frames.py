@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from edulaunch.recording.absent import Frames
 from edulaunch.recording.records import Frame
 
 if TYPE_CHECKING:
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
 
 def frames_at(recording: Recording, time_s: float) -> dict[str, Frame]:
     """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
-    found: dict[str, Frame] = {}
+    found = Frames()
     for topic, is_static in (('/tf_static', True), ('/tf', False)):
         for published_s, message in recording.messages(topic):
             if published_s > time_s:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import RecordingError
 from edulaunch.recording import file_format
+from edulaunch.recording.absent import not_recorded
 from edulaunch.recording.records import (
     DeclaredArgument,
     Frame,
@@ -148,7 +149,7 @@ class Recording:
                 else:
                     found[parameter] = Parameter(value, origin)
         if not found and node not in {record.name for record in self.nodes}:
-            raise KeyError(f'no node {node!r} in this recording; there are: {", ".join(record.name for record in self.nodes)}')
+            raise not_recorded(f'no node {node!r}', node, (record.name for record in self.nodes))
         return found
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:

@@ -4,6 +4,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from edulaunch.recording.absent import not_recorded
+
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
 
@@ -38,7 +40,7 @@ def read_trajectory(recording: Recording, name: str) -> Trajectory:
     things = moving_things(recording)
     topic = things.get(name) or things.get(name.removeprefix('/')) or things.get('/' + name)
     if topic is None:
-        raise KeyError(f'nothing called {name!r} moved in this recording; there are: {", ".join(things) or "none"}')
+        raise not_recorded(f'nothing called {name!r} moved', name, things)
     if recording.topics[topic].type == POSE:
         rows = recording.series(topic, 'x', 'y', 'theta')
     else:

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 EPOCH_NS = 1_700_000_000_000_000_000
 """Where simulated time starts: an even second, so that printed stamps look real and repeat from run to run."""
 
+FAR_NS = 1 << 63
+"""Later than anything; not a float infinity, to which integers are compared slowly."""
+
 Item = list[Any]
 """An agenda item: [time in ns, priority, sequence, callback]. A cancelled or finished item has no callback."""
 
@@ -105,7 +108,7 @@ class Simulation:
         self._stopped = False
         self.hub = getcurrent()
         agenda, soon = self._agenda, self._soon
-        limit = float('inf') if until_ns is None else until_ns
+        limit = FAR_NS if until_ns is None else until_ns
         while not self._stopped:
             if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
                 callback = soon.popleft()[3]

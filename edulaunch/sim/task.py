@@ -5,13 +5,17 @@ one is the agenda's choice. Everything else that blocks (sleeping, locks, waitin
 """
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from greenlet import getcurrent, greenlet
 
 from edulaunch.errors import SimulationError
 from edulaunch.sim.simulation import Item, Simulation
+
+if TYPE_CHECKING:
+    from edulaunch.sim.guests import Guests
 
 POLLS_BEFORE_TIME_PASSES = 1000
 POLLS_AFTER_THAT = 20
@@ -53,9 +57,16 @@ class Task:
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
 
+    is_guest = False
+    """Whether it stands for a real thread beside the main one; see `guests.py`."""
+
     def start(self) -> None:
         """Give the task its first turn, at the present simulated time."""
-        self.sim.schedule(self.sim.now_ns, self._make_greenlet())
+        starter = running_task()
+        if starter is not None and starter.is_guest:  # a greenlet must be made in the thread that switches to it
+            self.sim.schedule(self.sim.now_ns, lambda: self._make_greenlet()())
+        else:
+            self.sim.schedule(self.sim.now_ns, self._make_greenlet())
 
     def _make_greenlet(self) -> Callable[[], object]:
         self._greenlet = _TaskGreenlet(self._run)
@@ -180,8 +191,9 @@ class Task:
 
     def sleep_until(self, at_ns: int) -> None:
         """Park until the simulated time is `at_ns`, whatever wakes come in between. Gives the turn back at least once."""
+        sim = self.sim
         missed = self.park(at_ns)
-        while self.sim.now_ns < at_ns:
+        while sim.now_ns < at_ns:
             missed = self.park(at_ns) or missed
         if missed:
             self._woken = True
@@ -192,13 +204,23 @@ class AmbientTask(Task):
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
+        self.guests: Guests | None = None
+        self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
         """As :meth:`Task.park`. Raises SimulationError when nothing on the agenda could ever end the wait."""
         sim = self.sim
         while not self._woken:
             next_ns = sim.next_time_ns()
-            if deadline_ns is not None and (next_ns is None or next_ns > deadline_ns):
+            is_over = deadline_ns is not None and (next_ns is None or next_ns > deadline_ns)
+            if next_ns != sim.now_ns and threading.active_count() != self._threads:
+                self._let_threads_begin()
+                continue
+            if self.guests is not None and self.guests.are_here() and not self.guests.await_turn(
+                    deadline_ns if is_over else next_ns):
+                break
+            if is_over:
+                assert deadline_ns is not None
                 sim.now_ns = max(sim.now_ns, deadline_ns)
                 return False
             if not sim.step():
@@ -206,6 +228,18 @@ class AmbientTask(Task):
         self._woken = False
         self._deliver_interrupts()
         return True
+
+    def _let_threads_begin(self) -> None:
+        """Threads were started (or have ended): before time passes, let them come to be guests."""
+        from edulaunch.sim.guests import let_threads_begin
+        self._threads = threading.active_count()
+        let_threads_begin()
+
+    def wake(self) -> None:
+        """As :meth:`Task.wake`; perhaps from another thread."""
+        super().wake()
+        if self.guests is not None:
+            self.guests.ring()
 
     def let_first_go(self) -> None:
         """Run the first item that waits for the present instant in place."""
@@ -229,5 +263,27 @@ def current_task() -> Task:
     try:
         task: Task = current.task
     except AttributeError:
-        task = current.task = AmbientTask(Simulation())
+        task = current.task = _ambient_task()
     return task
+
+
+def _ambient_task() -> AmbientTask:
+    """For the main thread, or a thread that has nothing to do with it, one of its own; else one that is a guest there."""
+    host = getattr(_MAIN, 'task', None)
+    if isinstance(host, AmbientTask) and host.owner is not None and threading.current_thread() is not threading.main_thread():
+        from edulaunch.sim.guests import GuestTask
+        return GuestTask(host)
+    return AmbientTask(Simulation())
+
+
+def _main_greenlet() -> Any:
+    """What runs the main thread outside any task; None when this module was not imported there."""
+    if threading.current_thread() is not threading.main_thread():
+        return None
+    found = getcurrent()
+    while found.parent is not None:
+        found = found.parent
+    return found
+
+
+_MAIN = _main_greenlet()

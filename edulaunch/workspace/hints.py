@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.packages import nearest
@@ -10,27 +11,41 @@ from edulaunch.workspace.sources import SourcePackage, read_text
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index
+    from edulaunch.packages.reading import PackageWarning
 
 
 def package_hint(index: Index, package: str) -> str:
     """For a package that is not found: the nearest name, or where such a folder is, or that no workspace was named."""
+    workspaces = [place.folder for place in index.workspaces]
+    same = [(folder, files) for workspace in workspaces for folder, files in _folders_called(package, workspace)]
+    for folder, files in same:
+        if 'package.xml' in files or 'setup.py' in files:
+            return _why_no_package(folder, files)
     near = nearest(package, index.packages())
     if near is not None:
         return f'did you mean the package {near!r}?'
-    workspaces = [place.folder for place in index.workspaces]
-    for workspace in workspaces:
-        for folder, folders, files in os.walk(workspace):
-            folders[:] = sorted(name for name in folders if not name.startswith('.'))
-            if os.path.basename(folder) == package:
-                return _why_no_package(folder, files)
+    if same:
+        return _why_no_package(*same[0])
     if not workspaces:
         return f'if {package} is a package of yours, name its workspace: --workspace DIR (as building and sourcing it with ROS 2)'
     return f'no package.xml below {", ".join(workspaces)} has the <name> {package}'
 
 
+def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]]:
+    """Each folder of that name, with its files."""
+    for folder, folders, files in os.walk(workspace):
+        folders[:] = sorted(inner for inner in folders if not inner.startswith('.'))
+        if os.path.basename(folder) == name:
+            yield folder, files
+
+
 def _why_no_package(folder: str, files: list[str]) -> str:
     if 'package.xml' not in files:
         return f'there is a folder {folder}, but it has no package.xml'
+    from edulaunch.packages.manifest import read_manifest
+    wrong: list[PackageWarning] = []
+    if read_manifest(folder, wrong) is None and wrong:
+        return f'{wrong[0].file}:{wrong[0].line}: {wrong[0].sentence}'
     ignored = [name for name in ('COLCON_IGNORE', 'AMENT_IGNORE') if name in files]
     return (f'{folder} is left out because of the file {ignored[0]} in it' if ignored else
             f'the package.xml in {folder} has another <name>')
@@ -58,6 +73,9 @@ def executable_hint(index: Index, package: str, executable: str) -> str | None:
     found = source_package(index, package)
     if found is None:
         return None
+    broken = [warning for warning in found.contents.warnings if warning.sentence.startswith('cannot be read')]
+    if broken:
+        return f'{broken[0].file}:{broken[0].line}: {broken[0].sentence}'
     if found.is_python and any(not place.startswith(f'lib/{package}/') for place in found.contents.entry_points):
         return (f'setup.cfg does not put executables into lib/{package}; it must have '
                 f'[install] with install_scripts=$base/lib/{package}')

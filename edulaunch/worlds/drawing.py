@@ -18,14 +18,17 @@ UNTOUCHED: Color = (255, 255, 255)
 class Pen:
     """What a turtle draws with: colour, width in pixels, and whether it touches the canvas."""
 
-    __slots__ = ('color', 'width', 'on', 'stroke', 'reach', 'shift', 'last_x', 'last_y')
+    __slots__ = ('color', 'width', 'on', 'stroke', 'length', 'reach', 'reach_rows', 'edge', 'shift', 'last_x', 'last_y')
 
     def __init__(self, color: Color = (179, 184, 255), width: int = 3, on: bool = True) -> None:
         self.color = color
         self.width = width or 1  # a pen of width 0 is drawn one pixel wide
         self.on = on
         self.stroke = bytes(color) * self.width
+        self.length = 3 * self.width  # of the stroke, in bytes
         self.reach = 0.5 * self.width  # how far apart squares are set, in pixels
+        self.reach_rows = self.width * _ROW  # from a square's first row to the row below it, in bytes
+        self.edge = SIDE_PX - self.width  # the last column and row where a square begins that lies on the canvas
         self.shift = _MARGIN + 1.0 - self.width / 2.0  # from a position in pixels to its square's first pixel
         self.lift()
 
@@ -107,15 +110,15 @@ class DrawingLayer:
         pixels = self._pixels
         if pixels is None:
             pixels = self._pixels = bytearray(b'\xff') * (_ROW * SIDE_PX)
-        width = pen.width
-        column = int(x + pen.shift) - _MARGIN
-        row = int(y + pen.shift) - _MARGIN
-        edge = SIDE_PX - width
+        shift = pen.shift
+        column = int(x + shift) - _MARGIN
+        row = int(y + shift) - _MARGIN
+        edge = pen.edge
         if 0 <= column <= edge and 0 <= row <= edge:
             at = row * _ROW + 3 * column
-            length = 3 * width
             stroke = pen.stroke
-            for start in range(at, at + width * _ROW, _ROW):
+            length = pen.length
+            for start in range(at, at + pen.reach_rows, _ROW):
                 pixels[start:start + length] = stroke
         else:
             _stamp_clipped(pixels, pen, column, row)

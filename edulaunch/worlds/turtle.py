@@ -127,11 +127,14 @@ class Turtle:
         self.x = x
         self.down = down
         layer = self._layer
-        if moved or self._seen != layer.version:
+        if moved:
             self.color = layer.color_at(x, down)
             self._seen = layer.version
-        if moved and self.pen.on:
-            layer.draw(self.pen, old_x, old_down, x, down, now_ns)
+            if self.pen.on:
+                layer.draw(self.pen, old_x, old_down, x, down, now_ns)
+        elif self._seen != layer.version:
+            self.color = layer.color_at(x, down)
+            self._seen = layer.version
 
     def _rotate(self, goal: RotationGoal, now_ns: int) -> None:
         self.speed = self.sideways = 0.0

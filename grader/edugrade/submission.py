@@ -138,6 +138,8 @@ def _nearest_to(path: str) -> str:
     from edulaunch.packages.nearest import nearest
 
     folder, name = os.path.split(path)
+    if os.path.islink(path):
+        return f'it is a link to {os.readlink(path)}, and that does not exist'
     if folder and not os.path.isdir(folder):
         return f'the folder {folder} does not exist either; look where you are with pwd and ls'
     names = _gradable(folder)

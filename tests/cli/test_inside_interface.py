@@ -47,3 +47,12 @@ def test_prefix_and_list(machine) -> None:
     assert machine.fails('ros2 pkg prefix turtelsim') == "Package not found\n  help: did you mean 'turtlesim'?\n"
     assert {'demo_nodes_cpp', 'turtlesim'} <= set(machine.read('ros2 pkg list').splitlines())
     assert machine.read('ros2 pkg xml turtlesim -t name') == 'turtlesim\n'
+
+
+def test_a_package_is_made_below_the_folder_of_the_command(machine) -> None:
+    told = machine.read('ros2 pkg create my_pkg --build-type ament_python --node-name my_node --license MIT')
+    assert told.startswith('going to create a new package\npackage name: my_pkg\n')
+    made = machine.folder / 'my_pkg'
+    assert (made / 'my_pkg' / 'my_node.py').is_file()
+    assert '<maintainer email="student@todo.todo">student</maintainer>' in (made / 'package.xml').read_text()
+    assert 'The directory already exists' in machine.run('ros2 pkg create my_pkg').err

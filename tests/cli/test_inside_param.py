@@ -69,6 +69,12 @@ def test_delete_takes_undeclared_parameters_only(machine) -> None:
     assert machine.read('ros2 param get parameter_blackboard speed') == 'Parameter not set.\n'
 
 
+def test_a_typed_parameter_of_a_cpp_node_cannot_be_deleted(machine) -> None:
+    typed = machine.run('ros2 param delete sim background_r')
+    assert (typed.code, typed.err) == (0, 'Deleting parameter failed: cannot undeclare a statically typed parameter\n')
+    assert machine.read('ros2 param get sim background_r') == 'Integer value is: 69\n'
+
+
 def test_an_unknown_node_is_waited_for_one_second(machine) -> None:
     typed = machine.run('ros2 param get /simm background_r', 1.5)
     assert typed.writes == [(2.0, "Node not found\n  help: did you mean '/sim'?\n")] and typed.code == 1

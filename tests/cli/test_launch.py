@@ -141,3 +141,19 @@ def test_ctrl_c_in_real_time_shuts_down_as_ros_does() -> None:
         assert child.wait(20) == 0
     assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
     assert sum('process has finished cleanly' in line for line in lines) == 2
+
+
+def test_a_program_reads_its_keyboard_from_a_file(run, tmp_path: Path) -> None:
+    (tmp_path / 'keys').write_text('Ada\n')
+    (tmp_path / 'ask.py').write_text("print('hello', input('name? '))\n")
+    ask = f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'ask.py')!r}], name='ask', output='screen')"
+    code, out, err = run(describe(ask), '--stdin', f'ask={tmp_path / "keys"}', '--stdin', f'nobody={tmp_path / "keys"}')
+    assert '[ask-1] name? hello Ada' in out.splitlines()
+    assert (code, err) == (0, 'warning: --stdin nobody: no program of that name was started\n')
+
+
+def test_a_package_that_a_build_would_reject_is_a_warning(run, tmp_path: Path) -> None:
+    (tmp_path / 'ws').mkdir()
+    (tmp_path / 'ws' / 'package.xml').write_text('<package>')
+    code, out, err = run(describe("Node(package='turtlesim', executable='turtlesim_node')"), '--workspace', str(tmp_path / 'ws'))
+    assert code == 0 and err.startswith('warning: @/ws/package.xml') and err.count('\n') == 1

@@ -27,6 +27,11 @@ def test_a_missing_file_names_the_nearest(folder: Path) -> None:
     assert refusal('cirle.launch.py') == ('cirle.launch.py does not exist', 'did you mean circle.launch.py?')
 
 
+def test_a_link_to_nowhere_says_where_it_points(folder: Path) -> None:
+    (folder / 'mine.launch.py').symlink_to('gone.launch.py')
+    assert refusal('mine.launch.py') == ('mine.launch.py does not exist', 'it is a link to gone.launch.py, and that does not exist')
+
+
 def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> None:
     message, help = refusal('nowhere/circle.launch.py')
     assert help is not None

@@ -129,3 +129,18 @@ def test_the_quick_look_passes_only_what_the_slow_one_passes(name: str) -> None:
     assert not good or names.topic_name_problem(name) is None
     assert (names.full_topic_name_problem('/' + name) is None) == good
     assert (names.node_name_problem(name) is None) == (good and len(tokens) == 1)
+
+
+@given(st.text('ab1/_~{} é', max_size=8), st.one_of(st.just('/'), absolute))
+def test_the_short_way_for_plain_names_gives_what_the_long_way_gives(name: str, namespace: str) -> None:
+    quick = names.plain_name(name, namespace)
+    if quick is not None:
+        assert names.topic_name_problem(name) is None
+        assert quick == names.expand_name(name, 'node', namespace)
+        assert names.full_topic_name_problem(quick) is None
+
+
+@pytest.mark.parametrize(('length', 'plain'), [(245, True), (247, False)])
+def test_a_plain_name_must_fit(length: int, plain: bool) -> None:
+    assert (names.plain_name('t' * length, '/') is not None) is plain
+    assert (names.full_topic_name_problem('/' + 't' * length) is None) is plain

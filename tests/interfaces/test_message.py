@@ -67,3 +67,13 @@ def test_a_lazy_attribute_is_computed_once():
         value = Lazy(lambda: calls.append('computed') or 5)
 
     assert (calls, Owner.value, Owner.value, calls) == (['computed'], 5, 5, ['computed'])
+
+
+def test_check_fields_does_not_hide_an_unknown_name(get):
+    with pytest.raises(AssertionError, match='Invalid arguments passed to constructor: w'):
+        get('geometry_msgs/msg/Point')(check_fields=True, x=1.0, w=1.0)
+
+
+def test_an_unknown_name_is_refused_before_any_value_is_looked_at(get):
+    with pytest.raises(AssertionError, match='Invalid arguments'):
+        get('geometry_msgs/msg/Point')(x='wrong too', w=1.0)

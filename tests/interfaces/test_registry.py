@@ -1,3 +1,5 @@
+import threading
+
 import pytest
 
 from edulaunch.errors import InterfaceError
@@ -93,3 +95,20 @@ def test_a_message_that_contains_itself_is_refused(workspace):
 @pytest.mark.parametrize('name', ['Twist', 'geometry_msgs/Twist', '', 'a/b/c/d', 'turtlesim/srv/Spawn_Reply'])
 def test_what_is_no_full_type_name_is_an_interface_error(registry, name):
     assert message(registry.get, name).startswith(f"unknown interface '{name}'")
+
+
+def test_a_thread_that_wants_a_class_in_the_making_waits_for_it(workspace, monkeypatch):
+    ws = workspace({'p/msg/A.msg': 'int8 a'})
+    make, found, threads = ws._make, [], []
+
+    def slowly(spec):
+        if not threads:
+            threads.append(threading.Thread(target=lambda: found.append(ws.get('p/msg/A'))))
+            threads[0].start()
+            threads[0].join(0.05)
+        return make(spec)
+
+    monkeypatch.setattr(ws, '_make', slowly)
+    cls = ws.get('p/msg/A')
+    threads[0].join(5)
+    assert found == [cls]

@@ -195,3 +195,7 @@ def test_a_text_as_period_is_deprecated() -> None:
         timer = TimerAction(period='2', actions=[])
     assert (timer.period, timer.describe()) == (2.0, 'TimerAction(period=2.0, actions=<actions>)')
     assert timer.describe_conditional_sub_entities() == [('2.0 seconds pass without being canceled', [])]
+
+
+def test_shutdown_event_has_the_reason_when_it_is_a_plain_text() -> None:
+    assert Shutdown(reason='enough').event.reason == 'enough'  # type: ignore[attr-defined]

@@ -72,3 +72,13 @@ def test_an_event_of_another_action_costs_no_question() -> None:
     for _ in range(10):
         table.add(make_handler(About, 'a'), append=False)
     assert table.candidates(About('b')) == []
+
+
+def test_whether_anybody_would_handle_an_event_is_known_after_each_change() -> None:
+    table, first, second = HandlerTable(), make_handler(About, 'a'), make_handler(About, 'b')
+    answers = [table.may_handle(AboutMore)]
+    for change in (lambda: table.add(first, append=False), lambda: table.add(second, append=False),
+                   lambda: table.remove(first), lambda: table.remove(second)):
+        change()
+        answers.append(table.may_handle(AboutMore))
+    assert answers == [False, True, True, True, False]

@@ -1,6 +1,7 @@
 """Loggers of one process: formats, places, levels."""
 from __future__ import annotations
 
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -136,3 +137,10 @@ def test_messages_of_launch_are_recorded_and_output_of_programs_is_not(
     get_logger('n').error('text')
     get_output_loggers('p', 'screen')[0].info('line')
     assert recorded == [(40, 'n', 'text')]
+
+
+def test_base_handler_has_formats_by_logger_too() -> None:
+    handler = launch.logging.handlers.Handler()
+    logger = launch.logging.get_logger('special')
+    handler.setFormatterFor(logger, logging.Formatter('<%(message)s>'))
+    assert handler.format(logger.makeRecord('special', logging.INFO, 'f', 1, 'x', (), None)) == '<x>'

@@ -79,3 +79,14 @@ def test_what_nobody_asked_for_is_an_error():
 def test_elements_of_the_standard_library_will_do():
     it = Entity(ET.fromstring('<x a="1"><y/></x>'))
     assert (it.type_name, it.get_attr('a'), it.children[0].type_name, it.line) == ('x', '1', 'y', 0)
+
+
+@pytest.mark.parametrize(('text', 'expected'), [
+    ('<p name="a" value="1"/>', ('a', 1)), ('<p value="x y" name="a"/>', ('a', 'x y')), ('<p name="a"/>', None),
+    ('<p name="a" value="1" type="str"/>', None), ('<p name="a" value="1"><p/></p>', None), ('<p name="a" other="1"/>', None)])
+def test_a_pair_is_plain_when_there_is_nothing_else(text, expected):
+    assert entity(text).plain_pair('name', 'value', is_typed=True) == expected
+
+
+def test_both_of_an_untyped_pair_are_texts():
+    assert entity('<remap from="1" to="2"/>').plain_pair('from', 'to') == ('1', '2')

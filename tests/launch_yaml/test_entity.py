@@ -76,3 +76,15 @@ def test_what_nobody_asked_for_is_an_error():
         it.assert_entity_completely_parsed()
     with pytest.raises(ValueError, match='Unexpected nested entity'):
         entity('[a]', 'node').assert_entity_completely_parsed()
+
+
+@pytest.mark.parametrize(('text', 'expected'), [
+    ('{name: a, value: 1}', ('a', 1)), ('{value: x y, name: a}', ('a', 'x y')), ('{name: a}', None), ('[name, value]', None),
+    ('{name: a, value: 1, type: str}', None), ('{name: 1, value: 1}', None), ('{name: a, value: [1]}', None)])
+def test_a_pair_is_plain_when_there_is_nothing_else(text, expected):
+    assert entity(text).plain_pair('name', 'value', is_typed=True) == expected
+
+
+def test_both_of_an_untyped_pair_are_texts():
+    assert entity('{from: a, to: b}').plain_pair('from', 'to') == ('a', 'b')
+    assert entity('{from: a, to: 2}').plain_pair('from', 'to') is None

@@ -182,3 +182,14 @@ def test_a_plan_repeats_byte_for_byte(plan: Plan) -> None:
         "    return [Node(package='turtlesim', executable='turtlesim_node', parameters=[{'a': 1}, {'a': 1}])]"
     )
     assert repr(plan(body)) == repr(plan(body))
+
+
+def test_an_event_of_one_process_is_no_question_to_the_others(plan: Plan, monkeypatch: pytest.MonkeyPatch) -> None:
+    from launch.actions._process_watch import ProcessWatch
+
+    asked: list[str] = []
+    concerns = ProcessWatch._concerns
+    monkeypatch.setattr(ProcessWatch, '_concerns', lambda self, event: asked.append(event.name) or concerns(self, event))
+    plan('    return [run(str(number)) for number in range(40)]\n')
+    assert asked.count('launch.events.process.ProcessStarted') <= 2 * 40
+    assert asked.count('launch.events.process.ProcessExited') <= 2 * 40

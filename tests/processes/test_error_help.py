@@ -46,3 +46,12 @@ def test_what_takes_the_real_screen_or_keyboard_is_refused_even_where_it_is_inst
 def test_a_program_may_have_a_module_of_such_a_name_itself(world: Any) -> None:
     world.write('keyboard.py', 'keys = 3')
     assert world.run('import keyboard\nprint(keyboard.keys)') == '3\n'
+
+
+@pytest.mark.parametrize('use', ['tkinter.Tk()', 'tkinter.Frame()', 'tkinter.ttk.Button()'])
+def test_windows_of_tkinter_do_not_open(world: Any, use: str) -> None:
+    pytest.importorskip('_tkinter')
+    wrote = world.run(f'import tkinter\nfrom tkinter import ttk\n{use}')
+    assert wrote.endswith('TclError: no display name and no $DISPLAY environment variable\n'
+                          '  help: program-1 opens a window; the simulation has no screen. turtlesim is drawn by edulaunch itself, '
+                          'other windows cannot be shown\n')

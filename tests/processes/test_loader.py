@@ -1,9 +1,13 @@
 """Private modules."""
 from __future__ import annotations
 
+import warnings
+from pathlib import Path
 from typing import Any
 
 import pytest
+
+from edulaunch.processes.loader import read_script
 
 
 def test_two_copies_of_a_program_do_not_share_globals(world: Any) -> None:
@@ -150,3 +154,53 @@ def test_pkgutil_walks_private_packages(world: Any) -> None:
         import pkgutil, robot
         print([info.name for info in pkgutil.walk_packages(robot.__path__, 'robot.')])
         """) == "['robot.arm', 'robot.arm.hand']\n"
+
+
+def test_a_text_without_warnings_is_compiled_once_for_all_runs(tmp_path: Path) -> None:
+    path = tmp_path / 'p.py'
+    path.write_text('x = 1\n')
+    first = read_script(str(path))
+    path.write_text('x = 1\n')
+    assert read_script(str(path)) is first
+    path.write_text('x = 2\n')
+    assert read_script(str(path)) is not first
+
+
+@pytest.mark.parametrize(('text', 'kind'), [('x = 1 is 1\n', SyntaxWarning), ('x = "\\d"\n', Warning)])
+def test_what_python_says_about_a_text_it_says_each_time(tmp_path: Path, text: str, kind: type[Warning]) -> None:
+    path = tmp_path / 'p.py'
+    path.write_text(text)
+    for _ in range(2):
+        with pytest.warns(kind):
+            read_script(str(path))
+
+
+def test_a_warning_that_was_ignored_comes_when_it_is_wanted(tmp_path: Path) -> None:
+    path = tmp_path / 'p.py'
+    path.write_text('x = 3 is 3\n')
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        first = read_script(str(path))
+        assert read_script(str(path)) is first
+    with pytest.warns(SyntaxWarning):
+        read_script(str(path))
+
+
+def test_reading_a_script_forgets_no_warning_that_was_shown(tmp_path: Path) -> None:
+    path = tmp_path / 'p.py'
+    path.write_text('x = 4\n')
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter('default')
+        registry: dict[Any, Any] = {}
+        for _ in range(2):
+            warnings.warn_explicit('again', UserWarning, 'file', 1, registry=registry)
+            read_script(str(path))
+    assert len(shown) == 1
+
+
+def test_a_broken_text_is_an_error_each_time(tmp_path: Path) -> None:
+    path = tmp_path / 'p.py'
+    path.write_text('x = (\n')
+    for _ in range(2):
+        with pytest.raises(SyntaxError, match='was never closed'):
+            read_script(str(path))

@@ -62,3 +62,17 @@ def test_an_executor_of_a_thread_ends_without_frames_of_the_engine(world: Any) -
                     'executor = MultiThreadedExecutor()\nthread = threading.Thread(target=executor.spin)\nthread.start()\n'
                     'time.sleep(1)\nrclpy.shutdown()\nthread.join()')
     assert lines == ['Exception in thread Thread-1 (spin):', 'rclpy.executors.ExternalShutdownException']
+
+
+@pytest.mark.parametrize(('text', 'last'), [
+    ('import rclpy\nrclpy.init()\nrclpy.create_node("a").creat_timer(1, print)',
+     "AttributeError: 'Node' object has no attribute 'creat_timer'. Did you mean: 'create_timer'?"),
+    ('from rclpy.qos import QoSProfil', "rclpy/qos.py). Did you mean: 'QoSProfile'?"),
+    ('print(math.pi)', "NameError: name 'math' is not defined. Did you forget to import 'math'?"),
+    ('counter = 1\nprint(conter)', "NameError: name 'conter' is not defined. Did you mean: 'counter'?"),
+    ('class A:\n    def __init__(self):\n        self.speed = 1\n        print(speed)\nA()',
+     "NameError: name 'speed' is not defined. Did you mean: 'self.speed'?"),
+    ('timer = 1\nprint(time)', "Did you mean: 'timer'? Or did you forget to import 'time'?"),
+    ('print(qqqqq)', "NameError: name 'qqqqq' is not defined"), ('"".qqqqq', "AttributeError: 'str' object has no attribute 'qqqqq'")])
+def test_the_nearest_name_is_suggested_as_by_newer_pythons(world: Any, text: str, last: str) -> None:
+    assert [line for line in printed(world, text) if not line.startswith('  help:')][-1].endswith(last)

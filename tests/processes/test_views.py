@@ -245,6 +245,8 @@ def test_there_is_no_screen(world: Any) -> None:
 @pytest.mark.parametrize(('text', 'output'), [
     ('import pickle, datetime\nprint(pickle.loads(pickle.dumps([datetime.datetime.now(), datetime.date.today()])))',
      '[datetime.datetime(2023, 11, 14, 22, 13, 20), datetime.date(2023, 11, 14)]\n'),
+    ('from datetime import datetime, date\nprint([datetime(2020, 1, 2), datetime.now() + (datetime.now() - datetime(2020, 1, 1)) * 0, date(2020, 1, 2)])',
+     '[datetime.datetime(2020, 1, 2, 0, 0), datetime.datetime(2023, 11, 14, 22, 13, 20), datetime.date(2020, 1, 2)]\n'),
     ('import datetime\nprint(datetime.datetime.fromtimestamp(3600), datetime.date.fromtimestamp(0))', '1970-01-01 01:00:00 1970-01-01\n'),
     ('import time\nprint(time.clock_gettime(time.CLOCK_MONOTONIC), time.clock_gettime_ns(time.CLOCK_REALTIME))', '0.0 1700000000000000000\n'),
     ('import time\nprint(time.mktime(time.localtime()) - time.time())', '0.0\n'),
@@ -291,3 +293,58 @@ def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
     assert wrote.startswith('pressed 2.0\n') and wrote.endswith(
         'RuntimeError: asyncio: subprocess_exec cannot be used in the simulation\n'
         '  help: start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time\n')
+
+
+@pytest.mark.parametrize('ask', ['os.path.exists("words.txt")', 'os.listdir() == ["words.txt"]', 'os.path.abspath("x") == os.getcwd() + "/x"',
+                                 'list(os.walk("."))[0] == (".", [], ["words.txt"])', 'os.path.relpath(os.getcwd() + "/a/b") == "a/b"',
+                                 'glob.glob("*.txt") == ["words.txt"]', 'join("a", "b") == "a/b"', 'os.stat("words.txt").st_size == 5'])
+def test_relative_paths_are_looked_for_in_the_programs_own_folder(world: Any, ask: str) -> None:
+    world.write('data/words.txt', 'hello')
+    world.start(world.write('p.py', f'import glob, os\nfrom os.path import join\nos.chdir("data")\nprint({ask})'), cwd=str(world.folder))
+    world.sim.run()
+    assert world.log[-1][2] == 'True\n'
+
+
+def test_files_are_made_and_removed_in_the_programs_own_folder(world: Any) -> None:
+    world.start(world.write('p.py', """
+        import os, shutil
+        os.makedirs('a/b')
+        open('a/b/file', 'w').close()
+        os.rename('a/b/file', 'a/moved')
+        shutil.rmtree('a/b')
+        """), cwd=str(world.folder))
+    world.sim.run()
+    assert world.codes == {'program-1': 0} and [path.name for path in (world.folder / 'a').iterdir()] == ['moved']
+
+
+def test_home_is_that_of_the_simulated_machine(world: Any) -> None:
+    assert world.run('import os\nprint(os.path.expanduser("~/maps"))') == '/home/student/maps\n'
+
+
+def test_objects_of_the_programs_own_classes_can_be_pickled(world: Any) -> None:
+    world.write('lib/shapes.py', 'class Square:\n    side = 2')
+    assert world.run("""
+        import pickle
+        from dataclasses import dataclass
+        import shapes
+        @dataclass
+        class Point:
+            x: int
+        print(pickle.loads(pickle.dumps([Point(3), {'a': 1.5}])), pickle.loads(pickle.dumps(shapes.Square())).side)
+        """) == "[Point(x=3), {'a': 1.5}] 2\n"
+
+
+def test_coroutines_run_on_the_loop_of_another_thread(world: Any) -> None:
+    assert world.run("""
+        import asyncio, threading, time
+        loop = asyncio.new_event_loop()
+        thread = threading.Thread(target=loop.run_forever)
+        thread.start()
+        async def work(seconds):
+            await asyncio.sleep(seconds)
+            return 1 / (seconds - 2)
+        print(asyncio.run_coroutine_threadsafe(work(1), loop).result(), time.monotonic())
+        print(type(asyncio.run_coroutine_threadsafe(work(2), loop).exception()).__name__, time.monotonic())
+        loop.call_soon_threadsafe(loop.stop)
+        thread.join()
+        """) == '-1.0 1.0\nZeroDivisionError 3.0\n'

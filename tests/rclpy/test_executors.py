@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor, await_or_execute
 from rclpy.node import Node
 from rclpy.task import Future
 from std_msgs.msg import String
@@ -456,3 +456,24 @@ def test_an_executor_of_ones_own_gets_tasks_to_call(ros: Ros, world: World) -> N
         executor.spin()
 
     assert ros(body) == [('Timer', 'n')]
+
+
+def test_an_executor_needs_threads(ros: Ros) -> None:
+    def body() -> None:
+        with pytest.raises(ValueError, match='max_workers must be greater than 0'):
+            MultiThreadedExecutor(num_threads=0)
+
+    ros(body)
+
+
+def test_a_callback_may_be_awaited_or_executed(world: World) -> None:
+    async def doubled(value: int) -> int:
+        return 2 * value
+
+    async def both() -> list[int]:
+        return [await await_or_execute(doubled, 3), await await_or_execute(abs, -4)]
+
+    coroutine = both()
+    with pytest.raises(StopIteration) as ended:
+        coroutine.send(None)
+    assert ended.value.value == [6, 4]

@@ -185,3 +185,11 @@ def test_importing_rclpy_loads_nothing_heavy() -> None:
             "print(sorted({'numpy', 'asyncio', 'yaml', 'logging', 'typing_extensions'} & set(sys.modules)))")
     done: Any = subprocess.run([sys.executable, '-c', code], cwd=root, capture_output=True, text=True, check=False)
     assert (done.stdout.strip(), done.stderr) == ('[]', '')
+
+
+@pytest.mark.parametrize('name', ['Future', 'event_handler.UnsupportedEventTypeError', 'node.NodeNameNonExistentError',
+                                  'topic_endpoint_info.TypeHash', 'waitable.Waitable', 'executors.await_or_execute', 'time.Time'])
+def test_import_rclpy_brings_what_it_brings_in_ros2(name: str) -> None:
+    root = Path(rclpy.__file__).parents[1]
+    program = f'import sys; sys.path[:0] = {[str(root), str(root.parents[2])]}; import rclpy; rclpy.{name}'
+    subprocess.run([sys.executable, '-c', program], check=True)

@@ -91,3 +91,15 @@ def test_errors_about_arguments_name_the_node_class(ros: Ros, world: World) -> N
         world.say('named')
 
     assert ros(body) == ['named']
+
+
+def test_what_rclpy_keeps_under_private_names_can_be_read(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', 5)
+        world.say((node._logger is node.get_logger(), node._clock is node.get_clock(), node._parameters['p'].value,
+                   node._default_callback_group is node.default_callback_group, hasattr(node, '_nothing')))
+        node._clock = 'my own'
+        world.say(node.get_clock() is not node._clock)
+
+    assert ros(body) == [(True, True, 5, True, False), True]

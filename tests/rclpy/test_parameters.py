@@ -363,3 +363,8 @@ def test_a_file_without_the_wanted_parameters_is_refused(tmp_path: Path, text: s
     file.write_text(text)
     with pytest.raises(RuntimeError, match=words):
         parameter_dict_from_yaml_file(str(file), target_nodes=nodes)
+
+
+def test_the_type_goes_by_its_name_in_ros2() -> None:
+    assert repr(Parameter.Type.DOUBLE) == '<Type.DOUBLE: 3>'
+    assert raised(Parameter, 'p', 'int', 1) == ('TypeError', "type must be an instance of '<enum 'Type'>'")

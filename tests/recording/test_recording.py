@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from edulaunch.errors import RecordingError
+from edulaunch.graph.qos import QoS
 from edulaunch.recording import Recording
 
 from .conftest import turtle_run
@@ -86,6 +87,15 @@ def test_a_digest_covers_what_happened_and_not_where_files_lie(recording: Record
     assert moved.digest() == elsewhere.digest() != other.digest()
 
 
+def test_a_message_may_name_a_file_too(recording: Recording) -> None:
+    """As the parameter event of a parameter that defaults to a file in a share folder."""
+    digests = set()
+    for folder in ('/a/b', '/c'):
+        topic = {'topic': '/where', 'type': 'std_msgs/msg/String', 'times': [0], 'publishers': [0], 'messages': [[f'{folder}/x.yaml']]}
+        digests.add(Recording({**recording._content, 'topics': [topic], 'roots': [[folder, '@workspace']]}).digest())
+    assert len(digests) == 1
+
+
 @pytest.mark.parametrize(('data', 'text'), [
     (b'', 'line 1 is not JSON'), (b'\x00\xff\n', 'line 1 is not JSON'), (b'[]\n', 'holds no part'),
     (b'{"format": "something"}\n', 'is not a recording of edulaunch'),
@@ -123,3 +133,16 @@ def test_what_is_unwound_at_the_end_is_not_recorded(stage: Any) -> None:
     recording = stage.finish(1.0)
     assert recording.processes[0].ended_s is None and recording.nodes[0].ended_s is None
     assert recording.duration_s == 1.0
+
+
+def test_messages_after_the_end_are_left_out(stage: Any) -> None:
+    from std_msgs.msg import String
+    publisher = stage.graph.create_publisher(stage.graph.add_node(stage.process('p-1', 100), 'node', '/'), '/chatter', String, QoS())
+    for seconds in (0.5, 1.0):
+        stage.at(seconds, lambda: publisher.publish(('hello',)))
+    stage.sim.run(stage.sim.start_ns + 10**9)
+    stage.recorder.stop()
+    stage.at(2.0, lambda: publisher.publish(('too late',)))
+    recording = stage.finish(3.0)
+    assert stage.recorder.publication_count() == 3
+    assert [(time_s, message.data) for time_s, message in recording.messages('/chatter')] == [(0.5, 'hello'), (1.0, 'hello')]

@@ -58,6 +58,12 @@ def test_kinds_are_told_apart() -> None:
         [True, False, False], [False, True, False], [False, False, True]]
 
 
+def test_the_feedback_of_an_action_is_a_message() -> None:
+    """As a program needs it that subscribes to every topic there is."""
+    found = utilities.get_message('example_interfaces/action/Fibonacci_FeedbackMessage')
+    assert 'feedback' in found.get_fields_and_field_types()
+
+
 def test_what_there_is() -> None:
     assert get_message_interfaces(['turtlesim']) == {'turtlesim': ['msg/Color', 'msg/Pose']}
     assert 'srv/Spawn' in get_interfaces(['turtlesim'])['turtlesim'] == sorted(get_interfaces(['turtlesim'])['turtlesim'])

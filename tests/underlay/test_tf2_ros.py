@@ -312,3 +312,55 @@ def test_all_names_of_the_package_can_be_imported():
     assert tf2_ros.buffer.Buffer is tf2_ros.Buffer
     with pytest.raises(ImportError):
         from tf2_ros import Bufer  # noqa: F401
+
+
+class CountingBuffer(tf2_ros.Buffer):
+    """A student's buffer that looks at every transform."""
+
+    def __init__(self, seen: list[Any]) -> None:
+        super().__init__()
+        self._seen = seen
+
+    def set_transform(self, transform: TransformStamped, authority: str) -> None:
+        """See Buffer.set_transform."""
+        self._seen.append((type(transform), transform.child_frame_id, authority))
+        super().set_transform(transform, authority)
+
+
+def test_a_buffer_with_a_set_transform_of_its_own_gets_messages(stage, program):
+    seen: list[Any] = []
+
+    def body() -> None:
+        rclpy.init()
+        node = Node('listener')
+        node.keep = tf2_ros.TransformListener(CountingBuffer(seen), node)
+        rclpy.spin(node)
+
+    program(body)
+    stage.until(100)
+    stage.publish('/tf', TFMessage(transforms=[stamped('world', 'a', 1.0, 1.0), stamped('world', 'b', 1.0, 1.0)]))
+    stage.until(200)
+    assert seen == [(TransformStamped, 'a', 'default_authority'), (TransformStamped, 'b', 'default_authority')]
+
+
+def test_another_callback_takes_the_place_of_the_listeners(stage, program):
+    heard: list[str] = []
+    frames: list[str] = []
+
+    def use(node: Node, buffer: tf2_ros.Buffer) -> None:
+        node.keep.tf_sub.callback = lambda message: heard.append(message.transforms[0].child_frame_id)
+        node.create_timer(0.15, lambda: frames.append(buffer.all_frames_as_yaml()))
+
+    listening(stage, program, use)
+    stage.until(100)
+    stage.publish('/tf', TFMessage(transforms=[stamped('world', 'a', 1.0, 1.0)]))
+    stage.until(200)
+    assert (heard, frames) == (['a'], ['[]'])
+
+
+def test_refused_transforms_are_logged_whichever_way_they_come(stage, program):
+    listening(stage, program, lambda node, buffer: None)
+    stage.until(100)
+    stage.publish('/tf', TFMessage(transforms=[stamped('a', 'a', 1.0, 1.0)]))
+    stage.until(200)
+    assert [text for _, text in stage.tape.logs if 'TF_SELF_TRANSFORM' in text]

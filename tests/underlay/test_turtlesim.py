@@ -270,3 +270,25 @@ def test_a_rotation_goal_ends_with_the_golden_feedback_and_result(
     assert accepted[0].accepted
     assert (len(feedback), feedback[-1]) == (count, last)
     assert (result[0].status, result[0].result.delta) == (4, delta)
+
+
+def test_a_turtle_at_rest_sends_one_and_the_same_pose_until_it_moves(sim: Any) -> None:
+    wires: list[Any] = []
+    sim.until(100)
+    next(iter(sim.graph.publishers['/turtle1/pose']))._record = lambda record: wires.append(record[2])
+    sim.until(100 + 3 * TICK)
+    assert len({id(wire) for wire in wires}) == 1
+    sim.publish('/turtle1/cmd_vel', twist(1.0))
+    sim.until(100 + 6 * TICK)
+    assert len(set(wires)) == 4
+
+
+def test_a_sideways_motion_ends_with_a_command_that_names_none(sim: Any) -> None:
+    value = ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=True)
+    sim.ask('/turtlesim/set_parameters', SetParameters, parameters=[Parameter(name='holonomic', value=value)])
+    sim.until(100)
+    sim.publish('/turtle1/cmd_vel', twist(0.0, sideways=1.0))
+    sim.until(200)
+    sim.publish('/turtle1/cmd_vel', twist(0.0))
+    sim.until(300)
+    assert [pose.linear_velocity for pose in sim.messages('/turtle1/pose')][-10::9] == [1.0, 0.0]

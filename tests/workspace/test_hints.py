@@ -39,6 +39,36 @@ def test_a_node_action_tells_of_a_missing_entry_point(robo: Any, launch_text: An
     assert str(caught.value.help).endswith("setup.py has no entry point for it: add 'brake = robo.brake:main' to console_scripts")
 
 
+@pytest.mark.parametrize('mistake', ['x = undefined', 'return LaunchDescription([Node(package="robo", executable="brake")])', 'return ['])
+def test_the_console_names_the_students_own_launch_file(workspace: Any, node: str, mistake: str) -> None:
+    workspace.python('robo', 'drive = robo.drive:main', data="('share/robo/launch', glob('launch/*')),")
+    workspace.write('robo/robo/drive.py', node)
+    file = workspace.write('robo/launch/go.launch.py', 'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
+                           f'def generate_launch_description():\n    {mistake}\n')
+    written: list[str] = []
+    with edulaunch.Session(workspaces=[workspace.folder], console=lambda stream, text: written.append(text)) as session:
+        session.launch('robo', 'go.launch.py')
+        session.run(1)
+    helps = [line for line in ''.join(written).splitlines() if line.startswith('  help: ')]
+    assert len(helps) == 1 and helps[0].startswith(f'  help: {file}:4')
+
+
+def test_a_tutorials_command_finds_ros2_on_the_path(workspace: Any) -> None:
+    file = workspace.write('go.launch.py', """
+        from launch import LaunchDescription
+        from launch.actions import ExecuteProcess
+        from launch.substitutions import FindExecutable
+        from launch_ros.actions import Node
+        def generate_launch_description():
+            return LaunchDescription([
+                Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+                ExecuteProcess(cmd=[[FindExecutable(name='ros2'), ' service call ', '/spawn turtlesim/srv/Spawn ',
+                                     '"{x: 2, y: 2, theta: 0.2}"']], shell=True)])
+        """)
+    recording = edulaunch.run(file, duration_s=2)
+    assert any('Spawning turtle [turtle2]' in line.text for line in recording.output) and not recording.notes
+
+
 def test_a_file_that_is_only_in_the_source(index: Index, robo: Any) -> None:
     share = index.share('robo')
     assert installed_file_hint(index, f'{share}/config/wheels.yaml') == (
@@ -67,3 +97,8 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
     robo.write('robo/setup.cfg', '')
     assert 'setup.cfg does not put executables into lib/robo' in (executable_hint(Index([], [robo.folder]), 'robo', 'drive') or '')
+
+
+def test_a_package_with_an_unreadable_package_xml_is_named_with_its_line(index: Index, robo: Any) -> None:
+    robo.write('robo_two/package.xml', '<package>\n<name>robo_two</nam>\n</package>')
+    assert package_hint(index, 'robo_two').startswith(f'{robo.folder}/robo_two/package.xml:2: this is not well-formed XML')

@@ -154,3 +154,17 @@ def test_numbers_that_are_none_never_stop_the_world(numbers: list[float]) -> Non
     turtle.teleport_absolute(numbers[2], numbers[3], numbers[4])
     ticks(world, 3)
     assert turtle.color in ((255, 255, 255), (179, 184, 255))
+
+
+def test_a_turtle_is_still_when_it_has_no_velocity_and_did_not_move(world: TurtleWorld, turtle: Turtle) -> None:
+    seen = []
+    for number, act in enumerate((None, None, 'go', None, 'stop', None, 'teleport', None)):
+        if act == 'go':
+            turtle.command(1.0, 0.0, T0 + number * TICK)
+        elif act == 'stop':
+            turtle.stop()
+        elif act == 'teleport':
+            turtle.teleport_absolute(1.0, 1.0, 0.0)
+        world.update(T0 + number * TICK)
+        seen.append(turtle.still)
+    assert seen == [False, True, False, False, False, True, False, True]

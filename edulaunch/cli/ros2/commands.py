@@ -53,6 +53,7 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     'pkg': (
         'Various package related sub-commands',
         {
+            'create': 'Create a new ROS 2 package',
             'executables': 'Output a list of package specific executables',
             'list': 'Output a list of available packages',
             'prefix': 'Output the prefix path of a package',

@@ -15,17 +15,21 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 VIEWS = {
+    '_tkinter': 'window_view.make_tkinter',
     'asyncio': 'asyncio_view.make',
     'atexit': 'atexit_view.make',
     'datetime': 'datetime_view.make',
     'fcntl': 'keyboard_view.make_fcntl',
     'importlib': 'importlib_view.make',
+    'importlib.metadata': 'importlib_view.make_metadata',
     'importlib.resources': 'importlib_view.make_resources',
     'importlib.util': 'importlib_view.make_util',
     'multiprocessing': 'multiprocessing_view.make',
     'numpy': 'numpy_view.make',
     'numpy.random': 'numpy_view.make_random',
     'os': 'os_view.make',
+    'os.path': 'files_view.make_path',
+    'pickle': 'pickle_view.make',
     'pkgutil': 'pkgutil_view.make',
     'queue': 'queue_view.make',
     'random': 'random_view.make',
@@ -36,7 +40,6 @@ VIEWS = {
     'termios': 'keyboard_view.make_termios',
     'threading': 'threading_view.make',
     'time': 'time_view.make',
-    'tkinter': 'window_view.make_tkinter',
     'tty': 'keyboard_view.make_tty',
     'turtle': 'window_view.make_turtle',
     'uuid': 'uuid_view.make',
@@ -47,14 +50,15 @@ VIEWS = {
 def _standard(name: str) -> Callable[[], tuple[str, bool]]:
     def place() -> tuple[str, bool]:
         spec = PathFinder.find_spec(name)
-        assert spec is not None and spec.origin is not None
+        if spec is None or spec.origin is None:
+            raise ModuleNotFoundError(f'No module named {name!r}', name=name)
         return spec.origin, spec.submodule_search_locations is not None
     return place
 
 
 PRIVATE_COPIES = {name: _standard(name) for name in (
-    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'logging', 'optparse', 'sched', 'secrets', 'shutil',
-    'traceback')}
+    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'glob', 'logging', 'optparse', 'sched', 'secrets',
+    'shutil', 'tkinter', 'traceback')}
 """Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
 what gives the file of each, and whether it is a package."""
 

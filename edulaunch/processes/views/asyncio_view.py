@@ -118,6 +118,22 @@ def make(view: ModuleType, process: Process) -> ModuleType:
             _close(loop)
             set_event_loop(None)
 
+    def run_coroutine_threadsafe(coro: Coroutine[Any, Any, Any], loop: Any) -> Any:
+        futures: Any = process.loader.import_module('concurrent.futures')
+        answer = futures.Future()
+
+        def settle(task: Any) -> None:
+            if task.cancelled():
+                answer.cancel()
+            elif task.exception() is not None:
+                answer.set_exception(task.exception())
+            else:
+                answer.set_result(task.result())
+
+        loop.call_soon_threadsafe(lambda: real.ensure_future(coro, loop=loop).add_done_callback(settle))
+        return answer
+
+    view.__dict__['run_coroutine_threadsafe'] = run_coroutine_threadsafe
     view.__dict__.update(new_event_loop=new_event_loop, set_event_loop=set_event_loop, get_event_loop=get_event_loop, run=run)
     if hasattr(real, 'Runner'):
         view.__dict__['Runner'] = _runner_class(run)

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Python's builtins with `__import__`, `print`, `input`, `open`, `exit` and `quit` of this process."""
+    """Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
 
     def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
                       flush: bool = False) -> None:
@@ -38,5 +38,9 @@ def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str,
     def private_exit(code: object = None) -> None:
         raise SystemExit(code)
 
-    return {**builtins.__dict__, '__import__': import_, 'print': private_print, 'input': private_input,
+    def private_breakpoint(*_: Any, **__: Any) -> None:
+        process.note('breakpoint', f'{process.name} called breakpoint(): it has no terminal, so it goes on')
+
+    return {**builtins.__dict__, 'breakpoint': private_breakpoint,
+            '__import__': import_, 'print': private_print, 'input': private_input,
             'open': private_open, 'exit': private_exit, 'quit': private_exit}

@@ -33,6 +33,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         def __reduce_ex__(self, protocol: Any) -> Any:
             return real.datetime, real.datetime.__reduce_ex__(self, protocol)[1]
 
+        def __repr__(self) -> str:
+            return f'datetime.{super().__repr__()}'
+
         @classmethod
         def now(cls, tz: real.tzinfo | None = None) -> Any:
             """The simulated time."""
@@ -59,6 +62,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
         def __reduce_ex__(self, protocol: Any) -> Any:
             return real.date, real.date.__reduce_ex__(self, protocol)[1]
+
+        def __repr__(self) -> str:
+            return f'datetime.{super().__repr__()}'
 
         @classmethod
         def today(cls) -> Any:

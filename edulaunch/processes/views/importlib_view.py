@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import importlib as real
+import os
 import sys
 from collections.abc import Callable
 from importlib.machinery import ModuleSpec, SourceFileLoader
@@ -15,7 +16,7 @@ from edulaunch.processes.views import copy_names
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-SUBMODULES = ('resources', 'util')
+SUBMODULES = ('metadata', 'resources', 'util')
 
 
 class ImportlibView(ModuleType):
@@ -68,6 +69,23 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
         if hasattr(real_resources, name):
             view.__dict__[name] = of_this_program(getattr(real_resources, name))
     copy_names(view, real_resources)
+    return view
+
+
+def make_metadata(view: ModuleType, process: Process) -> ModuleType:
+    """`importlib.metadata`: a package of the workspace has the version of its package.xml, as if it were built."""
+    import importlib.metadata as real_metadata
+
+    def version(distribution_name: str) -> str:
+        share = process.index.share(distribution_name.replace('-', '_'))
+        file = os.path.join(share or '', 'package.xml')
+        if share is None or not os.path.isfile(file):
+            return real_metadata.version(distribution_name)
+        from xml.etree import ElementTree
+        return (ElementTree.parse(file).findtext('version') or '0.0.0').strip()
+
+    view.__dict__['version'] = version
+    copy_names(view, real_metadata)
     return view
 
 

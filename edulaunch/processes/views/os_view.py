@@ -8,6 +8,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
+from edulaunch.processes.views.files_view import FUNCTIONS, PATH
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -79,6 +80,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     def getcwd() -> str:
         return process.cwd or real.getcwd()
 
+    view.__dict__.update(FUNCTIONS, path=PATH)
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
         getpid=lambda: process.pid, getppid=lambda: 1000, kill=lambda pid, signum, /: _kill(process, pid, signum),

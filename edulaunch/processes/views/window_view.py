@@ -17,16 +17,13 @@ NO_DISPLAY = 'no display name and no $DISPLAY environment variable'
 
 
 def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
-    """The real module, where Python has it, whose `Tk` raises `TclError`."""
-    import tkinter as real
+    """`_tkinter`, on which the whole of `tkinter` stands: opening a window raises `TclError`."""
+    import _tkinter as real
 
-    class Tk(real.Tk):
-        """As `tkinter.Tk` without a display."""
+    def create(*_: Any, **__: Any) -> Any:
+        raise _no_display(process, real.TclError)
 
-        def __init__(self, *_: Any, **__: Any) -> None:
-            raise _no_display(process, real.TclError)
-
-    view.__dict__.update(Tk=Tk, __path__=list(real.__path__))
+    view.__dict__['create'] = create
     copy_names(view, real)
     return view
 

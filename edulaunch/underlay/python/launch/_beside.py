@@ -88,6 +88,10 @@ def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has
         if task.done() or not has_company():
             raise
         return False
+    except BaseException:
+        if task.done() and not task.cancelled():
+            task.exception()  # who ends the program tells it; asyncio need not tell it again
+        raise
     return True
 
 

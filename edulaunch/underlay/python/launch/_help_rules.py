@@ -137,9 +137,23 @@ def _positional(error: BaseException, text: str) -> str | None:
     cls = class_named(found[1]) if found is not None else None
     if cls is None:
         return None
+    if 'actions' in keywords_of(cls):
+        return f'one list is expected: {cls.__name__}([..., ...])'
     code = cls.__init__.__code__
     first = code.co_varnames[code.co_argcount:code.co_argcount + code.co_kwonlyargcount]
     return f'give the arguments by name: {cls.__name__}({first[0]}=...)' if first else None
+
+
+def _missing_keyword(error: BaseException, text: str) -> str | None:
+    """A misspelt one is taken for one of the many that an action passes on, so that only its absence is seen."""
+    found = _match(r"(\w+)\.__init__\(\) missing \d+ required keyword-only arguments?: '(\w+)'", text)
+    place = launch_origin(error)
+    if found is None or place is None:
+        return None
+    import linecache
+    call = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + 8)).partition(f'{found[1]}(')[2]
+    near = nearest(found[2], re.findall(r'(\w+)\s*=', call.partition(f'{found[1]}(')[0]))
+    return f'{found[1]} needs {found[2]}=...' + (f'; did you mean that by {near}=?' if near is not None else '')
 
 
 def _not_a_text(error: BaseException, text: str) -> str | None:
@@ -259,6 +273,16 @@ def _missing_argument(error: BaseException, text: str) -> str | None:
     return f'pass {found[1]}:=..., or give its DeclareLaunchArgument a default_value'
 
 
+def _missing_environment(error: BaseException, text: str) -> str | None:
+    found = _match(r"environment variable '(.*)' does not exist", text)
+    if found is None:
+        return None
+    context = local_of(error, 'context')
+    near = nearest(found[1], context.environment) if context is not None else None
+    start = f"did you mean '{near}'? Or " if near is not None else ''
+    return f"{start}give it a default: EnvironmentVariable('{found[1]}', default_value='...')"
+
+
 def _executed_twice(error: BaseException, text: str) -> str | None:
     if 'executed more than once' not in text:
         return None
@@ -306,6 +330,7 @@ RULES = (
     Rule(AttributeError, _not_an_entity),
     Rule(TypeError, _unexpected_keyword),
     Rule(TypeError, _positional),
+    Rule(TypeError, _missing_keyword),
     Rule(TypeError, _not_a_text),
     Rule(TypeError, _wrong_type),
     Rule((TypeError, ValueError), _no_pairs),
@@ -315,6 +340,7 @@ RULES = (
     Rule(RuntimeError, _missing_configuration),
     Rule(RuntimeError, _missing_argument),
     Rule(RuntimeError, _executed_twice),
+    Rule(Exception, _missing_environment),
     Rule(ValueError, _condition),
     Rule(FileNotFoundError, _missing_file),
     Rule(Exception, _no_generate),

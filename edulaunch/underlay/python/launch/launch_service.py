@@ -125,6 +125,7 @@ class LaunchService:
                     return run_beside_threads(loop, task, self.__company)
                 except KeyboardInterrupt:
                     if task.done():
+                        task.exception()  # it is this one: nobody else needs to hear of it
                         raise
                     self.__on_sigint(signal.SIGINT)
         finally:

@@ -20,8 +20,11 @@ _EXPORTS = {
     'asserts': '',
     'event_handlers': '',
     'io_handler': '',
+    'loader': '',
     'markers': '',
     'proc_info_handler': '',
+    'test_result': '',
+    'test_runner': '',
     'tools': '',
     'util': '',
 }

@@ -42,7 +42,7 @@ class RunWorker:
         self._proc_info = ActiveProcInfoHandler()
         self._proc_output = ActiveIoHandler()
         self._launch_service = LaunchService(debug=debug)
-        self._result = TestResult(self._process.stderr.write)
+        self._result = TestResult(self._process.stderr)
 
     def run(self) -> TestResult:
         """Launch, test, shut down, test again."""
@@ -51,7 +51,7 @@ class RunWorker:
         values = {**self._run.param_args, **context, 'proc_info': self._proc_info, 'proc_output': self._proc_output,
                   'test_args': dict(self._arguments)}
         self._launch_service.include_launch_description(self._watched(description))
-        tests = self._process.start_thread(lambda: self._test(values), 'test_runner', daemon=True)
+        tests = self._process.start_thread(lambda: self._run_test(values), 'test_runner', daemon=True)
         self._launch_service.run(shutdown_when_idle=not self._run.markers.get('keep_alive', False))
         if self._done.is_set():
             self._execute(self._run.post_shutdown_tests, values)
@@ -77,7 +77,7 @@ class RunWorker:
             IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
         ])
 
-    def _test(self, values: dict[str, Any]) -> None:
+    def _run_test(self, values: dict[str, Any]) -> None:
         if not self._ready.wait(self._run.timeout_s):
             self._process.stdout.write('Timed out waiting for processes to start up\n')
             self._launch_service.shutdown()
@@ -91,7 +91,7 @@ class RunWorker:
     def _execute(self, tests: Sequence[unittest.TestCase], values: dict[str, Any]) -> None:
         attributes = {name: values[name] for name in ('proc_info', 'proc_output', 'test_args')}
         self._run.bind(tests, attributes, values)
-        result = TestResult(self._process.stderr.write)
+        result = TestResult(self._process.stderr)
         try:
             unittest.TestSuite(tests).run(result)
         finally:

@@ -5,7 +5,7 @@ import functools
 import inspect
 import unittest
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from types import ModuleType
+from types import MappingProxyType, ModuleType
 from typing import Any
 
 from launch.launch_description import LaunchDescription
@@ -20,14 +20,14 @@ Tests = Sequence[unittest.TestCase]
 class TestRun:
     """One launch with its tests.
 
-    :param description_function: `generate_test_description`, parameters already filled in.
+    :param test_description_function: `generate_test_description`, parameters already filled in.
     :param param_args: those parameters.
     :param tests, post_shutdown_tests: to run while it is up, and afterwards.
     """
 
     __test__ = False  # pytest is not to take this class for a test case
 
-    def __init__(self, name: str, description_function: Callable[..., Any], param_args: Mapping[str, Any],
+    def __init__(self, name: str, test_description_function: Callable[..., Any], param_args: Mapping[str, Any],
                  pre_shutdown_tests: Tests, post_shutdown_tests: Tests, *, timeout_s: float = DEFAULT_TIMEOUT_S,
                  markers: Mapping[str, Any] | None = None) -> None:
         self.name = name
@@ -36,7 +36,7 @@ class TestRun:
         self.post_shutdown_tests = post_shutdown_tests
         self.timeout_s = timeout_s
         self.markers = dict(markers or {})
-        self._description_function = description_function
+        self.test_description_function = test_description_function
 
     def __str__(self) -> str:
         return f'{self.name}[{", ".join(map(str, self.param_args.values()))}]' if self.param_args else self.name
@@ -47,7 +47,7 @@ class TestRun:
         :param ready_fn: called when the tests may begin.
         :raises Exception: when there is no `ReadyToTest`; with ROS 2's text.
         """
-        function = self._description_function
+        function = self.test_description_function
         if 'ready_fn' in inspect.signature(function).parameters:
             return _with_context(function(ready_fn=ready_fn))
         description, context = _with_context(function())
@@ -58,16 +58,35 @@ class TestRun:
         action._add_callback(ready_fn)
         return description, context
 
-    def bind(self, tests: Tests, attributes: Mapping[str, Any], arguments: Mapping[str, Any]) -> None:
+    def validate(self) -> None:
+        """Check the signature of `generate_test_description`.
+
+        :raises TypeError: when it wants arguments that nobody gives.
+        """
+        function = self.test_description_function
+        takes_ready_fn = 'ready_fn' in inspect.signature(function).parameters
+        inspect.signature(function).bind(**({'ready_fn': None} if takes_ready_fn else {}))
+
+    def get_launch_description(self) -> LaunchDescription:
+        """The description alone, to look at."""
+        return self.normalized_test_description(lambda: None)[0]
+
+    def all_cases(self) -> Iterator[unittest.TestCase]:
+        """All tests."""
+        yield from self.pre_shutdown_tests
+        yield from self.post_shutdown_tests
+
+    def bind(self, tests: Tests, injected_attributes: Mapping[str, Any] = MappingProxyType({}),
+             injected_args: Mapping[str, Any] = MappingProxyType({})) -> None:
         """Give the tests attributes, and their methods the arguments whose names they have."""
         for test in tests:
-            for name, value in attributes.items():
+            for name, value in injected_attributes.items():
                 setattr(test, name, value)
             method: str = test._testMethodName
             for name in (method, 'setUp', 'tearDown'):
-                setattr(test, name, _bound(getattr(test, name), arguments))
+                setattr(test, name, _bound(getattr(test, name), injected_args))
             for name in ('setUpClass', 'tearDownClass'):
-                setattr(type(test), name, staticmethod(_bound(getattr(type(test), name), arguments)))
+                setattr(type(test), name, staticmethod(_bound(getattr(type(test), name), injected_args)))
 
 
 def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests') -> list[TestRun]:

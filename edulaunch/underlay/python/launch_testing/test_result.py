@@ -16,20 +16,25 @@ RULE = '-' * 70
 class TestResult(unittest.TestResult):
     """Collects the outcome of tests and tells each as `name ... ok`; durations are in simulated seconds.
 
-    :param write: where the lines go; None: nowhere.
+    :param stream: where the lines go; None: nowhere.
     :ivar testTimes: seconds by test.
     :ivar passed: the tests that passed, in order.
     """
 
     __test__ = False  # pytest is not to take this class for a test case
 
-    def __init__(self, write: Callable[[str], object] | None = None) -> None:
-        super().__init__()
-        self._write = write or (lambda text: None)
+    def __init__(self, stream: Any = None, descriptions: bool | None = None, verbosity: int | None = None) -> None:
+        super().__init__(stream, descriptions, verbosity)
+        self._write: Callable[[str], object] = stream.write if stream is not None else lambda text: None
         self._began_ns = 0
         self.testTimes: dict[Any, float] = {}
         self.passed: list[Any] = []
         self.notes: list[str] = []
+
+    @property
+    def testCases(self) -> list[Any]:
+        """All tests that were run, in order."""
+        return list(self.testTimes)
 
     def note_failure(self, message: str) -> None:
         """Something that is nobody's test went wrong."""
@@ -114,6 +119,32 @@ class TestResult(unittest.TestResult):
             self._write(f'\n{"=" * 70}\n{what}: {name}\n{RULE}\n{text.rstrip()}\n')
         self._write(f'\n{RULE}\nRan {self.testsRun} test{"" if self.testsRun == 1 else "s"} in {seconds:.3f}s\n\n')
         self._write('OK\n' if self.wasSuccessful() else 'FAILED\n')
+
+
+class FailResult(TestResult):
+    """Of a launch that broke before its tests could tell.
+
+    :param test_run: which one.
+    :param message: what happened.
+    """
+
+    def __init__(self, test_run: Any = None, message: str = '') -> None:
+        super().__init__()
+        self.test_run = test_run
+        self.note_failure(message)
+
+
+class SkipResult(TestResult):
+    """Of a launch that was skipped as a whole.
+
+    :param test_run: which one.
+    :param skip_reason: why.
+    """
+
+    def __init__(self, test_run: Any = None, skip_reason: str = '') -> None:
+        super().__init__()
+        self.test_run = test_run
+        self.skipped.append((test_run, skip_reason))
 
 
 def is_pytest_outcome(error: BaseException) -> bool:

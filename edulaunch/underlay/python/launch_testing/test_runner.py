@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import unittest
 from collections.abc import Sequence
+from typing import Any
 
 from edulaunch.processes.current import current_process
 
 from .loader import TestRun
-from .test_result import TestResult
+from .test_result import SkipResult, TestResult
 
 
 class LaunchTestRunner:
@@ -23,6 +24,14 @@ class LaunchTestRunner:
         self._arguments = list(launch_file_arguments)
         self._debug = debug
 
+    def validate(self) -> None:
+        """Check all `generate_test_description` before anything is launched.
+
+        :raises TypeError: when one wants arguments that nobody gives.
+        """
+        for test_run in self._test_runs:
+            test_run.validate()
+
     def run(self) -> dict[TestRun, TestResult]:
         """Run all; gives how each went.
 
@@ -37,6 +46,12 @@ class LaunchTestRunner:
         try:
             return RunWorker(test_run, self._arguments, self._debug).run()
         except unittest.SkipTest as skip:
-            result = TestResult()
-            result.skipped.append((test_run, str(skip)))  # type: ignore[arg-type]
-            return result
+            return SkipResult(test_run, str(skip))
+
+
+def __getattr__(name: str) -> Any:
+    # It needs all of launch, which those who only read a test file do without.
+    if name == '_RunnerWorker':
+        from ._run_worker import RunWorker
+        return RunWorker
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

@@ -117,7 +117,8 @@ class Entity(BaseEntity):
             error = TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
             raise hints.at(error, self, f"begin each '{name}' with a dash: - {{...}}")
-        return [Entity(item, name, parent=self, line=getattr(item, 'line', self._line)) for item in value]
+        line = self._line
+        return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError for keys, or for a list of child elements, that nobody asked for."""

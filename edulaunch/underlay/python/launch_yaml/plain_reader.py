@@ -116,7 +116,7 @@ def _mapping(rows: list[_Row], start: int, column: int, depth: int) -> tuple[Map
         if text:
             if rows[start][0] > column:
                 raise NotPlain
-            mapping[key] = _value(text, line)
+            mapping[key] = _scalar(text) if text[0] != '{' else _value(text, line)
         else:
             below = rows[start]
             if below[0] < column or (below[0] == column and below[1] is not None):

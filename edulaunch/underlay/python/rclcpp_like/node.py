@@ -76,7 +76,10 @@ class CppNode(Node):
         if descriptor.read_only:
             return f"parameter '{name}' cannot be set because it is read-only"
         declared = self.get_parameter(name).type_
-        free = descriptor.dynamic_typing or Parameter.Type.NOT_SET in (declared, parameter.type_)
+        if parameter.type_ is Parameter.Type.NOT_SET:
+            kept = declared is not Parameter.Type.NOT_SET and not descriptor.dynamic_typing
+            return 'cannot undeclare a statically typed parameter' if kept else None
+        free = descriptor.dynamic_typing or declared is Parameter.Type.NOT_SET
         if not free and parameter.type_ != declared:
             return type_refusal(name, declared, parameter.type_)
         return range_refusal(name, parameter.value, descriptor)

@@ -153,9 +153,13 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
 
 
 def __getattr__(name: str) -> Any:
-    """Sub-modules that rclpy itself loads at once are loaded here when they are first asked for."""
+    """What rclpy itself loads at once is loaded here when it is first asked for: sub-modules and the class Future."""
+    if name == 'Future':
+        from rclpy.task import Future
+        return Future
     if name in ('node', 'executors', 'qos', 'task', 'time', 'duration', 'clock', 'timer', 'logging', 'exceptions', 'action',
-                'callback_groups', 'subscription', 'publisher', 'client', 'service', 'utilities', 'parameter', 'constants'):
+                'callback_groups', 'subscription', 'publisher', 'client', 'service', 'utilities', 'parameter', 'constants',
+                'context', 'event_handler', 'waitable', 'guard_condition', 'topic_endpoint_info', 'time_source'):
         from importlib import import_module
         return import_module(f'rclpy.{name}')
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

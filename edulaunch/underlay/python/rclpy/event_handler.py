@@ -6,6 +6,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.graph.qos import incompatible_policy
+from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
 from rclpy.impl.qos_watch import LivelinessWatch, Missed, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 

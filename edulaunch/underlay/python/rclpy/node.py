@@ -4,6 +4,7 @@ from __future__ import annotations
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
@@ -25,15 +26,14 @@ from rclpy.utilities import get_default_context
 if TYPE_CHECKING:
     from rclpy.executors import Executor
 
-__all__ = ['Node', 'PARAMETER_SEPARATOR_STRING']
+__all__ = ['Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
 
 
-class _MissingCore:
-    """Stands for the state of a node whose `__init__` was not called."""
-
-    def __get__(self, node: object, owner: type) -> NodeCore:
-        raise hinted(AttributeError(f"'{owner.__name__}' object has no attribute '_default_callback_group'"),
-                     "call super().__init__('node_name') in __init__ before anything else of the node")
+_PRIVATE = {
+    '_logger': lambda core: core.logger, '_clock': lambda core: core.clock, '_context': lambda core: core.context,
+    '_default_callback_group': lambda core: core.default_callback_group, '_parameters': lambda core: core.parameters.values,
+}
+"""What programs use of a node though it is not meant for them, where they have nothing of that name themselves."""
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):
@@ -51,7 +51,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
     :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
     """
 
-    _rclpy: NodeCore = _MissingCore()  # type: ignore[assignment]
+    _rclpy: NodeCore
 
     def __init__(self, node_name: str, *, context: Context | None = None, cli_args: list[str] | None = None,
                  namespace: str | None = None, use_global_arguments: bool = True, enable_rosout: bool = True,
@@ -83,6 +83,15 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
                                          for name, override in core.overrides.items()], ignore_override=True)
         core.time_source.declare_parameter()
         _start_services(self, start_parameter_services, enable_logger_service)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == '_rclpy':
+            raise hinted(AttributeError(f"'{type(self).__name__}' object has no attribute '_default_callback_group'"),
+                         "call super().__init__('node_name') in __init__ before anything else of the node")
+        private = _PRIVATE.get(name)
+        if private is None:
+            raise AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}', name=name, obj=self)
+        return private(self._rclpy)
 
     @property
     def executor(self) -> Executor | None:

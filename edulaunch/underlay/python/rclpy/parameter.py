@@ -46,6 +46,9 @@ class ParameterType(Enum):
         return rules.value_fits(parameter_value, self.value)
 
 
+ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'   # its name in ROS 2, as errors and reprs show it
+
+
 class Parameter:
     """One parameter.
 

@@ -5,6 +5,7 @@ from enum import IntEnum
 from typing import Any
 
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, profile_from_engine
+from rclpy.type_hash import TypeHash
 
 
 class TopicEndpointTypeEnum(IntEnum):
@@ -13,24 +14,6 @@ class TopicEndpointTypeEnum(IntEnum):
     INVALID = 0
     PUBLISHER = 1
     SUBSCRIPTION = 2
-
-
-class TypeHash:
-    """The hash of a type, as `RIHS01_...`."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-        self.version = 1
-        self.value = bytes.fromhex(text.partition('_')[2])
-
-    def __str__(self) -> str:
-        return self.text
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, TypeHash) and self.text == other.text
-
-    def __hash__(self) -> int:
-        return hash(self.text)
 
 
 class TopicEndpointInfo:

@@ -1,6 +1,7 @@
 """Interface classes by their full names."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from edulaunch.errors import InterfaceError
@@ -32,32 +33,8 @@ def get_interface(identifier: str) -> Any:
         raise AttributeError(f"module '{package}.{kind}' has no attribute '{name}'{words}") from None
 
 
-def get_message(identifier: str) -> Any:
-    """The class of a message; 'pkg/Name' will do.
-
-    :raises ValueError: when it is no message; else as :func:`get_interface`.
-    """
-    return _of_kind(identifier, 'msg', 'message')
-
-
-def get_service(identifier: str) -> Any:
-    """The class of a service; 'pkg/Name' will do.
-
-    :raises ValueError: when it is no service; else as :func:`get_interface`.
-    """
-    return _of_kind(identifier, 'srv', 'service')
-
-
-def get_action(identifier: str) -> Any:
-    """The class of an action; 'pkg/Name' will do.
-
-    :raises ValueError: when it is no action; else as :func:`get_interface`.
-    """
-    return _of_kind(identifier, 'action', 'action')
-
-
 def is_message(interface: Any) -> bool:
-    """Whether a class is that of a message."""
+    """Whether a class is that of a message (a request, a goal and the like are messages too)."""
     return hasattr(interface, 'get_fields_and_field_types')
 
 
@@ -71,10 +48,33 @@ def is_action(interface: Any) -> bool:
     return hasattr(interface, 'Goal') and hasattr(interface, 'Result') and hasattr(interface, 'Feedback')
 
 
-def _of_kind(identifier: str, kind: str, word: str) -> Any:
+def get_message(identifier: str) -> Any:
+    """The class of a message; 'pkg/Name' will do.
+
+    :raises ValueError: when it is no message; else as :func:`get_interface`.
+    """
+    return _of_kind(identifier, 'msg', 'message', is_message)
+
+
+def get_service(identifier: str) -> Any:
+    """The class of a service; 'pkg/Name' will do.
+
+    :raises ValueError: when it is no service; else as :func:`get_interface`.
+    """
+    return _of_kind(identifier, 'srv', 'service', is_service)
+
+
+def get_action(identifier: str) -> Any:
+    """The class of an action; 'pkg/Name' will do.
+
+    :raises ValueError: when it is no action; else as :func:`get_interface`.
+    """
+    return _of_kind(identifier, 'action', 'action', is_action)
+
+
+def _of_kind(identifier: str, kind: str, word: str, fits: Callable[[Any], bool]) -> Any:
     parts = identifier.split('/')
-    full = f'{parts[0]}/{kind}/{parts[1]}' if len(parts) == 2 else identifier
-    found = get_interface(full)
-    if full.split('/')[1] != kind:
+    found = get_interface(f'{parts[0]}/{kind}/{parts[1]}' if len(parts) == 2 else identifier)
+    if not fits(found):
         raise ValueError(f"Expected the full name of a {word}, got '{identifier}'")
     return found

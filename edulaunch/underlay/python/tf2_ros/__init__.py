@@ -35,6 +35,7 @@ _EXPORTS = {
     ),
     'Buffer': 'tf2_ros.buffer',
     'BufferClient': 'tf2_ros.buffer_client',
+    'MessageFilter': 'message_filters.tf2_message_filter',
     'StaticTransformBroadcaster': 'tf2_ros.static_transform_broadcaster',
     'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
     'TransformListener': 'tf2_ros.transform_listener',

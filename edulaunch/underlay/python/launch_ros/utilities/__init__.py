@@ -1,6 +1,6 @@
 """What the actions here are built with."""
 
-from .evaluate_parameters import evaluate_parameters
+from .evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
 from .namespace_utils import (
     is_namespace_absolute,
     is_root_namespace,
@@ -14,6 +14,7 @@ from .track_node_names import add_node_name, get_node_name_count
 
 __all__ = [
     'add_node_name',
+    'evaluate_parameter_dict',
     'evaluate_parameters',
     'get_node_name_count',
     'is_namespace_absolute',

@@ -1,7 +1,7 @@
 """Claims about the order of what was written."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 class SequentialTextChecker:
     """Looks for texts behind those that were found before.
 
-    :param text: everything that was written.
+    :param text: everything that was written, perhaps in pieces.
     """
 
-    def __init__(self, text: str) -> None:
-        self._text = text
+    def __init__(self, text: str | Iterable[str]) -> None:
+        self._text = text if isinstance(text, str) else ''.join(text)
         self._position = 0
 
     def assertInStdout(self, msg: Any) -> None:

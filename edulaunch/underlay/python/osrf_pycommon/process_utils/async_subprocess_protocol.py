@@ -9,7 +9,7 @@ from typing import Any
 class AsyncSubprocessProtocol(asyncio.SubprocessProtocol):
     """Prints what the program prints; override the `on_...` methods to do something else.
 
-    :ivar complete: a future, done with the return code when the program has ended.
+    :ivar complete: a future, done with the return code when the program has ended and all its output has come.
     """
 
     def __init__(self, stdin: Any = None, stdout: Any = None, stderr: Any = None) -> None:
@@ -39,10 +39,13 @@ class AsyncSubprocessProtocol(asyncio.SubprocessProtocol):
         print(data.decode('utf-8', 'replace'), end='', file=sys.stderr)
 
     def process_exited(self) -> None:
-        """The program has ended."""
-        returncode = self.transport.get_returncode()
-        self.on_process_exited(returncode)
-        self.complete.set_result(returncode)
+        """The program has ended; some of its output may not have come yet."""
+        self.on_process_exited(self.transport.get_returncode())
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """The program has ended, and all its output has come."""
+        if not self.complete.done():
+            self.complete.set_result(self.transport.get_returncode())
 
     def on_process_exited(self, returncode: int) -> None:
         """The program has ended with this code."""

@@ -31,6 +31,7 @@ class ProgramTransport(asyncio.SubprocessTransport):
 
     def _on_exit(self, returncode: int) -> None:
         self._loop.call_soon_threadsafe(self._protocol.process_exited)
+        self._loop.call_soon_threadsafe(self._protocol.connection_lost, None)
 
     def get_pid(self) -> int:
         """The number of the program."""

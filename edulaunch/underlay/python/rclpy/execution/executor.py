@@ -246,10 +246,15 @@ class Executor(Waiting):
             self._run_tasks()
         for ready in self._lists:
             if ready.entities or ready.due_ns <= now:
-                break
-        else:
-            return
-        for entity in sorted(self._collect(), key=_rclcpp_order):
+                self._run_batch(ready.entities if len(self._lists) == 1 and ready.due_ns > now else None)
+                return
+
+    def _run_batch(self, only: list[Entity] | None) -> None:
+        """Execute everything that is ready, in rclcpp's order; when that can only be what stands on this list, and it is one
+        thing, without more ado.
+        """
+        batch = [only.pop()] if only is not None and len(only) == 1 else sorted(self._collect(), key=_rclcpp_order)
+        for entity in batch:
             if not entity._destroyed:
                 self._run_entity(entity)
         if self._tasks:

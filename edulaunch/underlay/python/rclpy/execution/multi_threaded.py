@@ -34,6 +34,8 @@ class MultiThreadedExecutor(Executor):
         if num_threads == 1:
             warn('MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.', stacklevel=2)
         self._num_threads = DEFAULT_THREADS if num_threads is None else num_threads
+        if self._num_threads <= 0:
+            raise ValueError('max_workers must be greater than 0')
         self._jobs: deque[Callable[[], None]] = deque()
         self._idle: list[SimTask] = []
         self._threads: list[SimTask] = []

@@ -1,0 +1,75 @@
+"""Relative paths in a program that has a working folder of its own: for `os` and `os.path`."""
+from __future__ import annotations
+
+import os as real
+from collections.abc import Callable
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.views import copy_names
+from edulaunch.sim.task import current_task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+ONE_PATH = ('access', 'chmod', 'listdir', 'lstat', 'makedirs', 'mkdir', 'open', 'readlink', 'remove', 'removedirs', 'rmdir',
+            'scandir', 'stat', 'truncate', 'unlink', 'utime')
+TWO_PATHS = ('link', 'rename', 'renames', 'replace')
+QUESTIONS = ('abspath', 'exists', 'getatime', 'getctime', 'getmtime', 'getsize', 'isdir', 'isfile', 'islink', 'ismount',
+             'lexists', 'realpath')
+
+
+def inside(path: Any) -> Any:
+    """A path as the running program means it: below its own folder, when it has changed there."""
+    folder = current_task().owner.cwd
+    if folder is None or isinstance(path, int):
+        return path
+    return real.path.join(real.fsencode(folder) if isinstance(path, bytes) else folder, path)
+
+
+def _relative(function: Callable[..., Any], paths: int = 1) -> Callable[..., Any]:
+    def call(*arguments: Any, **options: Any) -> Any:
+        if current_task().owner.cwd is None:
+            return function(*arguments, **options)
+        return function(*map(inside, arguments[:paths] or ('.',)), *arguments[paths:], **options)
+    return call
+
+
+def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
+    start = inside(top)
+    for folder, folders, files in real.walk(start, *arguments, **options):
+        yield folder if start == top else real.path.join(top, real.path.relpath(folder, start)).removesuffix('/.'), folders, files
+
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    **{name: _relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
+    **{name: _relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)}, 'walk': _walk}
+"""For the view of `os`; the same for all programs."""
+
+
+def _relpath(path: Any, start: Any = real.curdir) -> Any:
+    return real.path.relpath(inside(path), inside(start))
+
+
+def _expanduser(path: Any) -> Any:
+    text, home = real.fspath(path), current_task().owner.env.get('HOME')
+    if home and isinstance(text, str) and (text == '~' or text.startswith('~/')):
+        return home + text[1:]
+    return real.path.expanduser(text)
+
+
+def _make_path() -> ModuleType:
+    view = ModuleType(real.path.__name__)
+    view.__dict__.update({name: _relative(getattr(real.path, name)) for name in QUESTIONS}, relpath=_relpath,
+                         expanduser=_expanduser, __edulaunch_view__=True)
+    copy_names(view, real.path)
+    return view
+
+
+PATH = _make_path()
+"""`os.path`: what looks at files looks from the folder of the program that asks, so that one serves all."""
+
+
+def make_path(view: ModuleType, process: Process) -> ModuleType:
+    """See `PATH`."""
+    return PATH

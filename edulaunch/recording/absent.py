@@ -1,0 +1,34 @@
+"""What a recording answers when it is asked for something that did not happen: one message, and no frames of ours."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from edulaunch.errors import EdulaunchError
+from edulaunch.recording.records import Frame
+
+
+class NotRecorded(EdulaunchError, KeyError):
+    """There is nothing of that name in a recording."""
+
+
+class NothingToDraw(EdulaunchError, ValueError):
+    """A recording holds nothing that a picture could show."""
+
+
+def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
+    """The error for a name that is not there: what there is, and which one was probably meant.
+
+    :param text: what is not there, in words that end with the name.
+    """
+    from difflib import get_close_matches
+    names = list(dict.fromkeys(among))
+    near = get_close_matches(name, names, n=1)
+    return NotRecorded(f'{text} in this recording; there are: {", ".join(names) or "none"}',
+                       help=f'did you mean {near[0]!r}?' if near else None)
+
+
+class Frames(dict[str, Frame]):
+    """The tf frames at a time, by name; asking for another one says which there are."""
+
+    def __missing__(self, name: str) -> Frame:
+        raise not_recorded(f'no tf frame {name!r}', name, self)

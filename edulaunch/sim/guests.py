@@ -1,0 +1,130 @@
+"""Real threads of a plain script that use ROS beside its main thread.
+
+In a plain script `threading` is Python's own: `threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads
+are guests in the simulation of the main thread. Only that one takes items off the agenda; a guest waits, in real time, until it
+is woken or its deadline has come. As long as there are guests simulated time keeps pace with real time, and runs do not repeat.
+"""
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+from edulaunch.sim.task import AmbientTask, Task, TaskKilled, current_task
+
+LOOK_EVERY_S = 0.01
+THREAD_BEGINS_S = 0.02
+
+
+class Guests:
+    """The guests of a main thread's task, and the clock that they share.
+
+    :param host: the task.
+    """
+
+    def __init__(self, host: AmbientTask) -> None:
+        self._host = host
+        self._threads: list[threading.Thread] = []
+        self._bell = threading.Event()
+        self._anchor = host.sim.now_ns, time.monotonic_ns()
+
+    def add(self, thread: threading.Thread) -> None:
+        """Another one has come; simulated time goes on from where it is."""
+        if not self.are_here():
+            self._anchor = self._host.sim.now_ns, time.monotonic_ns()
+        self._threads.append(thread)
+
+    def are_here(self) -> bool:
+        """Whether any of them still runs."""
+        self._threads = [thread for thread in self._threads if thread.is_alive()]
+        return bool(self._threads)
+
+    def now_ns(self) -> int:
+        """The simulated time that belongs to the present real time."""
+        here = time.monotonic_ns()
+        now = self._anchor[0] + here - self._anchor[1]
+        if self._host.sim.now_ns > now:
+            now = self._host.sim.now_ns
+            self._anchor = now, here
+        return now
+
+    def ring(self) -> None:
+        """Let the main thread look again at once."""
+        self._bell.set()
+
+    def await_turn(self, due_ns: int | None) -> bool:
+        """Whether it is time for what is due at `due_ns` (None: never); if not, wait a moment, or for :meth:`ring`."""
+        now = self.now_ns()
+        if due_ns is not None and now >= due_ns:
+            return True
+        self._host.sim.now_ns = now
+        self._bell.wait(LOOK_EVERY_S if due_ns is None else min(LOOK_EVERY_S, (due_ns - now) / 1e9))
+        self._bell.clear()
+        return False
+
+
+class GuestTask(AmbientTask):
+    """Stands for the code of a real thread in the simulation of the main thread."""
+
+    is_guest = True
+
+    def __init__(self, host: AmbientTask) -> None:
+        super().__init__(host.sim, owner=host.owner)
+        self.name = threading.current_thread().name
+        self._bell = threading.Event()
+        if host.guests is None:
+            host.guests = Guests(host)
+        self._clock = host.guests
+        self._clock.add(threading.current_thread())
+
+    def park(self, deadline_ns: int | None = None) -> bool:
+        """As :meth:`Task.park`, in real time; may end early, as if woken, because a wake can get lost between threads."""
+        self._clock.ring()
+        wait_s = LOOK_EVERY_S
+        if deadline_ns is not None:
+            wait_s = min(wait_s, (deadline_ns - self._clock.now_ns()) / 1e9)
+        if not self._woken and wait_s > 0:
+            self._bell.wait(wait_s)
+        self._bell.clear()
+        sim = self.sim
+        sim.now_ns = now = self._clock.now_ns()
+        if not self._woken and deadline_ns is not None and now >= deadline_ns:
+            return False
+        self._woken = False
+        if self._killed:
+            raise TaskKilled
+        self._deliver_interrupts()
+        return True
+
+    def wake(self) -> None:
+        """Let the thread look again."""
+        self._woken = True
+        self._bell.set()
+
+    def let_first_go(self) -> None:
+        """Nothing: only the main thread takes items off the agenda."""
+
+
+def let_threads_begin() -> None:
+    """Let threads that were started just now come to be guests."""
+    time.sleep(THREAD_BEGINS_S)
+
+
+def start_guest(body: Callable[[], object], name: str) -> Task:
+    """Run `body` in a further real thread; returns its task."""
+    begun = threading.Event()
+    tasks: list[Task] = []
+
+    def run() -> None:
+        tasks.append(current_task())
+        begun.set()
+        try:
+            body()
+        except TaskKilled:
+            pass
+        finally:
+            tasks[0].finished = True
+
+    threading.Thread(target=run, name=name, daemon=True).start()
+    begun.wait()
+    return tasks[0]

@@ -1,0 +1,1 @@
+"""Reading and making sensor messages in Python; see `point_cloud2`."""

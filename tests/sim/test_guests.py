@@ -1,0 +1,103 @@
+"""Real threads in the simulation of a plain script's main thread."""
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+import rclpy
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+from edulaunch.sim.guests import GuestTask
+from edulaunch.sim.task import current_task
+
+
+def answer(_: Any, response: Any) -> Any:
+    response.success = True
+    return response
+
+
+@pytest.fixture
+def node() -> Iterator[Any]:
+    rclpy.init()
+    made = rclpy.create_node('here')
+    yield made
+    made.destroy_node()
+    rclpy.try_shutdown()
+
+
+def spun(executor: Any, node: Any) -> threading.Thread:
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    return thread
+
+
+@pytest.mark.parametrize('executor_type', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_node_spun_in_a_thread_answers_the_main_thread(node: Any, executor_type: Any) -> None:
+    node.create_service(Trigger, 'ask', answer)
+    executor = executor_type()
+    thread = spun(executor, node)
+    other = rclpy.create_node('other')
+    client = other.create_client(Trigger, 'ask')
+    future = client.call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(other, future, timeout_sec=20.0)
+    assert future.done() and future.result().success
+    executor.shutdown()
+    thread.join(5)
+    other.destroy_node()
+    assert not thread.is_alive()
+
+
+@pytest.mark.parametrize('executor_type', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_callbacks_run_while_the_main_thread_does_something_else(node: Any, executor_type: Any) -> None:
+    heard, fired = threading.Event(), threading.Event()
+    node.create_subscription(String, 'words', lambda message: heard.set(), 10)
+    node.create_timer(0.02, fired.set)
+    executor = executor_type()
+    thread = spun(executor, node)
+    node.create_publisher(String, 'words', 10).publish(String(data='x'))
+    assert heard.wait(5) and fired.wait(5)
+    executor.shutdown()
+    thread.join(5)
+
+
+def test_client_may_wait_for_a_call_that_a_thread_completes(node: Any) -> None:
+    node.create_service(Trigger, 'ask', answer)
+    executor, clients = SingleThreadedExecutor(), SingleThreadedExecutor()
+    other = rclpy.create_node('other')
+    threads = [spun(executor, node), spun(clients, other)]
+    assert other.create_client(Trigger, 'ask').call(Trigger.Request()).success
+    executor.shutdown()
+    clients.shutdown()
+    for thread in threads:
+        thread.join(5)
+    other.destroy_node()
+
+
+def test_thread_is_a_guest_only_where_the_main_thread_uses_ros(node: Any) -> None:
+    found: list[Any] = []
+    thread = threading.Thread(target=lambda: found.append(current_task()))
+    thread.start()
+    thread.join(5)
+    assert isinstance(found[0], GuestTask) and found[0].owner is current_task().owner
+
+
+def test_time_of_a_guest_is_real(node: Any) -> None:
+    slept: list[float] = []
+
+    def sleep() -> None:
+        clock = node.get_clock()
+        clock.sleep_for(rclpy.duration.Duration(seconds=0.01))
+        began, ros = time.monotonic(), clock.now()
+        clock.sleep_for(rclpy.duration.Duration(seconds=0.05))
+        slept.extend((time.monotonic() - began, (clock.now() - ros).nanoseconds / 1e9))
+
+    thread = threading.Thread(target=sleep)
+    thread.start()
+    thread.join(5)
+    assert slept[0] >= 0.045 and slept[1] >= 0.045
