@@ -31,7 +31,7 @@ def scenarios(random: Random) -> list[Scenario]:
 @check(points=2)
 def argument_is_declared(run: Evidence) -> None:
     """The launch argument circle_radius is declared, with a default"""
-    require_argument(run, ARGUMENT, '1.0')
+    require_argument(run, ARGUMENT, '1.0', default='1.0')
 
 
 @check(points=2)

@@ -89,6 +89,14 @@ def test_an_argument_needs_a_default() -> None:
     assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
 
 
+def test_the_default_is_the_one_that_the_task_names() -> None:
+    argument = DeclaredArgument('circle_radius', "'2.0'", '', None, '/student/a.launch.py', 3)
+    results = graded(
+        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
+    )
+    assert results['argument_is_declared'].try_ == "write default_value='1.0'"
+
+
 def test_another_node_is_named() -> None:
     results = graded(
         'circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')])
