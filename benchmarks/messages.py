@@ -1,4 +1,4 @@
-"""What a message, a service call and a node cost through rclpy's face, in microseconds, beside bare Python that does the least for it.
+"""What a message, a service call and a node cost through rclpy's face, in microseconds, beside the least that bare Python can do.
 
 Two nodes of one program; the publisher sends bursts of small messages (String) from a timer, so that timers cost next to nothing.
 The bare loop copies each message into a queue and calls the callback with another copy.

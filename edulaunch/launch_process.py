@@ -50,6 +50,7 @@ def explain(error: BaseException, index: Index) -> Told:
 
 def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
+    from launch._run_notes import undeclared_warnings
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := first_error(launch)) is None else explain(error, launch.process.index)
@@ -58,7 +59,8 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
         'includes': list(state.get('launch.includes', ())),
         'returncode': launch.process.returncode, 'error': told.text if told else None, 'error_file': told.file if told else None,
         'error_line': told.line if told else None, 'help': told.help if told else None,
-        'warnings': [*_unknown_arguments(launch, [row[0] for row in declared]), *_dead_programs(launch)]}
+        'warnings': [*_unknown_arguments(launch, [row[0] for row in declared]), *undeclared_warnings(state),
+                     *_dead_programs(launch)]}
 
 
 def _declared(argument: Any) -> list[Any]:

@@ -134,6 +134,9 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
     except MemoryError:
         raise  # to main, which has words for it
+    except SystemError as error:
+        bytearray(2 * RESERVE_BYTES)  # CPython stumbles when memory runs out in its middle: then this is a MemoryError
+        return _broke(error)
     except BaseException as error:
         return _broke(error)
 

@@ -157,3 +157,28 @@ def test_a_package_that_a_build_would_reject_is_a_warning(run, tmp_path: Path) -
     (tmp_path / 'ws' / 'package.xml').write_text('<package>')
     code, out, err = run(describe("Node(package='turtlesim', executable='turtlesim_node')"), '--workspace', str(tmp_path / 'ws'))
     assert code == 0 and err.startswith('warning: @/ws/package.xml') and err.count('\n') == 1
+
+
+def test_output_comes_before_the_line_about_the_end(run, tmp_path: Path) -> None:
+    (tmp_path / 'count.py').write_text('for i in range(3): print(i)\nraise SystemExit(3)\n')
+    code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'count.py')!r}], output='screen')"))
+    assert out.splitlines()[1:] == [
+        '[INFO] [python3-1]: process started with pid [1002]', '[python3-1] 0', '[python3-1] 1', '[python3-1] 2',
+        "[ERROR] [python3-1]: process has died [pid 1002, exit code 3, cmd 'python3 @/count.py']."]
+
+
+def test_a_program_that_cannot_be_started_is_explained_without_our_frames(run) -> None:
+    code, out, err = run(describe("ExecuteProcess(cmd=['echo hi'])"))
+    assert out.splitlines()[1:4] == [
+        '[ERROR] [echo hi-1]: exception occurred while executing process:',
+        "FileNotFoundError: [Errno 2] No such file or directory: 'echo hi'",
+        "  help: @/my.launch.py:5: there is no program 'echo hi' on the PATH; write each argument as an item of cmd of its own, or "
+        'shell=True']
+
+
+def test_an_argument_that_the_included_file_does_not_declare_is_a_warning(run, tmp_path: Path) -> None:
+    (tmp_path / 'inner.launch.py').write_text(describe("DeclareLaunchArgument('speed', default_value='1')"))
+    code, out, err = run(describe(f"IncludeLaunchDescription({str(tmp_path / 'inner.launch.py')!r}, "
+                                  "launch_arguments={'speeed': '3'}.items())"))
+    assert (code, err) == (0, "warning: launch argument 'speeed', given to inner.launch.py at my.launch.py:5, is not declared there; "
+                              "did you mean 'speed'?\n")

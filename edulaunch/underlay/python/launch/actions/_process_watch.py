@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .execute_local import ExecuteLocal
 
 Entities = list[LaunchDescriptionEntity]
+PATIENCE = 1000
 
 
 class ProcessWatch(BaseEventHandler):
@@ -65,6 +66,7 @@ class ProcessWatch(BaseEventHandler):
         if output != 'log':
             normalize_output_configuration(output)
         self._lines: dict[str, OutputLines] = {}
+        self._unshown = 0
 
     @cached_property
     def _logger(self) -> Any:
@@ -115,9 +117,9 @@ class ProcessWatch(BaseEventHandler):
         _check_emulate_tty(context)
         try:
             self._run = self._start(context)
-        except Exception:
-            import traceback
-            self._logger.error(f'exception occurred while executing process:\n{traceback.format_exc()}')
+        except Exception as error:
+            from ._start_failure import start_failure
+            self._logger.error(f'exception occurred while executing process:\n{start_failure(error, self._action, details)}')
             self._finish()
             return
         pid = details['pid'] = self._run.pid
@@ -125,8 +127,14 @@ class ProcessWatch(BaseEventHandler):
         context.emit_event_sync(ProcessStarted(**details))
         self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
 
-    def _end(self, context: LaunchContext, returncode: int) -> None:
-        """The program has ended: say so, and start it again when that is wanted."""
+    def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
+        """The program has ended: when its output is shown say so, and start it again when that is wanted.
+
+        :param patience: how many more rounds of the loop to wait for events of output (after its end launch handles none).
+        """
+        if self._unshown and patience:
+            self._loop.call_soon(self._end, context, returncode, patience - 1)
+            return
         self.return_code = returncode
         pid = self._details['pid']
         if returncode == 0:
@@ -170,6 +178,7 @@ class ProcessWatch(BaseEventHandler):
             shell=self._options.shell, origin=self._action.origin, **self._action._process_spec_details())
 
         def on_output(stream: str, text: str) -> None:
+            self._unshown += 1
             event_type = ProcessStdout if stream == 'stdout' else ProcessStderr
             context.emit_event_sync(event_type(text=text.encode('utf-8', 'surrogateescape'), **details))
 
@@ -186,6 +195,7 @@ class ProcessWatch(BaseEventHandler):
         """React to an event of this process, or to one that is meant for it."""
         super().handle(event, context)
         if isinstance(event, ProcessIO):
+            self._unshown -= 1
             self._on_io(event)
         elif isinstance(event, ProcessExited):
             for stream in sorted(self._lines, reverse=True):
