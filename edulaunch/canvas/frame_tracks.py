@@ -7,6 +7,7 @@ from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from edulaunch.canvas.composing import Placed, placed
+from edulaunch.recording.frames import TOPICS, transform_wires
 from edulaunch.recording.records import Frame
 
 if TYPE_CHECKING:
@@ -21,18 +22,10 @@ class FrameTracks:
 
     def __init__(self, recording: Recording) -> None:
         self._rows: dict[str, list[tuple[float, Frame]]] = {}
-        for topic, is_static in (('/tf_static', True), ('/tf', False)):
-            for published_s, message in recording.messages(topic):
-                for transform in message.transforms:
-                    move, turn = transform.transform.translation, transform.transform.rotation
-                    frame = Frame(
-                        transform.header.frame_id,
-                        (move.x, move.y, move.z),
-                        (turn.x, turn.y, turn.z, turn.w),
-                        is_static,
-                        published_s,
-                    )
-                    self._rows.setdefault(transform.child_frame_id, []).append((published_s, frame))
+        for topic, is_static in TOPICS:
+            for published_s, (_, _, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
+                frame = Frame(parent, (x, y, z), (qx, qy, qz, qw), is_static, published_s)
+                self._rows.setdefault(child, []).append((published_s, frame))
 
     @property
     def names(self) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.recording.absent import Frames
@@ -11,22 +12,32 @@ if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
 
 
+TF_TYPE = 'tf2_msgs/msg/TFMessage'
+TOPICS = (('/tf_static', True), ('/tf', False))
+"""Where transforms are published, and whether they are static; in the order in which tf2 would let them count."""
+
+
+def transform_wires(recording: Recording, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
+    """All transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
+
+    Messages are not built: a run has thousands.
+    """
+    for time_ns, wire in recording.wires(topic, TF_TYPE):
+        for transform in wire[0]:
+            yield time_ns / 1e9, transform
+
+
 def frames_at(recording: Recording, time_s: float) -> dict[str, Frame]:
     """See `Recording.frames_at`. Among dynamic transforms the newest stamp counts; the last one published, among equals."""
     found = Frames()
-    for topic, is_static in (('/tf_static', True), ('/tf', False)):
-        for published_s, message in recording.messages(topic):
+    for topic, is_static in TOPICS:
+        for published_s, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
             if published_s > time_s:
                 break
-            for transform in message.transforms:
-                stamp = transform.header.stamp
-                stamp_s = (stamp.sec * 10**9 + stamp.nanosec - recording.start_ns) / 1e9
-                known = found.get(transform.child_frame_id)
-                if known is None or known.is_static or stamp_s >= known.stamp_s:
-                    move, turn = transform.transform.translation, transform.transform.rotation
-                    found[transform.child_frame_id] = Frame(
-                        transform.header.frame_id, (move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w), is_static, stamp_s
-                    )
+            stamp_s = (sec * 10**9 + nanosec - recording.start_ns) / 1e9
+            known = found.get(child)
+            if known is None or known.is_static or stamp_s >= known.stamp_s:
+                found[child] = Frame(parent, (x, y, z), (qx, qy, qz, qw), is_static, stamp_s)
     return found
 
 
@@ -52,31 +63,32 @@ class FrameLink(NamedTuple):
 def frame_links(recording: Recording) -> dict[str, FrameLink]:
     """The links of the tf tree over the whole run, by child frame in order of first appearance."""
     found: dict[str, FrameLink] = {}
-    for topic, is_static in (('/tf_static', True), ('/tf', False)):
-        for published_s, node, message in _with_publishers(recording, topic):
-            for transform in message.transforms:
-                link = found.get(transform.child_frame_id)
+    for topic, is_static in TOPICS:
+        for time_ns, node, wire in _with_publishers(recording, topic):
+            published_s = time_ns / 1e9
+            for _, _, parent, child, *_ in wire[0]:
+                link = found.get(child)
                 if link is None:
-                    link = FrameLink(transform.child_frame_id, [], is_static, [], 0, published_s, published_s)
-                for known, name in ((link.parents, transform.header.frame_id), (link.broadcasters, node)):
+                    link = FrameLink(child, [], is_static, [], 0, published_s, published_s)
+                for known, name in ((link.parents, parent), (link.broadcasters, node)):
                     if name not in known:
                         known.append(name)
-                found[link.child] = link._replace(
+                found[child] = link._replace(
                     messages=link.messages + 1, last_s=published_s, is_static=link.is_static and is_static
                 )
     return found
 
 
-def _with_publishers(recording: Recording, topic: str) -> list[tuple[float, str, Any]]:
-    """Messages with the name of the node that published them, in order of publication."""
+def _with_publishers(recording: Recording, topic: str) -> list[tuple[int, str, Any]]:
+    """Wires with their time in ns and the name of the node that published them, in order of publication."""
     content = recording._content
     nodes = {row[4]: row[0] for row in content['nodes']}
     owner = {row[4]: nodes.get(row[3], '') for row in content['endpoints'] if row[0] == 'publisher'}
-    senders = [
-        (time, owner.get(publisher, ''))
+    rows = [
+        (time, owner.get(publisher, ''), wire)
         for column in content['topics']
-        if column['topic'] == topic
-        for time, publisher in zip(column['times'], column['publishers'], strict=True)
+        if column['topic'] == topic and column['type'] == TF_TYPE
+        for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
     ]
-    senders.sort(key=lambda sender: sender[0])
-    return [(time_s, node, message) for (_, node), (time_s, message) in zip(senders, recording.messages(topic), strict=True)]
+    rows.sort(key=lambda row: row[0])
+    return rows

@@ -161,6 +161,13 @@ class Recording:
         rows.sort(key=_time_of)
         return [(time / 1e9, message) for time, message in rows]
 
+    def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
+        """All messages of one type on a topic as (time in ns, wire), in order of publication; much cheaper than messages."""
+        columns = [column for column in self._columns(topic) if column['type'] == type_name]
+        rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
+        rows.sort(key=_time_of)
+        return rows
+
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
         """Numbers over time: rows of (time in seconds, field, field ...); a field is a path such as 'pose.pose.position.x'."""
         if not fields:
