@@ -6,10 +6,13 @@ import os
 from collections.abc import Iterator
 
 import pytest
+from hypothesis import settings
 
 import edulaunch
 
 edulaunch.source()
+settings.register_profile('repository', deadline=None, derandomize=True)  # every run tries the same, however busy the machine
+settings.load_profile('repository')
 
 
 @pytest.fixture(autouse=True)

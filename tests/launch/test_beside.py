@@ -8,8 +8,9 @@ import threading
 
 import pytest
 from launch import LaunchDescription, LaunchService
-from launch.actions import ExecuteProcess, OpaqueFunction, TimerAction
+from launch.actions import ExecuteProcess, OpaqueFunction, RegisterEventHandler, TimerAction
 from launch.actions import Shutdown as ShutdownAction
+from launch.event_handlers import OnProcessIO
 from osrf_pycommon.process_utils import get_loop
 
 
@@ -35,9 +36,10 @@ def test_beside_a_real_thread_time_keeps_pace() -> None:
 
 def test_ctrl_c_reaches_a_real_program_in_a_plain_script() -> None:
     codes: list[int] = []
-    program = ExecuteProcess(cmd=['sleep', '20'], on_exit=lambda event, _: codes.append(event.returncode))
-    launch_service = service(program, noninteractive=True)
-    threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+    program = ExecuteProcess(cmd=['sh', '-c', 'echo up; exec sleep 20'], on_exit=lambda event, _: codes.append(event.returncode))
+    press = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+    launch_service = service(
+        program, RegisterEventHandler(OnProcessIO(target_action=program, on_stdout=lambda event: press.start())), noninteractive=True)
     assert launch_service.run() == 0
     assert codes == [-signal.SIGINT]
 
