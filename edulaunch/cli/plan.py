@@ -52,7 +52,7 @@ def main(arguments: argparse.Namespace) -> int:
 
 def _show(rehearsal: Rehearsal) -> None:
     from edulaunch.plan.telling import told_launch
-    lines = told_launch(rehearsal.outline)
+    lines = told_launch(rehearsal.outline, rehearsal.placeholders)
     if sys.stdout.isatty():
         _print_in_colour(rehearsal.plan['file'], lines)
     else:

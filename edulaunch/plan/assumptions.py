@@ -21,6 +21,11 @@ class Assumptions:
         self.packages: list[str] = []
         self.others: list[str] = []
 
+    @property
+    def share(self) -> str:
+        """The folder in which the share folders of the placeholders stand, with a separator behind."""
+        return os.path.join(self._placeholders, 'share', '')
+
     def package(self, name: str) -> None:
         """A package was asked for that is not there."""
         if name not in self.packages:

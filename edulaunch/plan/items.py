@@ -108,7 +108,7 @@ def _load_nodes(action: Any, context: LaunchContext) -> Item:
 
     requests = [
         get_composable_node_load_request(description, context)
-        for description in action.composable_node_descriptions
+        for description in action._LoadComposableNodes__composable_node_descriptions
     ]
     nodes = [
         {

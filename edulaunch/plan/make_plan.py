@@ -52,11 +52,13 @@ class Rehearsal(NamedTuple):
     :ivar plan: in the plan format 1.
     :ivar outline: the same and what is left out, as a tree for people.
     :ivar missing: what was assumed: names of packages, and other things in words.
+    :ivar placeholders: the share folder of the packages that were assumed; None when none may be.
     """
 
     plan: Plan
     outline: Branch
     missing: tuple[list[str], list[str]]
+    placeholders: str | None
 
 
 def rehearse(
@@ -77,7 +79,9 @@ def rehearse(
     planner.assumptions = None if assuming is None else assuming.assumptions
     plan = planner.plan()
     missing = planner.assumptions
-    return Rehearsal(plan, planner.outline, ([], []) if missing is None else (missing.packages, missing.others))
+    if missing is None:
+        return Rehearsal(plan, planner.outline, ([], []), None)
+    return Rehearsal(plan, planner.outline, (missing.packages, missing.others), missing.share)
 
 
 def _given(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:

@@ -34,9 +34,17 @@ class Line(NamedTuple):
     below: list[Line]
 
 
-def told_launch(outline: Branch) -> list[Line]:
-    """The lines of a whole launch, but for the one that includes its file."""
-    return [line for branch in outline.children[:1] for line in _told(branch)]
+def told_launch(outline: Branch, placeholders: str | None = None) -> list[Line]:
+    """The lines of a whole launch, but for the one that includes its file.
+
+    :param placeholders: the share folder of assumed packages; paths below it are shown without it.
+    """
+    lines = [line for branch in outline.children[:1] for line in _told(branch)]
+    return lines if placeholders is None else _without(placeholders, lines)
+
+
+def _without(folder: str, lines: list[Line]) -> list[Line]:
+    return [line._replace(text=line.text.replace(folder, ''), below=_without(folder, line.below)) for line in lines]
 
 
 def _told(branch: Branch) -> list[Line]:
@@ -54,6 +62,8 @@ def _lines(branch: Branch) -> Iterator[Line]:
     """The line of a branch; what only holds others, and says nothing itself, gives way to them."""
     below = _told(branch)
     kind, text, details = _words(branch)
+    if kind == 'event' and not _is_from_a_file(branch):
+        return  # how launch itself ends a process
     is_ours = kind == 'OpaqueFunction' and branch.condition is None and (not below or branch.origin is None)
     if kind in _HIDDEN or is_ours:
         yield from below
@@ -65,6 +75,11 @@ def _lines(branch: Branch) -> Iterator[Line]:
         text += '  [launch stopped here]'
     under = [Line('detail', detail, '', True, []) for detail in details]
     yield Line(kind, text, place, branch.is_taken, [*under, *below])
+
+
+def _is_from_a_file(branch: Branch) -> bool:
+    """Whether anything below was written in a launch file."""
+    return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
 
 
 def _words(branch: Branch) -> tuple[str, str, list[str]]:
@@ -169,8 +184,8 @@ def _nodes_to_load(item: Item, branch: Branch) -> list[str]:
     lines = []
     for node in item['nodes']:
         full_name = f'{node["namespace"].rstrip("/")}/{node["name"] or "(its own name)"}'
-        lines.append(f'composable node {full_name}: {node["package"]} {node["plugin"]}')
-        lines += [f'    remap {rule.replace(":=", " -> ")}' for rule in node['remappings']]
+        remaps = ''.join(f', remap {rule.replace(":=", " -> ")}' for rule in node['remappings'])
+        lines.append(f'composable node {full_name}: {node["package"]} {node["plugin"]}{remaps}')
     return lines
 
 
