@@ -39,10 +39,13 @@ class RealProcess:
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
         self.pid = self._child.pid
         self._lines: queue.SimpleQueue[tuple[str, str | None]] = queue.SimpleQueue()
-        self._open = 2
+        self._open = 3
+        self._code: int | None = None
         for stream, pipe in (('stdout', self._child.stdout), ('stderr', self._child.stderr)):
             assert pipe is not None
             threading.Thread(target=self._read, args=(stream, pipe), name=f'{READER_NAME}{stream}', daemon=True).start()
+        self._waiter = threading.Thread(target=self._wait, name=f'{READER_NAME}the end', daemon=True)
+        self._waiter.start()
         host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
         self._look_again()
 
@@ -51,6 +54,11 @@ class RealProcess:
             while chunk := os.read(pipe.fileno(), 65536):
                 self._lines.put((stream, chunk.decode('utf-8', 'replace')))
         self._lines.put((stream, None))
+
+    def _wait(self) -> None:
+        """Alone in asking the system for the program's end: in the main thread a signal handler could lose the answer."""
+        self._code = self._child.wait()
+        self._lines.put(('', None))
 
     def _look_again(self) -> None:
         sim = self.host.sim
@@ -67,25 +75,18 @@ class RealProcess:
                 self._open -= 1
             elif self.on_output is not None:
                 self.on_output(stream, text)
-        if self._open or not self._has_ended_by(deadline):
+        if self._open:
             self._look_again()
             return
-        self.returncode = self._child.returncode
+        assert self._code is not None
+        self.returncode = self._code
         self.host.real_programs.remove(self)
         if self.on_exit is not None:
             self.on_exit(self.returncode)
 
-    def _has_ended_by(self, deadline: float) -> bool:
-        """Whether the program, which has closed its streams, ends before `deadline`; simulated time must not run ahead of it."""
-        try:
-            self._child.wait(max(0.0, deadline - time.monotonic()))
-        except subprocess.TimeoutExpired:
-            return False
-        return True
-
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program and everything it started."""
-        if self._child.poll() is None:
+        if self._code is None:
             try:
                 os.killpg(self.pid, signum)
             except ProcessLookupError:
@@ -95,4 +96,4 @@ class RealProcess:
         """End it for good; nobody is told."""
         self.on_output = self.on_exit = None
         self.send_signal(signal.SIGKILL)
-        self._child.wait()
+        self._waiter.join()
