@@ -12,7 +12,7 @@ from random import Random
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.following import require_near
 from edugrade.library.frames import require_frame
-from edugrade.library.launched import refuse_dead, require_process
+from edugrade.library.launched import refuse_dead, refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
@@ -70,6 +70,7 @@ def follower_exists(run: Evidence) -> None:
 def follower_is_on_tf(run: Evidence) -> None:
     """tf knows where turtle2 is: the frame turtle2 in the frame world"""
     _require_frame(run, 'turtle2')
+    refuse_shared_names(run)
 
 
 @check(points=1, needs=[leader_exists])

@@ -7,7 +7,7 @@ from typing import Any
 from edugrade import Scenario
 from fake_recording import FakeRecording, Track, graded, process
 
-from edulaunch.recording.records import Frame
+from edulaunch.recording.records import Frame, NodeRecord
 
 FRAME = Frame('world', (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), False, 20.0)
 TIMES = [t / 10 for t in range(200)]
@@ -82,3 +82,10 @@ def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:
 def test_a_turtlesim_in_a_namespace_is_missed() -> None:
     results = graded('follow', lambda scenario: run(scenario, tracks={'/a/turtle1/pose': leader(scenario)}))
     assert results['leader_exists'].reason == 'the topic /turtle1/pose is missing'
+
+
+def test_two_broadcasters_of_one_name_are_refused() -> None:
+    nodes = [NodeRecord('/broadcaster1', f'turtle_tf2_broadcaster-{number}', 0.0, None, [], [], [], []) for number in (2, 3)]
+    results = graded('follow', lambda scenario: run(scenario, nodes=nodes))
+    assert results['follower_is_on_tf'].status == 'failed'
+    assert results['follower_is_on_tf'].seen == 'turtle_tf2_broadcaster-2 and turtle_tf2_broadcaster-3 share it'

@@ -81,3 +81,24 @@ def _words_of_run(argv: list[str]) -> list[str]:
     """Package and executable of a ``ros2 run package executable`` command line."""
     words = [os.path.basename(argv[0]), *argv[1:]] if argv else []
     return words[2:4] if words[:2] == ['ros2', 'run'] else []
+
+
+def refuse_shared_names(run: Evidence) -> None:
+    """Two nodes that run at the same time must not have one name: ROS 2 cannot tell them apart.
+
+    :raises Failure: names both programs.
+    """
+    for recording in run.values():
+        owners: dict[str, str] = {}
+        for node in recording.nodes:
+            other = owners.setdefault(node.name, node.process)
+            if other != node.process and node.ended_s is None:
+                raise Failure(f'two nodes are called {node.name}', where=_place_of(run, recording, node.process),
+                              expected='a name of its own for each node', seen=f'{other} and {node.process} share it',
+                              try_=f'give {node.process} another name')
+
+
+def _place_of(run: Evidence, recording: Recording, name: str) -> tuple[str, int | None] | None:
+    """Launch file and line of a process, else of the submission."""
+    origins = [process.origin for process in recording.processes if process.name == name and process.origin is not None]
+    return origins[0] if origins else run.source.place
