@@ -39,7 +39,10 @@ def read_parameter_file(text: str) -> list[Entry]:
     if not reader.skip_to_root():
         return []
     entries: list[Entry] = []
-    _read_nodes(reader, '', entries)
+    try:
+        _read_nodes(reader, '', entries)
+    except RecursionError:
+        raise ParameterFileError('The mappings of the file are nested too deep') from None
     return entries
 
 

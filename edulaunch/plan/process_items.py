@@ -134,12 +134,14 @@ def origins_in_files(item: Item) -> dict[str, str]:
 
 
 def _content(path: str) -> Any:
+    """What the file holds; None when it cannot be read, or would take up too much with its aliases replaced."""
     import yaml
+    from launch_yaml.reader import read
 
     if not os.path.isfile(path):
         return None
-    with open(path, encoding='utf-8') as stream:
-        try:
-            return yaml.load(stream, Loader=getattr(yaml, 'CSafeLoader', yaml.SafeLoader))
-        except yaml.YAMLError:
-            return None
+    try:
+        with open(path, encoding='utf-8') as stream:
+            return read(stream.read())
+    except (yaml.YAMLError, ValueError):
+        return None

@@ -5,13 +5,14 @@ cannot repeat exactly; a recording says so.
 """
 from __future__ import annotations
 
+import errno
 import os
 import queue
 import signal
 import subprocess
 import threading
 import time
-from typing import IO, TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 from edulaunch.processes.process import OnExit, OnOutput
 from edulaunch.processes.spec import ProcessSpec
@@ -35,25 +36,35 @@ class RealProcess:
         self.on_exit = on_exit
         command = ' '.join(spec.argv) if spec.shell else list(spec.argv)
         environment = dict(spec.env) if spec.env is not None else host.env
-        self._child = subprocess.Popen(command, shell=spec.shell, cwd=spec.cwd, env=environment, stdin=subprocess.DEVNULL,
-                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        outputs = [_terminal() if spec.emulate_tty else os.pipe() for _ in range(2)]
+        try:
+            self._child = subprocess.Popen(command, shell=spec.shell, cwd=spec.cwd, env=environment, stdin=subprocess.DEVNULL,
+                                           stdout=outputs[0][1], stderr=outputs[1][1], start_new_session=True)
+        except BaseException:
+            for reader, _ in outputs:
+                os.close(reader)
+            raise
+        finally:
+            for _, writer in outputs:
+                os.close(writer)
         self.pid = self._child.pid
         self._lines: queue.SimpleQueue[tuple[str, str | None]] = queue.SimpleQueue()
         self._open = 3
         self._code: int | None = None
-        for stream, pipe in (('stdout', self._child.stdout), ('stderr', self._child.stderr)):
-            assert pipe is not None
-            threading.Thread(target=self._read, args=(stream, pipe), name=f'{READER_NAME}{stream}', daemon=True).start()
+        for stream, (reader, _) in zip(('stdout', 'stderr'), outputs, strict=True):
+            threading.Thread(target=self._read, args=(stream, reader), name=f'{READER_NAME}{stream}', daemon=True).start()
         self._waiter = threading.Thread(target=self._wait, name=f'{READER_NAME}the end', daemon=True)
         self._waiter.start()
         host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
         self._look_again()
 
-    def _read(self, stream: str, pipe: IO[bytes]) -> None:
-        with pipe:
-            while chunk := os.read(pipe.fileno(), 65536):
+    def _read(self, stream: str, reader: int) -> None:
+        try:
+            while chunk := _chunk(reader):
                 self._lines.put((stream, chunk.decode('utf-8', 'replace')))
-        self._lines.put((stream, None))
+        finally:
+            os.close(reader)
+            self._lines.put((stream, None))
 
     def _wait(self) -> None:
         """Alone in asking the system for the program's end: in the main thread a signal handler could lose the answer."""
@@ -97,3 +108,24 @@ class RealProcess:
         self.on_output = self.on_exit = None
         self.send_signal(signal.SIGKILL)
         self._waiter.join()
+
+
+def _terminal() -> tuple[int, int]:
+    """Both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
+    import pty
+    import termios
+    ours, theirs = pty.openpty()
+    settings = termios.tcgetattr(theirs)
+    settings[1] &= ~termios.OPOST
+    termios.tcsetattr(theirs, termios.TCSANOW, settings)
+    return ours, theirs
+
+
+def _chunk(reader: int) -> bytes:
+    """What comes next; nothing at the end, which Linux makes an error of when it is a terminal's."""
+    try:
+        return os.read(reader, 65536)
+    except OSError as error:
+        if error.errno != errno.EIO:
+            raise
+        return b''

@@ -19,6 +19,7 @@ class ProcessSpec(NamedTuple):
     :ivar origin: the launch file and line of the action.
     :ivar package, executable: of a Node action.
     :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
+    :ivar emulate_tty: whether a real program writes to a terminal instead of pipes; a simulated one writes as if to one anyway.
     """
 
     argv: tuple[str, ...]
@@ -30,3 +31,4 @@ class ProcessSpec(NamedTuple):
     package: str | None = None
     executable: str | None = None
     parameter_origins: Mapping[str, str] = MappingProxyType({})
+    emulate_tty: bool = False

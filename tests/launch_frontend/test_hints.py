@@ -31,6 +31,8 @@ IN_NODE = '<launch>\n<node pkg="a" exec="b" {}>{}</node>\n</launch>'
             "robot.launch.xml:2: in 'ls \"a ' a quote is not closed; close it before a $(...) begins",
         ),
         ('<launch>\n<node pkg="a"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'"),
+        ('<launch>\n<node pkg="a" exce="b"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'; is 'exce' meant for it?"),
+        ('<launch>\n<timer perid="1.0"/></launch>', "robot.launch.xml:2: <timer> needs the attribute 'period'; is 'perid' meant for it?"),
         (
             '<launch><group>\n<let name="a"/></group></launch>',
             "robot.launch.xml:2: <let> needs the attribute 'value'",
@@ -57,6 +59,7 @@ def test_an_error_in_xml_says_where_and_what_was_meant(failure_of, text, help_li
         ('launch:\n- nodee: {}', "x.yaml:2: 'nodee' is no launch element; did you mean 'node'?"),
         ('launch:\n- node: {exec: a, nmae: b}', "x.yaml:2: 'node' knows no 'nmae'; did you mean 'name'?"),
         ('launch:\n- arg:\n    default: a', "x.yaml:2: 'arg' needs the key 'name'"),
+        ('launch:\n- let: {name: a, valu: b}', "x.yaml:2: 'let' needs the key 'value'; is 'valu' meant for it?"),
         ('launch:\n- arg: {name: a, default: 1}', "x.yaml:2: write the value of 'default' in quotes"),
         ('launch:\n- node: {exec: a, param: {name: b}}', "x.yaml:2: begin each 'param' with a dash: - {...}"),
         ('launch:\n- node: {exec: a, output: "screen}', 'x.yaml:2: found unexpected end of stream'),

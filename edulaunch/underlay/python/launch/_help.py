@@ -111,7 +111,7 @@ def local_of(error: BaseException, name: str) -> Any:
 
 def is_students(filename: str) -> bool:
     """Whether a file is neither ours nor Python's nor that of an installed package."""
-    if filename.startswith(('<', _PYTHON)) or 'site-packages' in filename:
+    if filename.startswith(('<', _PYTHON)) or 'site-packages' in filename or filename.endswith('.pyx'):
         return False
     shared = os.path.join(_OURS, 'underlay', 'share') + os.sep
     return filename.startswith(shared) or not filename.startswith(_OURS)

@@ -146,13 +146,14 @@ def _positional(error: BaseException, text: str) -> str | None:
 
 def _missing_keyword(error: BaseException, text: str) -> str | None:
     """A misspelt one is taken for one of the many that an action passes on, so that only its absence is seen."""
-    found = _match(r"(\w+)\.__init__\(\) missing \d+ required keyword-only arguments?: '(\w+)'", text)
+    found = _match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", text)
     place = launch_origin(error)
     if found is None or place is None:
         return None
     import linecache
-    call = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + 8)).partition(f'{found[1]}(')[2]
-    near = nearest(found[2], re.findall(r'(\w+)\s*=', call.partition(f'{found[1]}(')[0]))
+    text = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + 8))
+    calls = re.split(rf'\b{found[1]}\(', text, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
+    near = nearest(found[2], re.findall(r'(\w+)\s*=', calls[1])) if len(calls) > 1 else None
     return f'{found[1]} needs {found[2]}=...' + (f'; did you mean that by {near}=?' if near is not None else '')
 
 

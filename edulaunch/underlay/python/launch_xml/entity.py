@@ -89,6 +89,10 @@ class Entity(BaseEntity):
             found += dict.fromkeys([child.tag for child in self._element if child.tag in names])
         return found
 
+    @property
+    def _names(self) -> Collection[str]:
+        return list(self._attributes)
+
     def _typed(self, name: str, text: str, data_type: Any, can_be_str: bool) -> Any:
         value: str | list[str] = text
         if len(self._attributes) > 1 and name + SEPARATOR in self._attributes:

@@ -112,6 +112,10 @@ class Entity(BaseEntity):
         element = self._element
         return [name for name in element if name in names] if isinstance(element, dict) else []
 
+    @property
+    def _names(self) -> Collection[str]:
+        return list(self._element) if isinstance(self._element, dict) else ()
+
     def _entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):
             error = TypeError(

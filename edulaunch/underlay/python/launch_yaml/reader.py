@@ -37,7 +37,7 @@ def read(text: str) -> Any:
         _Size(SMALL + MAX_GROWTH * len(text)).check(node)
         return _data_of(node, loader)
     except RecursionError:
-        raise _too_deep() from None
+        raise _too_deep(1) from None
     finally:
         loader.dispose()
 
@@ -91,13 +91,19 @@ def _check_depth_of_events(text: str, loader_class: Any) -> None:
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > MAX_DEPTH:
-                raise _too_deep()
+                raise _too_deep(event.start_mark.line + 1 if event.start_mark is not None else 1)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 
 
-def _too_deep() -> ValueError:
-    return ValueError(f'lists and mappings are nested more than {MAX_DEPTH} levels deep')
+def _too_deep(line: int) -> ValueError:
+    return _refused(f'lists and mappings are nested more than {MAX_DEPTH} levels deep', line)
+
+
+def _refused(text: str, line: int) -> ValueError:
+    error: Any = ValueError(text)
+    error.edulaunch_line = line
+    return error  # type: ignore[no-any-return]
 
 
 class _Size:
@@ -112,13 +118,13 @@ class _Size:
         if known is not None:
             return known
         if depth > MAX_DEPTH:
-            raise _too_deep()
+            raise _too_deep(node.start_mark.line + 1)
         size = 1
         if not isinstance(node, yaml.ScalarNode):
             for child in _children(node):
                 size += self.check(child, depth + 1)
                 if size > self.limit:
-                    raise ValueError(f'aliases multiply the text to more than {self.limit} values')
+                    raise _refused(f'aliases multiply the text to more than {self.limit} values', child.start_mark.line + 1)
         self.sizes[id(node)] = size
         return size
 

@@ -114,9 +114,9 @@ class ProcessWatch(BaseEventHandler):
         if self._options.log_cmd:
             self._logger.info(f"process details: cmd='{self._shown_command()}', cwd='{details['cwd']}', "
                               f"custom_env?={details['env'] is not None}")
-        _check_emulate_tty(context)
+        emulate_tty = _wants_terminal(context, self._options)
         try:
-            self._run = self._start(context)
+            self._run = self._start(context, emulate_tty)
         except Exception as error:
             from ._start_failure import start_failure
             self._logger.error(f'exception occurred while executing process:\n{start_failure(error, self._action, details)}')
@@ -167,7 +167,7 @@ class ProcessWatch(BaseEventHandler):
     def _shown_command(self) -> str:
         return ' '.join(part for part in self._details['cmd'] if part.strip())
 
-    def _start(self, context: LaunchContext) -> ProcessRun:
+    def _start(self, context: LaunchContext, emulate_tty: bool) -> ProcessRun:
         from edulaunch.processes import ProcessSpec
 
         from ._process_run import ProcessRun
@@ -175,7 +175,8 @@ class ProcessWatch(BaseEventHandler):
         details['cmd'] = self._action.process_description.final_cmd
         spec = ProcessSpec(
             argv=tuple(details['cmd']), name=details['name'], cwd=details['cwd'], env=details['env'],
-            shell=self._options.shell, origin=self._action.origin, **self._action._process_spec_details())
+            shell=self._options.shell, emulate_tty=emulate_tty, origin=self._action.origin,
+            **self._action._process_spec_details())
 
         def on_output(stream: str, text: str) -> None:
             self._unshown += 1
@@ -246,10 +247,9 @@ class ProcessWatch(BaseEventHandler):
         return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]
 
 
-def _check_emulate_tty(context: LaunchContext) -> None:
-    """The launch configuration `emulate_tty` must be a condition; programs here run as if in a terminal
-    anyway.
-    """
+def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
+    """What the action says, unless there is a launch configuration `emulate_tty`, which must be a condition."""
     wanted = context.launch_configurations.get('emulate_tty')
-    if wanted is not None:
-        evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))
+    if wanted is None:
+        return bool(options.emulate_tty)
+    return evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))

@@ -34,7 +34,7 @@ class ExecuteLocal(Action):
     :param shell: let a shell run the joined command line.
     :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at
         shutdown.
-    :param emulate_tty: run in a terminal; programs here print as if in one anyway.
+    :param emulate_tty: run in a terminal; simulated programs print as if in one anyway.
     :param output: 'log', 'screen', 'both', 'own_log', 'full', or a dictionary; see
         `launch.logging.get_output_loggers`. OVERRIDE_LAUNCH_PROCESS_OUTPUT in the environment comes first.
     :param output_format: of lines on the screen; may use `line` and `this` (this action).

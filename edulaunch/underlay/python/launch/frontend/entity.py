@@ -92,7 +92,14 @@ class Entity(ABC):
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
         """The error for a name that is needed, with what the element has instead."""
-        return hints.at(error, self, f'{self.shown} needs {name}')
+        kind, _, wanted = name.rpartition(' ')
+        near = hints.nearest_given(wanted.strip("'"), [one for one in self._names if one not in self.asked])
+        return hints.at(error, self, f'{self.shown} needs {kind} {wanted}' + (f"; is '{near}' meant for it?" if near else ''))
+
+    @property
+    def _names(self) -> Collection[str]:
+        """The names of all attributes or keys that the file gives."""
+        return ()
 
 
 Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)

@@ -86,6 +86,11 @@ def about_call(name: str) -> str | None:
     return f'$({name} ...) is no substitution' + (f'; did you mean $({near} ...)?' if near else '')
 
 
+def nearest_given(name: str, names: Any) -> str | None:
+    """Which of the names that an element has is probably a misspelt `name`, which it needs."""
+    return _nearest(name, [given for given in names if isinstance(given, str)])
+
+
 def _nearest(name: str, names: Any) -> str | None:
     from edulaunch.packages.nearest import nearest
     return nearest(name, names)

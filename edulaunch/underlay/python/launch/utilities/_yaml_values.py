@@ -20,6 +20,8 @@ YAML_BOOLEANS = {
 _WORD = re.compile(r'[A-Za-z_/][A-Za-z0-9_/.]*\Z')
 _INTEGER = re.compile(r'-?(?:0|[1-9][0-9]*)\Z')
 _DECIMAL = re.compile(r'-?[0-9]+\.[0-9]+\Z')
+_SHORT = 200
+"""So short a text without aliases is neither too deep nor too large."""
 _NULLS = ('null', 'Null', 'NULL')
 
 
@@ -28,6 +30,7 @@ def load_yaml_value(text: str) -> Any:
     (50 us each).
 
     :raises yaml.YAMLError: when the text is not YAML.
+    :raises ValueError: when it is nested too deep, or its aliases multiply it too much.
     """
     if _WORD.match(text):
         if text in YAML_BOOLEANS:
@@ -38,4 +41,15 @@ def load_yaml_value(text: str) -> Any:
     if _DECIMAL.match(text):
         return float(text)
     import yaml
+    if '*' in text or len(text) > _SHORT:
+        _check_size(text)
     return yaml.safe_load(text)
+
+
+def _check_size(text: str) -> None:
+    import yaml
+    from launch_yaml.reader import read
+    try:
+        read(text)
+    except yaml.YAMLError:
+        return  # told by who loads it

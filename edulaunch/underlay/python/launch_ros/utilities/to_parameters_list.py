@@ -43,9 +43,9 @@ def to_parameters_list(
 
 
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
-    import yaml
+    from launch_yaml.reader import read
 
-    content = yaml.safe_load(path.read_text(encoding='utf-8')) or {}
+    content = read(path.read_text(encoding='utf-8')) or {}
     if not _has_parameters(content):
         return _flat(content)
     full_name = f'{namespace.rstrip("/")}/{node_name}' if namespace else f'/{node_name}'
