@@ -181,7 +181,7 @@ class _Planner:
         from edulaunch.plan.assumed_includes import include_if_there
         from edulaunch.plan.watching import Watch
 
-        launch.logging.launch_config.log_handler_factory = lambda path: launch.logging.handlers.NullHandler()
+        launch.logging.launch_config.dry = True
         launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
         self._arguments = self._declared_arguments()
         self._service = LaunchService(noninteractive=True)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import logging
+import os
 from pathlib import Path
 from typing import Any
 
@@ -76,6 +77,18 @@ def test_the_folder_is_below_ros_home_or_home(fresh_simulation: Any) -> None:
 def test_two_launches_at_one_time_have_two_folders(tmp_path: Path) -> None:
     first, second = (launch.logging._make_unique_log_dir(base_path=str(tmp_path)) for _ in range(2))
     assert second == first + '-2'
+
+
+def test_the_thousandth_launch_at_one_time_asks_the_disk_a_few_times_only(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = launch.logging._make_unique_log_dir(base_path=str(tmp_path))
+    for number in range(2, 1000):
+        os.mkdir(f'{first}-{number}')
+    asked: list[str] = []
+    exists = os.path.exists
+    monkeypatch.setattr(os.path, 'exists', lambda path: asked.append(path) or exists(path))
+    assert launch.logging._make_unique_log_dir(base_path=str(tmp_path)) == f'{first}-1000'
+    assert len(asked) < 30
 
 
 def test_latest_is_not_made_over_a_real_folder(tmp_path: Path) -> None:

@@ -109,6 +109,14 @@ def test_nothing_is_started_and_nothing_is_printed(
     assert found['stdout'] == 'hello\n' * found['stdout'].count('hello')
 
 
+def test_no_folder_of_logs_is_made(tmp_path: Path) -> None:
+    launch_file = tmp_path / 'a.launch.py'
+    launch_file.write_text(HEAD + "def entities():\n    return [LogInfo(msg='a'), run('b', output='both')]", encoding='utf-8')
+    environ = {'ROS_HOME': str(tmp_path / 'home'), 'ROS_LOG_DIR': str(tmp_path / 'logs')}
+    assert len(make_plan(launch_file, [], Index(), environ)['items']) == 3
+    assert [path.name for path in tmp_path.iterdir()] == ['a.launch.py']
+
+
 def test_values_and_changes_are_noted(plan: Plan) -> None:
     found = plan(
         """

@@ -30,6 +30,8 @@ class LaunchConfig:
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None
         self.log_handler_factory: Callable[[str], Any] | None = None
+        self.dry = False
+        """Whether nothing is to be left behind: a plan writes no log files."""
         self._silent_handlers: dict[str, Any] = {}
         self._screen_formatter: logging.Formatter
         self._log_formatter: logging.Formatter
@@ -64,6 +66,8 @@ class LaunchConfig:
 
     @property
     def _writes_files(self) -> bool:
+        if self.dry:
+            return False
         if self._log_dir is not None or self.log_handler_factory is not None:
             return True
         env = environment()

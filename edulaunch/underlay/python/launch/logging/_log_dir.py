@@ -25,14 +25,35 @@ def _make_unique_log_dir(*, base_path: str) -> str:
     seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)
     date = strftime('%Y-%m-%d-%H-%M-%S', gmtime(seconds))
     name = f'{date}-{ns // 1000:06d}-{gethostname()}-{process.pid}'
-    path, count = os.path.join(base_path, name), 1
+    first = os.path.join(base_path, name)
+    count = _free_number(first)
     while True:
+        path = _numbered(first, count)
         try:
             os.makedirs(path)
             return path
-        except FileExistsError:
+        except FileExistsError:  # another program was faster
             count += 1
-            path = os.path.join(base_path, f'{name}-{count}')
+
+
+def _numbered(first: str, count: int) -> str:
+    return first if count == 1 else f'{first}-{count}'
+
+
+def _free_number(first: str) -> int:
+    """A number that is not in use, found by halving: one launch after the other begins at the same simulated time."""
+    if not os.path.exists(first):
+        return 1
+    taken, free = 1, 2
+    while os.path.exists(_numbered(first, free)):
+        taken, free = free, free * 2
+    while free - taken > 1:
+        middle = (taken + free) // 2
+        if os.path.exists(_numbered(first, middle)):
+            taken = middle
+        else:
+            free = middle
+    return free
 
 
 def _renew_latest_log_dir(*, log_dir: str) -> bool:
