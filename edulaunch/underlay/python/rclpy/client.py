@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
 from rclpy.type_support import wrong_class
@@ -172,3 +173,11 @@ class Client(Entity):
 
     def __exit__(self, *_: Any) -> None:
         self.destroy()
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Any Dict Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup',
+    'rclpy.clock': 'Clock', 'rclpy.context': 'Context', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.qos': 'QoSProfile', 'rclpy.service_introspection': 'ServiceIntrospectionState',
+    'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
+})

@@ -9,6 +9,7 @@ from edulaunch.sim.task import current_task
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.passed_on import passed_on
 from rclpy.time import Time, time_of_clock
 
 if TYPE_CHECKING:
@@ -221,3 +222,8 @@ class ROSClock(Clock):
             if handle.post_callback is not None:
                 handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
 
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Callable Optional', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.context': 'Context', 'rclpy.utilities': 'get_default_context',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.constants import S_TO_NS
+from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from builtin_interfaces.msg import Duration as DurationMessage
@@ -76,3 +77,9 @@ class Duration:
 
 
 Infinite = Duration(nanoseconds=(1 << 63) - 1)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Union', 'builtin_interfaces': '', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.constants': 'S_TO_NS',
+})

@@ -5,6 +5,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph import parameters as rules
+from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
@@ -182,3 +183,9 @@ def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:
         else:
             flat[prefix + name] = value
     return flat
+
+
+__getattr__ = passed_on(__name__, {
+    'array': '', 'typing': 'Any Dict List Optional Tuple TypeVar Union', 'yaml': '',
+    'rcl_interfaces.msg': 'ParameterMsg=Parameter ParameterDescriptor ParameterType ParameterValue SetParametersResult',
+})

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from edulaunch.graph.topics import Publisher as GraphPublisher
@@ -94,3 +95,11 @@ class Publisher:
 
     def __exit__(self, *_: Any) -> None:
         self.destroy()
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'List Optional Type TypeVar Union', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.duration': 'Duration',
+    'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
+    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.qos': 'QoSProfile',
+    'rclpy.impl.type_variables': 'MsgType',
+})

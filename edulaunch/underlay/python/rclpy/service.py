@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SERVICE, Entity, ReadyList
 from rclpy.task import is_coroutine_function
 
@@ -96,3 +97,11 @@ class Service(Entity):
 
     def __exit__(self, *_: Any) -> None:
         self.destroy()
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Callable Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.clock': 'Clock',
+    'rclpy.exceptions': 'InvalidHandle', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.qos': 'QoSProfile', 'rclpy.service_introspection': 'ServiceIntrospectionState',
+    'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
+})

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
 from rclpy.task import is_coroutine_function
 
@@ -150,3 +151,11 @@ def _accepts(callback: Any, count: int) -> bool:
     except ValueError:   # a built-in function that does not tell
         return count == 1
     return True
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Callable List Optional Type TypeVar Union', 'inspect': '', 'rclpy.callback_groups': 'CallbackGroup',
+    'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks', 'rclpy.exceptions': 'InvalidHandle',
+    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.qos': 'QoSProfile',
+    'rclpy.impl.type_variables': 'MsgType',
+})

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy.clock_type import ClockType
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
+from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from builtin_interfaces.msg import Time as TimeMessage
@@ -140,3 +141,9 @@ def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
     time._nanoseconds = nanoseconds
     time._clock_type = clock_type
     return time
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Optional Tuple Union', 'builtin_interfaces': '',
+    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+})

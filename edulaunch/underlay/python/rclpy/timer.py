@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import ROSInterruptException
+from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
 from rclpy.task import is_coroutine_function
 
@@ -191,3 +192,10 @@ class Rate:
     def _check(self) -> None:
         if not self._context._ok or self._is_destroyed:
             raise ROSInterruptException()
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Callable Optional Union', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.clock': 'Clock',
+    'rclpy.context': 'Context', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.utilities': 'get_default_context',
+})

@@ -58,9 +58,19 @@ def __getattr__(name: str) -> Any:
     elif name in _MODULES:
         value = import_module(f'tf2_ros.{name}')
     else:
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+        value = _of_a_module(name)
     setattr(sys.modules[__name__], name, value)
     return value
+
+
+def _of_a_module(name: str) -> Any:
+    """Upstream takes in whatever its modules have, so `from tf2_ros import TransformStamped` works."""
+    if not name.startswith('_'):
+        for module in _MODULES:
+            found = import_module(f'tf2_ros.{module}')
+            if hasattr(found, name):
+                return getattr(found, name)
+    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
 
 
 def __dir__() -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
+from rclpy.impl.passed_on import passed_on
 from tf2_py import BufferCore
 from tf2_py._reports import report
 from tf2_py._times import nanoseconds
@@ -217,3 +218,11 @@ class Buffer(BufferCore, BufferInterface):
 def fills_directly(buffer: Any) -> bool:
     """Whether nobody has put a `set_transform` of their own into the buffer."""
     return type(buffer).set_transform is Buffer.set_transform and 'set_transform' not in vars(buffer)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Any Callable List Optional Tuple Union', 'copy': 'deepcopy', 'rclpy': '',
+    'tf2_py': '', 'tf2_ros': '', 'rclpy.clock': 'Clock JumpThreshold TimeJump', 'rclpy.duration': 'Duration',
+    'rclpy.node': 'Node', 'rclpy.task': 'Future', 'rclpy.time': 'Time', 'geometry_msgs.msg': 'TransformStamped',
+    'tf2_msgs.srv': 'FrameGraph', 'tf2_ros.buffer_interface': 'BufferInterface',
+})

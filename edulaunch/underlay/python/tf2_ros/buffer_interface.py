@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy.duration import Duration
+from rclpy.impl.passed_on import passed_on
 
 from tf2_ros.registrations import ConvertRegistration, TransformRegistration, TypeException
 
@@ -131,3 +132,11 @@ def convert(a: Any, b_type: Any) -> Any:
             return a
         return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
     return direct(a)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Any Callable Optional Union', 'copy': 'deepcopy', 'rclpy': '', 'tf2_py': '', 'rclpy.duration': 'Duration',
+    'rclpy.time': 'Time',
+    'geometry_msgs.msg': 'PointStamped PoseStamped PoseWithCovarianceStamped TransformStamped Vector3Stamped',
+    'sensor_msgs.msg': 'PointCloud2', 'std_msgs.msg': 'Header',
+})

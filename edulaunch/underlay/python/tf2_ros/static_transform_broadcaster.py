@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
@@ -37,3 +38,9 @@ class StaticTransformBroadcaster:
         for one in as_list(transform):
             self._sent.setdefault(one.child_frame_id, one)
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'List Optional Union', 'geometry_msgs.msg': 'TransformStamped', 'rclpy.node': 'Node',
+    'rclpy.qos': 'DurabilityPolicy HistoryPolicy QoSProfile', 'tf2_msgs.msg': 'TFMessage',
+})

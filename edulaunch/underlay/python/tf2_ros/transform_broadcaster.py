@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import TransformStamped
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSProfile
 from tf2_msgs.msg import TFMessage
 
@@ -40,3 +41,9 @@ class TransformBroadcaster:
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
     """One transform or several, as a list."""
     return list(transform) if hasattr(transform, '__iter__') else [transform]
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'List Optional Union', 'geometry_msgs.msg': 'TransformStamped', 'rclpy.node': 'Node', 'rclpy.qos': 'QoSProfile',
+    'tf2_msgs.msg': 'TFMessage',
+})

@@ -6,6 +6,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
@@ -113,3 +114,9 @@ def _receiver(set_transform: Any) -> Any:
             set_transform(transform, AUTHORITY)
 
     return receive
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Optional Union', 'rclpy.executors': 'SingleThreadedExecutor', 'rclpy.node': 'Node',
+    'rclpy.qos': 'ReliabilityPolicy', 'tf2_ros': '', 'tf2_ros.buffer': 'Buffer',
+})

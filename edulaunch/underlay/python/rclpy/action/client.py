@@ -9,6 +9,7 @@ from action_msgs.msg import GoalStatus
 from edulaunch.sim.task import current_task
 from rclpy.action.server import await_or_execute
 from rclpy.client import POLL_NS
+from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import process_state
 from rclpy.qos import (
     QoSProfile,
@@ -278,3 +279,13 @@ def _random_uuid() -> Any:
     if state.goal_ids is None:
         state.goal_ids = state.process.sim.random(f'{state.process.name}/goal ids')
     return UUID(uuid=list(state.goal_ids.getrandbits(128).to_bytes(16, 'big')))
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Any Callable Dict Generic Optional Tuple Type TypeVar Union', 'uuid': '',
+    'weakref': '', 'action_msgs.msg': 'GoalStatus', 'action_msgs.srv': 'CancelGoal', 'builtin_interfaces.msg': 'Time',
+    'unique_identifier_msgs.msg': 'UUID', 'rclpy.executors': 'await_or_execute',
+    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile', 'rclpy.task': 'Future',
+    'rclpy.type_support': 'check_is_valid_action_type check_for_type_support', 'rclpy.waitable': 'NumberOfEntities Waitable',
+})

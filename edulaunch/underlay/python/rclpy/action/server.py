@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.processes.current import current_process
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState
 from rclpy.action.server_goal_handle import ServerGoalHandle
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import (
     QoSProfile,
     engine_qos,
@@ -269,3 +270,14 @@ def _callable(callback: Any, default: Any) -> Any:
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     """Call a function, or await it when it is `async`."""
     return await callback(*args) if is_coroutine_function(callback) else callback(*args)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Any Callable Dict Generic Literal Optional Tuple Type TypeVar Union', 'enum': 'Enum', 'functools': '',
+    'traceback': '', 'action_msgs.msg': 'GoalInfo GoalStatus', 'rclpy': 'node',
+    'rclpy.clock': 'Clock', 'rclpy.duration': 'Duration', 'rclpy.executors': 'await_or_execute',
+    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile', 'rclpy.task': 'Future Task',
+    'rclpy.time': 'Time', 'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
+    'rclpy.waitable': 'NumberOfEntities Waitable', 'rclpy.callback_groups': 'CallbackGroup',
+})
