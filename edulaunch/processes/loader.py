@@ -145,6 +145,9 @@ class Loader:
         parent = self.import_module(parent_name)
         if self.modules.get(parent_name) is not parent:
             return self._shared(name)
+        module = self.modules.get(name)
+        if module is not None:  # the package has imported it itself meanwhile
+            return module
         made = self._interfaces(name)
         if made is None:
             path = [] if getattr(parent, '__edulaunch_view__', False) else list(getattr(parent, '__path__', ()))

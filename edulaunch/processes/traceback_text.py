@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from edulaunch.errors import RunawayProgramError
 from edulaunch.processes.origin import Origin
 from edulaunch.processes.suggestion import with_suggestion
+from edulaunch.processes.traceback_groups import framed, members_of, within
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -31,21 +32,35 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
 
 
 def _place(error: BaseException) -> Origin | None:
+    members = members_of(error)
+    if members:
+        return _place(members[0]) or innermost_place(error.__traceback__)
     unread = _unread_file(error)
     return Origin(unread, getattr(error, 'lineno', 0) or 0) if unread is not None else innermost_place(error.__traceback__)
 
 
-def _chain(error: BaseException, told: list[BaseException]) -> Iterator[str]:
-    """The error after the one that it was raised from or that was being handled, if that came about in the student's code."""
+def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> Iterator[str]:
+    """The error after the one that it was raised from or that was being handled, if that came about in the student's code.
+
+    :param depth: how many frames of exception groups are around it.
+    """
     told.append(error)
     cause, context = error.__cause__, error.__context__
     if cause is not None and cause not in told:
-        yield from _chain(cause, told)
-        yield CAUSE
+        yield from _chain(cause, told, depth)
+        yield within(CAUSE, depth)
     elif context is not None and cause is None and not error.__suppress_context__ and context not in told and _own(context):
-        yield from _chain(context, told)
-        yield CONTEXT
-    yield from _one(error)
+        yield from _chain(context, told, depth)
+        yield within(CONTEXT, depth)
+    members, text = members_of(error), ''.join(_one(error))
+    if not members:
+        yield within(text, depth)
+        return
+    if text.startswith('Traceback'):
+        yield within(f'Exception Group {text}', depth or 1, '|' if depth else '+')
+    else:
+        yield within(text, depth or 1)
+    yield from framed(members, depth or 1, lambda member, deeper: _chain(member, told, deeper))
 
 
 def _one(error: BaseException) -> Iterator[str]:
@@ -58,8 +73,15 @@ def _one(error: BaseException) -> Iterator[str]:
         yield 'Traceback (most recent call last):\n'
     plain = [traceback.FrameSummary(frame.filename, frame.lineno, frame.name, line=frame.line) for frame in shown]
     yield from traceback.StackSummary.from_list(plain).format()
-    *before, last = traceback.format_exception_only(type(error), error)
+    *before, last = _told_by_python(error)
     yield from (*before, with_suggestion(last, error))
+
+
+def _told_by_python(error: BaseException) -> list[str]:
+    """Type and text. Of a group too: without the members, which newer Pythons tell here."""
+    members = members_of(error)
+    told = traceback.format_exception_only(type(error), error)
+    return told if not members else [next(line for line in told if line.strip())]
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:

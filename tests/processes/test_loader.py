@@ -32,6 +32,19 @@ def test_packages_submodules_and_relative_imports_work(world: Any) -> None:
         """) == 'arm armarm True arm\n'
 
 
+def test_a_module_that_its_package_imports_is_executed_once(world: Any) -> None:
+    world.write('lib/robot/__init__.py', 'from .core.part import TOKEN\n')
+    world.write('lib/robot/core/__init__.py', 'from .part import TOKEN\nfrom .other import SAME\n')
+    world.write('lib/robot/core/part.py', 'print("once")\nTOKEN = object()\n')
+    world.write('lib/robot/core/other.py', 'from .part import TOKEN\nSAME = TOKEN\n')
+    assert world.run("""
+        import robot.core.part as part
+        import robot.core.other as other
+        import robot
+        print(part.TOKEN is other.SAME is robot.core.TOKEN is robot.TOKEN)
+        """) == 'once\nTrue\n'
+
+
 def test_the_scripts_folder_comes_first_on_its_path(world: Any) -> None:
     world.write('sibling.py', 'NAME = "beside the script"\n')
     world.write('lib/sibling.py', 'NAME = "in the workspace"\n')
