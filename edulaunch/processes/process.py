@@ -6,6 +6,7 @@ from collections.abc import Callable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.addresses import SIGN, Addresses
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
@@ -54,10 +55,12 @@ class Process:
         self.stdout = OutputStream(self, 'stdout')
         self.stderr = OutputStream(self, 'stderr')
         self.is_writing = False
+        self.addresses = Addresses()
         self._main = main
         self._loader: Loader | None = None
         self._signal: int | None = None
         self.task = Task(host.sim, self._run, name=spec.name, owner=self)
+        self.task.add_done_callback(self._end_unbegun)
 
     def __repr__(self) -> str:
         return f'<process {self.spec.name} [{self.pid}]>'
@@ -84,11 +87,16 @@ class Process:
         """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
         before, self.is_writing = self.is_writing, True
         try:
+            text = self.steady(text)
             self.tracer.output(self, stream, text)
             if self.on_output is not None:
                 self.on_output(stream, text)
         finally:
             self.is_writing = before
+
+    def steady(self, text: str) -> str:
+        """A text of the program without what would differ from run to run: addresses of objects."""
+        return self.addresses.steady(text) if SIGN in text else text
 
     def log(self, level: int, logger: str, message: str) -> None:
         """Record a log message (its console line is written separately)."""
@@ -160,6 +168,12 @@ class Process:
         finally:
             if self.returncode is None:
                 self.returncode = code if code is not None else -(self._signal or signal.SIGKILL)
+            self._end()
+
+    def _end_unbegun(self, task: Task) -> None:
+        """A signal that comes before the first turn ends the program, too."""
+        if self.returncode is None:
+            self.returncode = -(self._signal or (signal.SIGINT if isinstance(task.exception, KeyboardInterrupt) else signal.SIGKILL))
             self._end()
 
     def _main_exit_code(self) -> int:

@@ -110,3 +110,13 @@ def test_values_that_do_not_fit_are_refused(values: Any, error: type[Exception],
 
 def test_slot_types_by_name() -> None:
     assert list(get_message_slot_types(Header())) == ['stamp', 'frame_id']
+
+
+def test_a_type_by_name_is_the_class_it_stands_for() -> None:
+    from geometry_msgs.msg import Twist, Vector3
+    from rosidl_runtime_py.import_message import import_message_from_namespaced_type
+    from rosidl_runtime_py.utilities import get_namespaced_type
+    assert get_namespaced_type('geometry_msgs/msg/Vector3') == Twist.SLOT_TYPES[0]
+    assert import_message_from_namespaced_type(Twist.SLOT_TYPES[0]) is Vector3
+    with pytest.raises(ValueError, match='such as'):
+        get_namespaced_type('Vector3')

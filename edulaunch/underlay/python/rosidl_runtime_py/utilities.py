@@ -2,10 +2,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
 from rosidl_runtime_py.registry import current_registry
+
+if TYPE_CHECKING:
+    from rosidl_parser.definition import NamespacedType
 
 
 def get_interface(identifier: str) -> Any:
@@ -31,6 +34,19 @@ def get_interface(identifier: str) -> Any:
             raise
         words = f'\n  help: {error.help}' if error.help else ''
         raise AttributeError(f"module '{package}.{kind}' has no attribute '{name}'{words}") from None
+
+
+def get_namespaced_type(identifier: str) -> NamespacedType:
+    """'pkg/msg/Name' as the type of a field. Whether there is one is not looked at.
+
+    :raises ValueError: when the name has another form.
+    """
+    from rosidl_parser.definition import NamespacedType
+    parts = identifier.split('/')
+    if len(parts) != 3 or not all(parts):
+        raise ValueError(f"Expected the full name of an interface, got '{identifier}'"
+                         "\n  help: write package, kind and type, such as 'std_msgs/msg/String'")
+    return NamespacedType((parts[0], parts[1]), parts[2])
 
 
 def is_message(interface: Any) -> bool:

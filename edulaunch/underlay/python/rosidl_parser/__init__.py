@@ -1,0 +1,1 @@
+"""The types that message definitions are made of."""

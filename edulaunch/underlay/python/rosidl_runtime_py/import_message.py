@@ -1,0 +1,16 @@
+"""Interface classes by their type in a definition."""
+from __future__ import annotations
+
+from typing import Any
+
+from rosidl_parser.definition import NamespacedType
+
+from rosidl_runtime_py.utilities import get_interface
+
+
+def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
+    """The class that an entry of `SLOT_TYPES` stands for.
+
+    :raises ModuleNotFoundError, AttributeError: when there is none, as `rosidl_runtime_py.utilities.get_interface`.
+    """
+    return get_interface('/'.join((*message_type.namespaces, message_type.name)))
