@@ -129,10 +129,9 @@ class TransformBuffer:
             check_names(self._frames, target, source)
             path = self._remember_path(target, source)
         if path is not None:
-            stamp_ns = time_ns or path.latest_common_time()
-            transform = path.transform(stamp_ns)
-            if transform is not None:
-                return stamp_ns, transform
+            found = path.at(time_ns)
+            if found is not None:
+                return found
         return walk(self._frames, target, source, time_ns)
 
     def lookup_full(

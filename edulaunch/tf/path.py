@@ -1,4 +1,4 @@
-"""The remembered way between two frames, and the product of the transforms along it."""
+"""The remembered way between two frames, and the transform along it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import sqrt
 
 from edulaunch.tf.history import History
+from edulaunch.tf.product import product
 from edulaunch.tf.transforms import IDENTITY, Transform, canonical, relative
 
 MAX_DEPTH = 1000
@@ -18,18 +19,19 @@ class Path:
     :param down: histories from the target to below the ancestor.
     """
 
-    __slots__ = ('down', 'dynamic', 'up')
+    __slots__ = ('_stamps', 'down', 'dynamic', 'up')
 
     def __init__(self, up: Sequence[History], down: Sequence[History]) -> None:
         self.up = up
         self.down = down
         self.dynamic = [history for history in (*up, *down) if not history.static]
+        self._stamps = [history.stamps for history in self.dynamic]
 
     def latest_common_time(self) -> int:
         """The oldest of the newest stamps; 0 when all is static."""
         latest = 0
-        for history in self.dynamic:
-            newest = history.stamps[-1]
+        for stamps in self._stamps:
+            newest = stamps[-1]
             if newest and (newest < latest or not latest):
                 latest = newest
         return latest
@@ -42,19 +44,40 @@ class Path:
                     return False
         return True
 
-    def transform(self, time_ns: int) -> Transform | None:
-        """target_from_source at `time_ns`, or None when something would have to be extrapolated."""
-        found = climb(self.up, time_ns) if self.up else IDENTITY
-        if self.down and found is not None:
-            down = climb(self.down, time_ns)
-            found = None if down is None else relative(down, found)
-        if found is None:
-            return None
+    def at(self, time_ns: int) -> tuple[int, Transform] | None:
+        """(time, target_from_source at that time), 0 being the latest common time; None when something would have to be
+        extrapolated.
+        """
+        stamp_ns = time_ns or self.latest_common_time()
+        found = IDENTITY
+        if self.up:
+            poses = _poses_at(self.up, stamp_ns)
+            if poses is None:
+                return None
+            found = product(poses)
+        if self.down:
+            poses = _poses_at(self.down, stamp_ns)
+            if poses is None:
+                return None
+            found = relative(product(poses), found)
         x, y, z, qx, qy, qz, qw = found
         if qw > 0.501:  # the common case of `canonical`, written out for speed
             s = 1.0 / sqrt(qx * qx + qy * qy + qz * qz + qw * qw)
-            return (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
-        return canonical(found)
+            return stamp_ns, (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
+        return stamp_ns, canonical(found)
+
+
+def _poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
+    """The pose of each at `time_ns`; None when one of them has to be extrapolated."""
+    poses: list[Transform] = []
+    for history in histories:
+        if history.static or time_ns == history.stamps[-1]:
+            poses.append(history.poses[-1])
+        elif (pose := history.pose_at(time_ns)) is not None:
+            poses.append(pose)
+        else:
+            return None
+    return poses
 
 
 def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:
@@ -79,35 +102,3 @@ def find_path(frames: Mapping[str, History | None], target: str, source: str) ->
         down.append(history)
         frame = history.parents[-1]
     return Path(up[: place[frame]], down)
-
-
-def climb(histories: Sequence[History], time_ns: int) -> Transform | None:
-    """The product of the samples at `time_ns`, from the bottom to the top; None when one has to be
-    extrapolated.
-
-    The inner loop of every lookup, so the composition of transforms.py is written out here.
-    """
-    pose = histories[0].pose_at(time_ns)
-    if pose is None:
-        return None
-    x, y, z, qx, qy, qz, qw = pose
-    for history in histories[1:]:
-        if time_ns == history.stamps[-1] or history.static:
-            px, py, pz, ax, ay, az, aw = history.poses[-1]
-        else:
-            pose = history.pose_at(time_ns)
-            if pose is None:
-                return None
-            px, py, pz, ax, ay, az, aw = pose
-        ux = 2.0 * (ay * z - az * y)
-        uy = 2.0 * (az * x - ax * z)
-        uz = 2.0 * (ax * y - ay * x)
-        x += px + aw * ux + ay * uz - az * uy
-        y += py + aw * uy + az * ux - ax * uz
-        z += pz + aw * uz + ax * uy - ay * ux
-        bx, by, bz = qx, qy, qz
-        qx = aw * bx + ax * qw + ay * bz - az * by
-        qy = aw * by - ax * bz + ay * qw + az * bx
-        qz = aw * bz + ax * by - ay * bx + az * qw
-        qw = aw * qw - ax * bx - ay * by - az * bz
-    return (x, y, z, qx, qy, qz, qw)

@@ -17,6 +17,7 @@ from tf2_py.exceptions import TransformException, exception_of
 
 NS_PER_S = 1_000_000_000
 to_wire = TransformStamped.to_wire
+from_wire = TransformStamped.from_wire
 
 
 class BufferCore:
@@ -56,7 +57,7 @@ class BufferCore:
             stamp_ns, pose = self._tf.lookup(target_frame, source_frame, nanoseconds(time))
         except TransformFailure as failure:
             raise exception_of(failure) from None
-        return _message(target_frame, source_frame, stamp_ns, pose)
+        return message(target_frame, source_frame, stamp_ns, pose)
 
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
@@ -71,7 +72,7 @@ class BufferCore:
             )
         except TransformFailure as failure:
             raise exception_of(failure) from None
-        return _message(target_frame, source_frame, stamp_ns, pose)
+        return message(target_frame, source_frame, stamp_ns, pose)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
         """(1 or 0, the reason when it is 0)."""
@@ -160,5 +161,7 @@ class BufferCore:
         return self._tf.frame_names()
 
 
-def _message(target_frame: str, source_frame: str, stamp_ns: int, pose: Transform) -> TransformStamped:
-    return TransformStamped.from_wire((*divmod(stamp_ns, NS_PER_S), target_frame, source_frame, *pose))
+def message(target_frame: str, source_frame: str, stamp_ns: int, pose: Transform) -> TransformStamped:
+    """A transform as tf2 hands it out."""
+    seconds = stamp_ns // NS_PER_S
+    return from_wire((seconds, stamp_ns - seconds * NS_PER_S, target_frame, source_frame, *pose))

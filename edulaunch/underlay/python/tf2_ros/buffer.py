@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from rclpy.impl.passed_on import passed_on
+from rclpy.time import Time
 from tf2_py import BufferCore
 from tf2_py._reports import report
 from tf2_py._times import nanoseconds
-from tf2_py.buffer_core import NS_PER_S
+from tf2_py.buffer_core import NS_PER_S, message
+from tf2_py.exceptions import exception_of
 
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
+from edulaunch.tf import TransformFailure
 from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
 if TYPE_CHECKING:
@@ -97,7 +100,12 @@ class Buffer(BufferCore, BufferInterface):
         """
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
-        return self.lookup_transform_core(target_frame, source_frame, time)
+        try:  # lookup_transform_core, written out: nodes that follow something call this all the time
+            stamp_ns, pose = self._tf.lookup(
+                target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time))
+        except TransformFailure as failure:
+            raise exception_of(failure) from None
+        return message(target_frame, source_frame, stamp_ns, pose)
 
     def lookup_transform_full(
         self,
@@ -223,6 +231,6 @@ def fills_directly(buffer: Any) -> bool:
 __getattr__ = passed_on(__name__, {
     'typing': 'Any Callable List Optional Tuple Union', 'copy': 'deepcopy', 'rclpy': '',
     'tf2_py': '', 'tf2_ros': '', 'rclpy.clock': 'Clock JumpThreshold TimeJump', 'rclpy.duration': 'Duration',
-    'rclpy.node': 'Node', 'rclpy.task': 'Future', 'rclpy.time': 'Time', 'geometry_msgs.msg': 'TransformStamped',
+    'rclpy.node': 'Node', 'rclpy.task': 'Future', 'geometry_msgs.msg': 'TransformStamped',
     'tf2_msgs.srv': 'FrameGraph', 'tf2_ros.buffer_interface': 'BufferInterface',
 })
