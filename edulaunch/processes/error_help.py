@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 import re
 import sys
+from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.packages import nearest
@@ -21,15 +22,26 @@ def error_help(process: Process, error: BaseException) -> str | None:
     hint: str | None = getattr(error, 'edulaunch_hint', None)
     if hint is not None:
         return hint
-    if isinstance(error, ModuleNotFoundError) and error.name:
+    if type(error) is ModuleNotFoundError and error.name:   # importlib.metadata's kind of it is not about modules
         return _module_help(process, error.name)
     if isinstance(error, ImportError):
-        return _name_help(process, error)
+        return _hiding_help(process, error.name) or _name_help(process, error)
     if isinstance(error, AttributeError):
+        if hiding := _hiding_help(process, getattr(error.obj, '__name__', None)):
+            return hiding
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.attribute_help import attribute_help
         return attribute_help(error, current_registry())
     return None
+
+
+def _hiding_help(process: Process, name: Any) -> str | None:
+    """For something that a standard module has, when a file of the student has its name."""
+    own = process.loader.modules.get(name) if name in sys.stdlib_module_names else None
+    file = getattr(own, '__file__', None)
+    if file is None or file == getattr(PathFinder.find_spec(name), 'origin', None):
+        return None
+    return f"{file} is taken for Python's module {name!r}: give it another name"
 
 
 def _module_help(process: Process, name: str) -> str | None:

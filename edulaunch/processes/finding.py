@@ -80,12 +80,20 @@ def regular(leaf: str, path: list[str]) -> Found | None:
 
 
 def namespace(leaf: str, path: list[str]) -> Found | None:
-    """A folder without `__init__.py` that has Python code in it."""
+    """A folder without `__init__.py` that has Python code in it, or in the folders below."""
     for folder in path:
         base = os.path.join(folder, leaf)
-        if os.path.isdir(base) and any(name.endswith('.py') for name in sorted(os.listdir(base))):
+        if _has_code(base) or any(_has_code(os.path.join(base, name)) for name in _names(base)):
             return Found(base, True)
     return None
+
+
+def _has_code(folder: str) -> bool:
+    return any(name.endswith('.py') for name in _names(folder))
+
+
+def _names(folder: str) -> list[str]:
+    return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
 
 
 def _at(place: str) -> Found | None:

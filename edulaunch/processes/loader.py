@@ -11,21 +11,22 @@ from __future__ import annotations
 import builtins
 import os
 import sys
-import warnings
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
 from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.compiled import code_of, read_script
 from edulaunch.processes.finding import Finder, Found, namespace, regular
 from edulaunch.processes.not_here import REFUSED
-from edulaunch.processes.views import PRIVATE_COPIES, make_view
+from edulaunch.processes.views import PRIVATE_COPIES, VIEWS, make_view
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 _shared_import = builtins.__import__
+LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os'))
+"""What Python itself has loaded before it looks at any file of a program."""
 
 
 class Loader:
@@ -126,6 +127,8 @@ class Loader:
         module = self.import_module(name)
         if not fromlist:
             return self.modules.get(top, module)
+        if '*' in fromlist:
+            fromlist = (*fromlist, *getattr(module, '__all__', ()))
         for item in fromlist:
             if item != '*' and not hasattr(module, item) and hasattr(module, '__path__'):
                 self._import_submodule(name, item)
@@ -231,10 +234,16 @@ class Loader:
         module = self.modules.get(name)
         if module is not None:
             return module if getattr(module, '__edulaunch_view__', False) else None
+        if self._is_hidden(name.partition('.')[0]):
+            return None
         view = make_view(name, self.process)
         if view is not None:
             self.modules[name] = view
         return view
+
+    def _is_hidden(self, top: str) -> bool:
+        """Whether a file of the program, such as a `queue.py` beside the script, comes before the standard module."""
+        return top in VIEWS and top not in LOADED_FIRST and self.finder.first_match(top) is not None
 
     def load_file(self, name: str, found: Found) -> ModuleType:
         """Execute a file, or take a folder, as the private module of that name."""
@@ -294,40 +303,3 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
         raise ImportError('attempted relative import beyond top-level package')
     base = '.'.join(parts[:len(parts) - level + 1])
     return f'{base}.{name}' if name else base
-
-
-def read_script(path: str) -> CodeType:
-    """The code of a script or launch file, of which Python keeps no compiled copy.
-
-    :raises: whatever compiling raises.
-    """
-    with open(path, 'rb') as file:
-        source = file.read()
-    return _flawless(source, path, tuple(warnings.filters)) or compile(source, path, 'exec', dont_inherit=True)
-
-
-@lru_cache(maxsize=64)
-def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
-    """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
-
-    None for one with errors or warnings: these are to come each time. (`catch_warnings` is not used to find out: it makes
-    Python forget which warnings it has shown, so that a first run would show more of them than a second one.)
-
-    :param filters: those in force, which decide what is said.
-    """
-    said: list[Any] = []
-    before, warnings.showwarning = warnings.showwarning, lambda *told, **more: said.append(told)
-    try:
-        code = compile(source, path, 'exec', dont_inherit=True)
-    except Exception:
-        return None
-    finally:
-        warnings.showwarning = before
-    return None if said else code
-
-
-def code_of(source: SourceFileLoader) -> CodeType:
-    """The compiled code of a source file, through Python's own cache of compiled files."""
-    code = source.get_code(source.name)
-    assert code is not None
-    return code

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.processes.loader import read_script
+from edulaunch.processes.compiled import read_script
 
 
 def test_two_copies_of_a_program_do_not_share_globals(world: Any) -> None:
@@ -217,3 +217,58 @@ def test_a_broken_text_is_an_error_each_time(tmp_path: Path) -> None:
     for _ in range(2):
         with pytest.raises(SyntaxError, match='was never closed'):
             read_script(str(path))
+
+
+def test_a_star_takes_in_the_modules_that_are_promised(world: Any) -> None:
+    world.write('lib/robot/__init__.py', '__all__ = ["arm", "SIZE"]\nSIZE = 3\n')
+    world.write('lib/robot/arm.py', 'NAME = "arm"\n')
+    assert world.run('from robot import *\nprint(arm.NAME, SIZE)') == 'arm 3\n'
+
+
+def test_a_folder_of_folders_is_a_package_too(world: Any) -> None:
+    world.write('fleet/left/arm.py', 'NAME = "left"\n')
+    assert world.run('import fleet.left.arm as arm\nprint(arm.NAME)') == 'left\n'
+
+
+@pytest.mark.parametrize('name', ['queue', 'random', 'logging', 'json'])
+def test_a_file_beside_the_script_hides_the_standard_module_of_its_name(world: Any, name: str) -> None:
+    path = world.write(f'{name}.py', 'MINE = True\n')
+    text = world.run(f'import {name}\nprint({name}.MINE)\n{name}.nothing')
+    assert text.startswith('True\n')
+    assert text.splitlines()[-1] == f"  help: {path} is taken for Python's module '{name}': give it another name"
+
+
+@pytest.mark.parametrize('name', ['time', 'sys', 'os'])
+def test_what_python_has_loaded_itself_is_not_hidden(world: Any, name: str) -> None:
+    world.write(f'{name}.py', 'MINE = True\n')
+    assert world.run(f'import {name}\nprint(hasattr({name}, "MINE"))') == 'False\n'
+
+
+def test_a_module_is_made_from_a_file_in_the_working_folder(world: Any) -> None:
+    world.write('elsewhere/part.py', 'NAME = "part"\n')
+    assert world.run(f"""
+        import importlib.util, os, sys
+        os.chdir({str(world.folder / 'elsewhere')!r})
+        spec = importlib.util.spec_from_file_location('made', 'part.py')
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        print(module.NAME, module.__file__ == os.path.abspath('part.py'))
+        """) == 'part True\n'
+
+
+def test_a_module_made_by_the_type_of_sys_is_an_ordinary_one(world: Any) -> None:
+    assert world.run("""
+        import sys
+        sys.modules['made'] = type(sys)('made', 'of nothing')
+        import made
+        print(made.__name__, made.__doc__)
+        """) == 'made of nothing\n'
+
+
+def test_the_source_of_the_program_s_own_classes_is_found(world: Any) -> None:
+    world.write('lib/robot.py', 'class Arm:\n    def move(self): ...\n')
+    assert world.run("""
+        import inspect
+        import robot
+        print(inspect.getsource(robot.Arm).splitlines()[1].strip(), inspect.getmodule(robot.Arm) is robot)
+        """) == 'def move(self): ... True\n'

@@ -24,12 +24,14 @@ VIEWS = {
     'importlib.metadata': 'importlib_view.make_metadata',
     'importlib.resources': 'importlib_view.make_resources',
     'importlib.util': 'importlib_view.make_util',
+    'io': 'files_view.make_io',
     'multiprocessing': 'multiprocessing_view.make',
     'numpy': 'numpy_view.make',
     'numpy.random': 'numpy_view.make_random',
     'os': 'os_view.make',
     'os.path': 'files_view.make_path',
     'pickle': 'pickle_view.make',
+    'pkg_resources': 'pkg_resources_view.make',
     'pkgutil': 'pkgutil_view.make',
     'queue': 'queue_view.make',
     'random': 'random_view.make',
@@ -57,8 +59,8 @@ def _standard(name: str) -> Callable[[], tuple[str, bool]]:
 
 
 PRIVATE_COPIES = {name: _standard(name) for name in (
-    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'glob', 'logging', 'optparse', 'sched', 'secrets',
-    'shutil', 'tkinter', 'traceback')}
+    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'glob', 'inspect', 'logging', 'optparse', 'pathlib',
+    'sched', 'secrets', 'shutil', 'tkinter', 'traceback')}
 """Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
 what gives the file of each, and whether it is a package."""
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.processes.finding import namespace, regular
 from edulaunch.processes.loader import absolute_name
 from edulaunch.processes.views import copy_names
+from edulaunch.processes.views.files_view import inside
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -76,15 +77,28 @@ def make_metadata(view: ModuleType, process: Process) -> ModuleType:
     """`importlib.metadata`: a package of the workspace has the version of its package.xml, as if it were built."""
     import importlib.metadata as real_metadata
 
-    def version(distribution_name: str) -> str:
+    class PackageDistribution(real_metadata.Distribution):
+        """Of a ROS package; its name and version are all that it knows."""
+
+        def __init__(self, name: str, version: str) -> None:
+            self._text = f'Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n'
+
+        def read_text(self, filename: str) -> str | None:
+            return self._text if filename == 'METADATA' else None
+
+        def locate_file(self, path: Any) -> Any:
+            return path
+
+    def distribution(distribution_name: str) -> real_metadata.Distribution:
         share = process.index.share(distribution_name.replace('-', '_'))
         file = os.path.join(share or '', 'package.xml')
         if share is None or not os.path.isfile(file):
-            return real_metadata.version(distribution_name)
+            return real_metadata.distribution(distribution_name)
         from xml.etree import ElementTree
-        return (ElementTree.parse(file).findtext('version') or '0.0.0').strip()
+        return PackageDistribution(distribution_name, (ElementTree.parse(file).findtext('version') or '0.0.0').strip())
 
-    view.__dict__['version'] = version
+    view.__dict__.update(distribution=distribution, metadata=lambda distribution_name: distribution(distribution_name).metadata,
+                         version=lambda distribution_name: distribution(distribution_name).version)
     copy_names(view, real_metadata)
     return view
 
@@ -109,6 +123,9 @@ def make_util(view: ModuleType, process: Process) -> ModuleType:
         module.__dict__['__builtins__'] = loader.builtins
         return module
 
-    view.__dict__.update(find_spec=find_spec, module_from_spec=module_from_spec)
+    def spec_from_file_location(name: str, location: Any = None, **options: Any) -> ModuleSpec | None:
+        return real_util.spec_from_file_location(name, location if location is None else inside(os.fspath(location)), **options)
+
+    view.__dict__.update(find_spec=find_spec, module_from_spec=module_from_spec, spec_from_file_location=spec_from_file_location)
     copy_names(view, real_util)
     return view

@@ -13,6 +13,10 @@ if TYPE_CHECKING:
 class SysView(ModuleType):
     """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
 
+    def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
+        """A program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
+        return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
+
     def __init__(self, process: Process) -> None:
         super().__init__('sys')
         self.__edulaunch_view__ = True
