@@ -47,8 +47,7 @@ class Loader:
     def builtins(self) -> dict[str, Any]:
         """`__builtins__` of this program's modules: Python's own, but for what names the process."""
         if self._builtins is None:
-            from edulaunch.processes.views.builtins_view import private_builtins
-            self._builtins = private_builtins(self.process, self.import_)
+            self._builtins = self.import_module('builtins').__dict__
         return self._builtins
 
     def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:

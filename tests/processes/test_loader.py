@@ -272,3 +272,13 @@ def test_the_source_of_the_program_s_own_classes_is_found(world: Any) -> None:
         import robot
         print(inspect.getsource(robot.Arm).splitlines()[1].strip(), inspect.getmodule(robot.Arm) is robot)
         """) == 'def move(self): ... True\n'
+
+
+def test_what_a_program_puts_into_builtins_is_its_own(world: Any) -> None:
+    changing = world.write('p.py', 'import builtins\nbuiltins.SIZE = 3\nbuiltins.print = lambda text: sys.stdout.write(f"<{text}>")\n'
+                           'import sys\nprint(SIZE)')
+    other = world.write('q.py', 'print("SIZE" in dir(__builtins__) or "SIZE" in __builtins__)')
+    world.start(changing, 'a')
+    world.start(other, 'b')
+    world.sim.run()
+    assert [text for *_, text in world.log] == ['<3>', 'False\n']

@@ -18,6 +18,7 @@ VIEWS = {
     '_tkinter': 'window_view.make_tkinter',
     'asyncio': 'asyncio_view.make',
     'atexit': 'atexit_view.make',
+    'builtins': 'builtins_view.make',
     'datetime': 'datetime_view.make',
     'fcntl': 'keyboard_view.make_fcntl',
     'importlib': 'importlib_view.make',

@@ -3,13 +3,20 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Callable
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 
-def private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
+def make(view: ModuleType, process: Process) -> ModuleType:
+    """`builtins`, whose names are those that the program's code uses: what it adds or replaces there is its own."""
+    view.__dict__.update(_private_builtins(process, process.loader.import_))
+    return view
+
+
+def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
     """Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
 
     def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
