@@ -106,10 +106,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     source()
     from launch_testing.launch_test import LaunchTest, add_arguments
     parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
-    parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
     add_arguments(parser)
-    parser.add_argument('--workspace', action='append', metavar='DIR',
-                        help="folder with packages; default: the test file's own")
     given = parser.parse_args(argv)
     if not os.path.isfile(given.test_file):
         parser.error(f"Test file '{given.test_file}' does not exist")

@@ -1,15 +1,16 @@
 """The pytest plugin for launch tests: files whose `generate_test_description` is marked `launch_test` or `rostest`.
 
-Such a file becomes one test, as in ROS 2, run in a fresh simulation. The plugin is loaded in every run of pytest, so
-it imports nothing until there is such a file.
+Such a file becomes one test, as in ROS 2, run in a fresh simulation. For a file that uses launch_pytest that package's own
+plugin is registered. This one is loaded in every run of pytest, so it imports nothing until there is such a file.
 """
 from __future__ import annotations
 
 import ast
 import importlib.machinery
+import sys
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 
@@ -17,6 +18,13 @@ from edulaunch.underlay_place import underlay_python
 
 MARKS = {'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
          'rostest': 'as launch_test, for ROS 2 packages (edulaunch)'}
+
+
+def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
+    """Offer `pytest_launch_collect_makemodule` to other plugins."""
+    if not _other_launch_testing():
+        from edulaunch import launch_test_hooks
+        pluginmanager.add_hookspecs(launch_test_hooks)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -30,17 +38,40 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption('--launch-seed', type=int, default=0, metavar='N', help='of all randomness in launch tests (default: 0)')
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_load_initial_conftests() -> None:
+    """Let a conftest.py import ROS packages."""
+    from edulaunch.late_source import LateSource
+    LateSource().install()
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Make the marks known."""
     for name, text in MARKS.items():
         config.addinivalue_line('markers', f'{name}: {text}')
 
 
-def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> LaunchTestModule | None:
-    """Take a launch test; leave any other file to pytest."""
-    if not is_launch_test(module_path.read_bytes()) or _other_launch_testing():
+def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Take a launch test; leave any other file to pytest, after preparing for those of launch_pytest."""
+    source = module_path.read_bytes()
+    entrypoint, is_plain = _entrypoint_in(source), not uses_launch_pytest(source)
+    if (entrypoint is None and is_plain) or _other_launch_testing():
         return None
-    module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=module_path)
+    if not is_plain:
+        _prepare_launch_pytest(parent.config, module_path)
+    if entrypoint is None:
+        return None
+    hook = parent.session.gethookproxy(module_path).pytest_launch_collect_makemodule
+    module: pytest.Collector | None = hook(path=module_path, parent=parent, entrypoint=entrypoint)
+    return module
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_launch_collect_makemodule(path: Path, parent: pytest.Collector, entrypoint: Entrypoint) -> pytest.Collector | None:
+    """Take a file with one of our marks."""
+    if not entrypoint.is_ours():
+        return None
+    module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=path)
     return module
 
 
@@ -50,21 +81,57 @@ def _other_launch_testing() -> bool:
     return spec is not None and not (spec.origin or '').startswith(underlay_python())
 
 
+def uses_launch_pytest(source: bytes) -> bool:
+    """Whether a test file has tests of launch_pytest. Their fixtures may be in a conftest.py."""
+    return b'launch_pytest' in source or (b'mark.launch(' in source and 'launch_pytest' in sys.modules)
+
+
+def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
+    """Let launch_pytest take part in this run, and let the file see simulated time."""
+    from edulaunch.sourcing import source
+    source()
+    from launch_pytest import plugin
+    if not config.pluginmanager.is_registered(plugin):
+        config.pluginmanager.register(plugin, 'launch_pytest')
+    config.stash[plugin.MACHINE].add(module_path)
+
+
+class Entrypoint(NamedTuple):
+    """The function `generate_test_description` of a file that has not been run yet, and its marks."""
+
+    pytestmark: list[pytest.Mark]
+
+    def is_ours(self) -> bool:
+        """Whether it has a mark of this plugin."""
+        return any(mark.name in MARKS for mark in self.pytestmark)
+
+
+def find_launch_test_entrypoint(path: str | Path) -> Entrypoint | None:
+    """The function `generate_test_description` in a file, or None."""
+    return _entrypoint_in(Path(path).read_bytes())
+
+
 def is_launch_test(source: bytes) -> bool:
     """Whether the text defines a function `generate_test_description` with one of the marks."""
-    if b'generate_test_description' not in source or not any(mark.encode() in source for mark in MARKS):
-        return False
+    entrypoint = _entrypoint_in(source)
+    return entrypoint is not None and entrypoint.is_ours()
+
+
+def _entrypoint_in(source: bytes) -> Entrypoint | None:
+    if b'generate_test_description' not in source:
+        return None
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
-        return False
-    return any(isinstance(node, ast.FunctionDef) and node.name == 'generate_test_description'
-               and _is_marked(node.decorator_list) for node in tree.body)
+        return None
+    return next((Entrypoint(_marks(node.decorator_list)) for node in tree.body
+                 if isinstance(node, ast.FunctionDef) and node.name == 'generate_test_description'), None)
 
 
-def _is_marked(decorators: Iterable[ast.expr]) -> bool:
+def _marks(decorators: Iterable[ast.expr]) -> list[pytest.Mark]:
     called = [node.func if isinstance(node, ast.Call) else node for node in decorators]
-    return any(isinstance(node, ast.Attribute) and node.attr in MARKS for node in called)
+    names = [node.attr for node in called if isinstance(node, ast.Attribute) and 'mark' in ast.unparse(node.value)]
+    return [pytest.Mark(name, (), {}, _ispytest=True) for name in names]
 
 
 class LaunchTestFailure(Exception):

@@ -61,7 +61,10 @@ class ServiceServer(ServiceEnd):
 
 
 class ServiceClient(ServiceEnd):
-    """One client of a service; `queue` holds (sequence, wire) of replies, oldest first."""
+    """One client of a service; `queue` holds (sequence, wire) of replies, oldest first.
+
+    :ivar lost: how many requests found no server.
+    """
 
     kind = 'client'
 
@@ -69,6 +72,7 @@ class ServiceClient(ServiceEnd):
                  on_ready: Callable[[], object]) -> None:
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[int, Any]] = deque()
+        self.lost = 0
         self._sequence = 0
 
     def server_is_ready(self) -> bool:
@@ -80,7 +84,9 @@ class ServiceClient(ServiceEnd):
         self._sequence += 1
         server = self.graph.find_server(self)
         self.graph.tracer.request(self, self._sequence, wire, server is not None)
-        if server is not None:
+        if server is None:
+            self.lost += 1
+        else:
             server.queue.append((wire, (self, self._sequence)))
             server.on_ready()
         return self._sequence

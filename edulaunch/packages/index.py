@@ -121,7 +121,7 @@ class Index:
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """The Python program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours."""
+        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours."""
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)
@@ -129,8 +129,14 @@ class Index:
             return None
         for place in self._places:
             if place.path == prefix and package in place.packages():
-                return place.program(package, executable) or self._stand_in(place, package, executable)
+                return (place.program(package, executable) or self._stand_in(place, package, executable)
+                        or self._native(package, executable, path))
         return None
+
+    def _native(self, package: str, executable: str, path: str) -> Program | None:
+        """A program of the workspace that only a C++ compiler could make."""
+        line = self.native_executables(package).get(executable)
+        return None if line is None else Program('native', package, executable, path, file=line)
 
     def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
         """The built-in program for one that a workspace would build from C++."""

@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 
 class Program(NamedTuple):
-    """A Python program that can run in the simulation.
+    """A program of a package; all but native ones run in the simulation.
 
-    :param kind: 'entry_point' (a function of a module) or 'script' (a file run as `__main__`).
+    :param kind: 'entry_point' (a function of a module), 'script' (a file run as `__main__`), or 'native' (built from C++: `file`
+        is the line of CMakeLists.txt that builds it; it ends at once, and says so).
     :param path: `<prefix>/lib/<package>/<executable>`, the word that stands in a command line.
     :param module: dotted module name of an entry point, else ''.
     :param function: name of the entry point's function, else ''.

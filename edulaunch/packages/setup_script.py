@@ -9,6 +9,7 @@ from typing import Any
 
 from edulaunch.packages.manifest import Manifest
 from edulaunch.packages.reading import Contents, PackageWarning
+from edulaunch.packages.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
 from edulaunch.packages.static_values import Unknown, first_unknown
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
@@ -27,13 +28,15 @@ class _SetupScript:
     def __init__(self, manifest: Manifest) -> None:
         self.package = manifest.name
         self.folder = manifest.folder
-        self.file = os.path.join(manifest.folder, 'setup.py')
-        self.line = 0
+        self.file = self.script = os.path.join(manifest.folder, 'setup.py')
+        self.line = self.call = 0
+        self.places: dict[str, tuple[str, int]] = {}  # of options that other files give
         self.contents = Contents()
 
     def read(self) -> Contents:
         options = self._options()
         if options is not None:
+            options = self._with_tables(options)
             self._data_files(options)
             self._modules(options)
             self._executables(options)
@@ -61,7 +64,8 @@ class _SetupScript:
             with open(self.file, 'rb') as stream:
                 tree = ast.parse(stream.read(), self.file)
         except FileNotFoundError:
-            self.warn('is missing, so this ament_python package cannot be built', 0)
+            self.warn('is missing, so this ament_python package cannot be built; when setup.cfg or pyproject.toml '
+                      'say everything, it needs one line: from setuptools import setup; setup()', 0)
             return None
         except (SyntaxError, ValueError) as error:
             self.warn(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
@@ -71,11 +75,24 @@ class _SetupScript:
         if not module.calls:
             self.warn('does not call setup(), so nothing is installed', 0)
             return None
-        self.line, options = module.calls[0]
+        self.call, options = module.calls[0]
         return options
+
+    def _with_tables(self, options: dict[str, Any]) -> dict[str, Any]:
+        """All options: setup() stands above setup.cfg, and pyproject.toml above both."""
+        def warn(file: str, sentence: str) -> None:
+            self.warn(sentence, 0, file)
+
+        self.configuration = read_setup_cfg(self.folder, warn)
+        configured = setup_cfg_options(self.folder, self.configuration)
+        project = pyproject_options(self.folder, warn)
+        for file, more in (('setup.cfg', configured.keys() - options.keys()), ('pyproject.toml', project)):
+            self.places.update({name: (os.path.join(self.folder, file), 0) for name in more})
+        return {**configured, **options, **project}
 
     def _known(self, options: dict[str, Any], name: str) -> Any:
         """An option, with a warning for each part of it that only running the file would tell."""
+        self.file, self.line = self.places.get(name, (self.script, self.call))
         value = options.get(name)
         for unknown in _unknowns(value):
             self.warn(
@@ -177,16 +194,7 @@ class _SetupScript:
 
     def _script_folder(self) -> str:
         """Where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
-        from configparser import ConfigParser, Error
-
-        file = os.path.join(self.folder, 'setup.cfg')
-        parser = ConfigParser(interpolation=None)
-        try:
-            parser.read(file, encoding='utf-8-sig')
-            section = parser['install'] if parser.has_section('install') else {}
-        except (Error, UnicodeDecodeError) as error:
-            self.warn(f'cannot be read: {str(error).splitlines()[0]}', 0, file)
-            section = {}
+        section = self.configuration['install'] if self.configuration.has_section('install') else {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:
             self.warn(
@@ -194,7 +202,7 @@ class _SetupScript:
                 f'so `ros2 run {self.package} ...` and Node() '
                 'find no executable of this package',
                 0,
-                file,
+                os.path.join(self.folder, 'setup.cfg'),
             )
             return 'bin'
         return os.path.normpath(value.replace('$base', '').lstrip('/'))

@@ -13,6 +13,8 @@ from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assuming_index import AssumingIndex
 from edulaunch.plan.assumptions import Assumptions
+from edulaunch.plan.endless import run_to_rest
+from edulaunch.plan.lifecycles import ImaginedLifecycles
 from edulaunch.plan.outline import Branch
 from edulaunch.plan.rehearsal import Notes, RehearsalHost
 from edulaunch.sim.simulation import Simulation
@@ -125,11 +127,13 @@ class _Planner:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter('default')
             process = self._host.run_launch(self._run)
-            self._sim.run()
-            while process.returncode is None:
+            endless = run_to_rest(self._sim)
+            while endless is None and process.returncode is None:
                 self._let_something_end()
-                self._sim.run()
+                endless = run_to_rest(self._sim)
         self._host.close()
+        if endless is not None:
+            self._error = self._endless_error(endless)
         if self._broken is not None:
             raise self._broken
         plan = {
@@ -148,6 +152,13 @@ class _Planner:
         sorted_plan: Plan = _sorted(plan)
         return sorted_plan
 
+    def _endless_error(self, text: str) -> Plan:
+        branch = self._watch.branch
+        origin = None if branch.origin is None else str(branch.origin)
+        where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
+        help_text = f'{where}a timer that starts itself again, or a coroutine that never returns, needs something that ends it'
+        return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
+
     def _let_something_end(self) -> None:
         if self._host.end_next():
             return
@@ -163,6 +174,7 @@ class _Planner:
         try:
             process.state['launch.show_help'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
+            process.state['launch.change_state'] = ImaginedLifecycles().change
             return self._launch()
         except Exception as error:
             self._broken = error

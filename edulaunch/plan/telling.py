@@ -120,7 +120,7 @@ _TITLES = {
     'set_env': 'environment {name} = {value!r}',
     'unset_env': 'environment {name} unset',
     'log': 'log {msg!r}',
-    'timer': 'timer: {number_of_actions} actions after {period:g} s',
+    'timer': 'timer after {period:g} s',
     'event_handler': 'event handler {handler}',
     'set_parameter': 'parameter {name} = {value!r} for all nodes that follow',
     'set_parameters_from_file': 'parameter file {file} for all nodes that follow',

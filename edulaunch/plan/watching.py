@@ -45,6 +45,7 @@ class Watch:
     :param instead: by name of an action's class: what is done instead of executing such an action.
     :ivar phase: of what is visited now.
     :ivar outline: everything so far.
+    :ivar timers: the branch of each timer that was set: launch has one handler for them all.
     """
 
     def __init__(self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]]) -> None:
@@ -53,6 +54,7 @@ class Watch:
         self.phase = 'launch'
         self.outline = Branch('')
         self.branch = self.outline
+        self.timers: dict[Any, Branch] = {}
 
     def entity(self, entity: Any, parent: Branch | None = None) -> LaunchDescriptionEntity:
         """The entity, watched. (What is no entity stays, and fails in launch as it does without a watch.)"""
@@ -96,6 +98,8 @@ class Watched(LaunchDescriptionEntity):
             condition = None if action.condition is None else action.condition._shown
             origin = action.origin if action.origin is not None and is_students(action.origin.file) else None
             self._branch = watch.branch = self._branch.add(Branch(action, origin, condition))
+            if hasattr(action, 'period'):
+                watch.timers[action] = self._branch
             entities = self._visit_action(action, context)
         else:
             entities = self._entity.visit(context)
@@ -154,7 +158,7 @@ class WatchedHandler(BaseEventHandler):
         if entities is None:
             return None
         listed = [entities] if isinstance(entities, LaunchDescriptionEntity) else list(entities)
-        parent = self._parent
+        parent = watch.timers.get(getattr(event, 'timer_action', None), self._parent)
         if kind not in _NO_BRANCH and listed:
             text = _EVENTS.get(kind, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
             parent = parent.add(Branch(text))

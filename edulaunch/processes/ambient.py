@@ -35,6 +35,11 @@ def make_ambient_process(task: AmbientTask) -> Process:
     """A process around `task`, with a graph, an index of the underlay and a host of its own."""
     prefixes = [path for path in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if path]
     host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], []), env=dict(os.environ))
+    return ambient_process_on(host, task)
+
+
+def ambient_process_on(host: Host, task: AmbientTask) -> Process:
+    """A process around `task` on a machine that there is already."""
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.task = task

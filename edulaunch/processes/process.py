@@ -173,7 +173,8 @@ class Process:
     def _end_unbegun(self, task: Task) -> None:
         """A signal that comes before the first turn ends the program, too."""
         if self.returncode is None:
-            self.returncode = -(self._signal or (signal.SIGINT if isinstance(task.exception, KeyboardInterrupt) else signal.SIGKILL))
+            interrupted = isinstance(task.exception, KeyboardInterrupt)
+            self.returncode = -(signal.SIGINT if interrupted else self._signal or signal.SIGKILL)
             self._end()
 
     def _main_exit_code(self) -> int:

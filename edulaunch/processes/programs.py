@@ -1,11 +1,13 @@
 """What runs inside a simulated process: an entry point's function, or a script or module as `__main__`."""
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable
 from typing import Any
 
 from edulaunch.packages import Program, nearest
+from edulaunch.processes.error_help import wanted_by
 from edulaunch.processes.process import Process
 
 
@@ -22,7 +24,18 @@ def run_program(process: Process, program: Program) -> object:
         loader.roots.insert(0, program.python_roots[0])
         loader.run_module(program.module)
         return None
+    if program.kind == 'native':
+        raise _cannot_run(process, program)
     return entry_function(process, program)()
+
+
+def _cannot_run(process: Process, program: Program) -> OSError:
+    """What the system says of a file for another machine, and why."""
+    error: Any = OSError(errno.ENOEXEC, os.strerror(errno.ENOEXEC), program.executable)
+    error.edulaunch_hint = (f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, '
+                            'and the other programs go on without it')
+    said: OSError = error
+    return said
 
 
 def entry_function(process: Process, program: Program) -> Callable[[], object]:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 _ENGINE = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
+_STANDARD = os.path.dirname(os.__file__) + os.sep
 CAUSE = '\nThe above exception was the direct cause of the following exception:\n\n'
 CONTEXT = '\nDuring handling of the above exception, another exception occurred:\n\n'
 
@@ -108,9 +109,10 @@ def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | 
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
-    """The last frame of a traceback that is not in the engine."""
+    """The last frame of a traceback in a student's file; when there is none, the last that is not in the engine."""
     own = [frame for frame in traceback.extract_tb(trace) if not _is_engine(frame.filename)]
-    return Origin(own[-1].filename, own[-1].lineno or 0) if own else None
+    last = next((frame for frame in reversed(own) if not frame.filename.startswith(_STANDARD)), own[-1] if own else None)
+    return None if last is None else Origin(last.filename, last.lineno or 0)
 
 
 def _is_engine(filename: str) -> bool:

@@ -46,6 +46,7 @@ class Simulation:
         self._soon: deque[Item] = deque()
         self._sequence = 0
         self._stopped = False
+        self._hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
 
     @property
     def elapsed_s(self) -> float:
@@ -99,6 +100,7 @@ class Simulation:
         if item is None:
             return False
         self.hub = getcurrent()
+        self._hands_on = False
         self.now_ns = max(self.now_ns, item[0])
         item[3]()
         return True
@@ -106,6 +108,7 @@ class Simulation:
     def run(self, until_ns: int | None = None) -> None:
         """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
         self._stopped = False
+        self._hands_on = True
         self.hub = getcurrent()
         agenda, soon = self._agenda, self._soon
         limit = FAR_NS if until_ns is None else until_ns
@@ -122,12 +125,14 @@ class Simulation:
             if callback is not None:
                 self.now_ns = item[0]
                 callback()
+        self._hands_on = False
         if until_ns is not None and not self._stopped and self.now_ns < until_ns:
             self.now_ns = until_ns
 
     def stop(self) -> None:
         """Let :meth:`run` return after the item that is running now."""
         self._stopped = True
+        self._hands_on = False
 
     def random(self, name: str) -> random.Random:
         """A random generator of its own for `name`; the same seed and name give the same numbers on every machine."""

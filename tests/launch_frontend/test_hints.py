@@ -1,6 +1,8 @@
 """The line of help after an error in a launch file."""
 
 import pytest
+from launch._help import help_line
+from launch.frontend import InvalidFrontendLaunchFileError, Parser
 
 IN_NODE = '<launch>\n<node pkg="a" exec="b" {}>{}</node>\n</launch>'
 
@@ -63,10 +65,31 @@ def test_an_error_in_xml_says_where_and_what_was_meant(failure_of, text, help_li
         ('launch:\n- arg: {name: a, default: 1}', "x.yaml:2: write the value of 'default' in quotes"),
         ('launch:\n- node: {exec: a, param: {name: b}}', "x.yaml:2: begin each 'param' with a dash: - {...}"),
         ('launch:\n- node: {exec: a, output: "screen}', 'x.yaml:2: found unexpected end of stream'),
+        ('launch: 3', "x.yaml:1: put a list below 'launch', each item with a dash: - node: ..."),
+        ('launch:\n- node: {exec: a}\n  log: {message: a}',
+         "x.yaml:2: 'node', 'log' stand in one item: a dash for each element, its keys two columns further"),
+        ('launch:\n- group:\n  - a', "x.yaml:2: each item of 'group' is an element's name with a colon and what it has: - node: ..."),
     ],
 )
 def test_an_error_in_yaml_does_so_too(failure_of, text, help_line):
     assert failure_of(text, 'x.yaml').edulaunch_help == help_line
+
+
+@pytest.mark.parametrize(
+    ('content', 'line', 'hint'),
+    [
+        (b'', 1, "the file is empty: begin it with 'launch:' and a list of actions below"),
+        (b'- node: {exec: a}', 1, "begin the file with 'launch:' and put everything else below it"),
+        (b'launch: []\nnode: {}', 1, "only 'launch' may stand at the left margin, not 'launch', 'node'"),
+        (b'launch:\n- log: {message: \xff}', 2, 'save the file as UTF-8'),
+    ],
+)
+def test_an_error_of_the_whole_text_has_a_line_too(tmp_path, content, line, hint):
+    path = tmp_path / 'x.launch.yaml'
+    path.write_bytes(content)
+    with pytest.raises(InvalidFrontendLaunchFileError) as caught:
+        Parser.load(str(path))
+    assert help_line(caught.value) == f'  help: {path}:{line}: {hint}'
 
 
 def test_the_parts_are_there_alone(failure_of):

@@ -9,6 +9,7 @@ from launch.actions import LogInfo, OpaqueFunction
 from launch_ros.actions import Node
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare
 
+import edulaunch
 from edulaunch.packages import Index
 
 
@@ -53,19 +54,25 @@ def test_a_package_without_executables_has_no_libexec_directory(run: Any, tmp_pa
     assert error.edulaunch_hint.startswith('bare installs no executable')
 
 
-def test_a_c_plus_plus_executable_is_named_with_its_line(tmp_path: Any) -> None:
-    from tests.launch_ros.conftest import launch
-
+def test_a_c_plus_plus_executable_is_found_and_ends_with_a_sentence_while_others_go_on(tmp_path: Any) -> None:
     (tmp_path / 'CMakeLists.txt').write_text(
         'project(robo_cpp)\nadd_executable(fast a.cpp)\ninstall(TARGETS fast DESTINATION lib/robo_cpp)'
     )
     (tmp_path / 'package.xml').write_text('<package><name>robo_cpp</name></package>')
-    index = Index([], [tmp_path], underlay=None)
-    error = performed(lambda *entities: launch(entities, index), ExecutableInPackage('fast', 'robo_cpp'))
-    assert (
-        error.edulaunch_hint
-        == f'fast is built from C++ ({tmp_path}/CMakeLists.txt:2); edulaunch runs Python programs only'
+    (tmp_path / 'robo.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import LogInfo, TimerAction\n'
+        'from launch_ros.actions import Node\ndef generate_launch_description():\n    return LaunchDescription(['
+        "Node(package='robo_cpp', executable='fast'), TimerAction(period=1.0, actions=[LogInfo(msg='goes on')])])"
     )
+    with edulaunch.Session(workspaces=[tmp_path]) as session:
+        session.launch(tmp_path / 'robo.launch.py')
+        session.run(2.0)
+        lines = [output.text for output in session.recording().output]
+    assert (
+        f'  help: fast-1 (fast of robo_cpp) is built from C++ ({tmp_path}/CMakeLists.txt:2); edulaunch runs Python programs '
+        'only, and the other programs go on without it' in ''.join(lines).splitlines()
+    )
+    assert lines[-1] == '[INFO] [launch.user]: goes on\n'
 
 
 def test_a_node_of_a_missing_package_stops_the_launch_before_anything_starts(run: Any) -> None:

@@ -54,6 +54,18 @@ def test_arguments_that_nobody_gives_are_found_before_launching() -> None:
         LaunchTestRunner(runs_of(lambda surprise: None)).validate()
 
 
+def test_parameters_that_the_description_does_not_take_are_found_too() -> None:
+    def describe(ready_fn: Any) -> None: ...
+
+    with pytest.raises(TypeError, match='speed'):
+        LaunchTestRunner(runs_of(parametrize('speed', [1, 2])(describe))).validate()
+
+
+def test_two_ready_actions_are_refused() -> None:
+    with pytest.raises(Exception, match='containing only one ReadyToTest action'):
+        LaunchTestRunner(runs_of(lambda: LaunchDescription([actions.ReadyToTest(), actions.ReadyToTest()]))).run()
+
+
 def test_run_shows_its_description_and_cases() -> None:
     run, = runs_of(lambda: LaunchDescription([actions.ReadyToTest()]), Quick=Quick)
     assert isinstance(run.get_launch_description().entities[0], actions.ReadyToTest)

@@ -33,7 +33,7 @@ def test_a_match_says_where_it_is() -> None:
     match = build_text_match(['a', re.compile('c')])
     assert match('xabc') == (1, 4)
     assert match('xabcabc', 3) == (4, 7)
-    with pytest.raises(TypeError, match='expected a text or a compiled regular expression, got int: 3'):
+    with pytest.raises(ValueError, match='Unknown format for expected text: expected a text or a compiled .* got int: 3'):
         build_text_match(3)
 
 

@@ -216,3 +216,57 @@ def test_encodings_that_python_reads_are_read(workspace: Any, start: bytes) -> N
     (workspace.path / 'robo' / 'setup.py').write_bytes(start + text)
     (workspace.path / 'robo' / 'setup.cfg').write_bytes(b'\xef\xbb\xbf[install]\r\ninstall-scripts=$base/lib/robo\r\n')
     assert workspace.index().executables('robo') == ['go'] and workspace.warnings('robo') == []
+
+
+BARE = 'from setuptools import setup\nsetup()\n'
+IN_SETUP_CFG = """\
+[metadata]
+name = robo
+[options]
+packages = find:
+[options.data_files]
+share/ament_index/resource_index/packages = resource/robo
+share/robo/launch =
+    launch/*.launch.py
+[options.entry_points]
+console_scripts =
+    Talker = robo.talker:main
+[install]
+install_scripts = $base/lib/robo
+"""
+IN_PYPROJECT = """\
+[project]
+name = 'robo'
+[project.scripts]
+Talker = 'robo.talker:main'
+[tool.setuptools]
+packages = ['robo']
+[tool.setuptools.data-files]
+'share/robo/launch' = ['launch/*.launch.py']
+"""
+
+
+@pytest.mark.parametrize('texts', [{'setup.cfg': IN_SETUP_CFG}, {'pyproject.toml': IN_PYPROJECT}])
+def test_tables_of_setup_cfg_and_pyproject_count_as_arguments_of_setup(workspace: Any, texts: dict[str, str]) -> None:
+    if 'pyproject.toml' in texts:
+        pytest.importorskip('tomllib')
+    workspace.python_package('robo', BARE).files({'robo/launch/a.launch.py': '', 'robo/robo/talker.py': ''})
+    workspace.files({f'robo/{name}': text for name, text in texts.items()})
+    assert workspace.warnings('robo') == []
+    assert workspace.installed('robo') == ['launch/a.launch.py', 'package.xml']
+    assert workspace.index().executables('robo') == ['Talker']
+
+
+def test_a_mistake_in_setup_cfg_is_told_there_and_setup_stands_above_it(workspace: Any) -> None:
+    wrong = IN_SETUP_CFG.replace('launch/*.launch.py', 'launch/b.launch.py').replace('find:', 'robot')
+    workspace.python_package('robo', setup_with()).files({'robo/setup.cfg': wrong})
+    assert workspace.warnings('robo') == [
+        "robo/setup.cfg: data_files lists 'launch/b.launch.py', which is not there "
+        '(a build stops with "can\'t copy \'launch/b.launch.py\'")',
+    ]
+
+
+def test_a_package_without_setup_py_is_told_what_it_must_contain(workspace: Any) -> None:
+    workspace.python_package('robo', BARE).files({'robo/setup.cfg': IN_SETUP_CFG})
+    (workspace.path / 'robo' / 'setup.py').unlink()
+    assert 'from setuptools import setup; setup()' in workspace.warnings('robo')[0]

@@ -87,3 +87,32 @@ def test_where_launch_stopped_is_marked(told) -> None:
     assert told("""
     return LaunchDescription([LogInfo(msg='a'), Node(package='nothing', executable='talker'), LogInfo(msg='b')])
     """) == ["log 'a'", 'Node talker  [launch stopped here]']
+
+
+def test_what_a_timer_leads_to_stands_below_that_very_timer(told) -> None:
+    assert told("""
+    return LaunchDescription([TimerAction(period=after, actions=[LogInfo(msg=f'{after}')]) for after in (2.0, 1.0)])
+    """) == ['timer after 2 s', "  log '2.0'", 'timer after 1 s', "  log '1.0'"]
+
+
+LIFECYCLES = """
+    from launch.events import matches_action
+    from launch_ros.event_handlers import OnStateTransition
+    from launch_ros.events.lifecycle import ChangeState
+    node = LifecycleNode(package='turtlesim', executable='turtlesim_node', name='n', namespace='')
+    def change(number):
+        return EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_action(node), transition_id=number))
+    def when(state, *entities):
+        return RegisterEventHandler(OnStateTransition(target_lifecycle_node=node, goal_state=state, entities=list(entities)))
+    return LaunchDescription([when('inactive', LogInfo(msg='ready'), change(3)), when('active', LogInfo(msg='works')), node, change({})])
+"""
+
+
+def test_a_lifecycle_node_makes_the_transitions_that_it_is_asked_for(told) -> None:
+    lines = told(LIFECYCLES.format(1).replace('{}', ''))
+    assert [line.strip() for line in lines if line.strip().startswith('log')] == ["log 'ready'", "log 'works'"]
+
+
+def test_a_transition_that_does_not_begin_in_the_node_s_state_is_not_made(told) -> None:
+    lines = told(LIFECYCLES.format(3))
+    assert [line.strip() for line in lines if 'never' in line] == ['never happened here'] * 2

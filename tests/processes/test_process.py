@@ -75,6 +75,14 @@ def test_an_unhandled_sigint_ends_the_program_with_minus_two(world: Any) -> None
     assert world.codes == {'program-1': -2} and world.log[-1][2].endswith('KeyboardInterrupt\n')
 
 
+@pytest.mark.parametrize('signum', [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_signal_before_the_first_turn_ends_the_program(world: Any, signum: int) -> None:
+    process = world.start(world.write('p.py', PRINT_FOREVER))
+    process.send_signal(signum)
+    world.sim.run()
+    assert world.codes == {'program-1': -signum} and world.log == []
+
+
 def test_a_students_handler_gets_the_signal(world: Any) -> None:
     process = world.start(world.write('p.py', """
         import signal, sys, time

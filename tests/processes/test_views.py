@@ -297,10 +297,13 @@ def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
 
 @pytest.mark.parametrize('ask', ['os.path.exists("words.txt")', 'os.listdir() == ["words.txt"]', 'os.path.abspath("x") == os.getcwd() + "/x"',
                                  'list(os.walk("."))[0] == (".", [], ["words.txt"])', 'os.path.relpath(os.getcwd() + "/a/b") == "a/b"',
-                                 'glob.glob("*.txt") == ["words.txt"]', 'join("a", "b") == "a/b"', 'os.stat("words.txt").st_size == 5'])
+                                 'glob.glob("*.txt") == ["words.txt"]', 'join("a", "b") == "a/b"', 'os.stat("words.txt").st_size == 5',
+                                 'Path("words.txt").read_text() == "hello"', 'Path.cwd() == Path(os.getcwd())', 'Path("words.txt").exists()',
+                                 '[*Path().glob("*.txt")] == [Path("words.txt")]', 'str(Path("x").resolve()) == os.getcwd() + "/x"',
+                                 'io.open("words.txt").close() is None', 'Path("words.txt").open().close() is None'])
 def test_relative_paths_are_looked_for_in_the_programs_own_folder(world: Any, ask: str) -> None:
     world.write('data/words.txt', 'hello')
-    world.start(world.write('p.py', f'import glob, os\nfrom os.path import join\nos.chdir("data")\nprint({ask})'), cwd=str(world.folder))
+    world.start(world.write('p.py', f'import glob, io, os\nfrom os.path import join\nfrom pathlib import Path\nos.chdir("data")\nprint({ask})'), cwd=str(world.folder))
     world.sim.run()
     assert world.log[-1][2] == 'True\n'
 
@@ -348,3 +351,15 @@ def test_coroutines_run_on_the_loop_of_another_thread(world: Any) -> None:
         loop.call_soon_threadsafe(loop.stop)
         thread.join()
         """) == '-1.0 1.0\nZeroDivisionError 3.0\n'
+
+
+def test_pkg_resources_finds_the_programs_own_files(world: Any) -> None:
+    world.write('pkg/__init__.py', '')
+    world.write('pkg/words.txt', 'hello')
+    world.start(world.write('p.py', """
+        import pkg_resources
+        print(pkg_resources.resource_filename('pkg', 'words.txt').endswith('pkg/words.txt'),
+              pkg_resources.resource_string('pkg', 'words.txt'), list(pkg_resources.iter_entry_points('no.such.group')))
+        """))
+    world.sim.run()
+    assert [entry[2] for entry in world.log] == ["True b'hello' []\n"]

@@ -54,6 +54,10 @@ def test_bad_names_are_shown_with_a_caret(ros: Ros, world: World, names: Any, er
     assert ros(body) == [text]
 
 
+def test_a_refused_name_is_a_value_error() -> None:
+    assert issubclass(InvalidNodeNameException, ValueError) and issubclass(InvalidTopicNameException, ValueError)
+
+
 def test_bad_topics_and_services_have_exceptions_of_their_own(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

@@ -1,6 +1,9 @@
 """rclpy.task."""
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import suppress
+
 import pytest
 from rclpy.task import Future, Task, is_coroutine_function
 
@@ -50,6 +53,16 @@ def test_an_exception_that_nobody_asked_for_is_printed(capsys: pytest.CaptureFix
     future.set_exception(ValueError('lost'))
     del future
     assert capsys.readouterr().err == 'The following exception was never retrieved: lost\n'
+
+
+@pytest.mark.parametrize('ask', [Future.exception, Future.result])
+def test_an_exception_that_was_asked_for_is_not_printed(ask: Callable[[Future], object], capsys: pytest.CaptureFixture[str]) -> None:
+    future = Future()
+    future.set_exception(ValueError('found'))
+    with suppress(ValueError):
+        ask(future)
+    del future
+    assert capsys.readouterr().err == ''
 
 
 def test_a_task_runs_functions_and_coroutines() -> None:

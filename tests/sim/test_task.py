@@ -237,3 +237,51 @@ def test_outside_any_task_another_can_be_started_at_once_too() -> None:
     Task(ambient.sim, lambda: note(ambient.sim, log, 'ran')).start_at_once()
     ambient.let_first_go()
     assert log == [(0.0, 'ran')]
+
+
+def waiter(sim: Simulation, log: Log, name: str, then: Callable[[], object] = lambda: None) -> Task:
+    def body() -> None:
+        for _ in range(2):
+            current_task().park()
+            note(sim, log, name)
+            then()
+    return start(sim, body)
+
+
+def test_turns_and_callbacks_of_one_instant_keep_the_order_in_which_they_were_asked_for() -> None:
+    sim, log = Simulation(), []
+    first, second, third = (waiter(sim, log, name) for name in 'abc')
+
+    def wake_all() -> None:
+        current_task().sleep_until(at)
+        first.wake()
+        second.wake()
+        sim.schedule(at, lambda: note(sim, log, 'callback'))
+        third.wake()
+        current_task().park()
+
+    at = sim.now_ns + 10**9
+    start(sim, wake_all)
+    sim.run(at - 1)
+    sim.schedule(at, lambda: note(sim, log, 'asked for earlier'))
+    sim.run()
+    assert log == [(1.0, what) for what in ('asked for earlier', 'a', 'b', 'callback', 'c')]
+
+
+def test_stop_holds_before_the_next_task_has_its_turn() -> None:
+    sim, log = Simulation(), []
+    tasks = [waiter(sim, log, 'a', sim.stop), waiter(sim, log, 'b')]
+    sim.schedule(sim.now_ns + 10**9, lambda: [task.wake() for task in tasks])
+    sim.run()
+    assert log == [(1.0, 'a')]
+    sim.run()
+    assert log == [(1.0, 'a'), (1.0, 'b')]
+
+
+def test_a_step_is_one_turn_though_the_next_task_waits() -> None:
+    sim, log = Simulation(), []
+    tasks = [waiter(sim, log, name) for name in 'ab']
+    sim.run()
+    for task in tasks:
+        task.wake()
+    assert (sim.step(), log) == (True, [(0.0, 'a')])

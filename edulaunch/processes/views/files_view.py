@@ -1,4 +1,4 @@
-"""Relative paths in a program that has a working folder of its own: for `os` and `os.path`."""
+"""Relative paths in a program that has a working folder of its own: for `os`, `os.path` and `io`."""
 from __future__ import annotations
 
 import os as real
@@ -73,3 +73,12 @@ PATH = _make_path()
 def make_path(view: ModuleType, process: Process) -> ModuleType:
     """See `PATH`."""
     return PATH
+
+
+def make_io(view: ModuleType, process: Process) -> ModuleType:
+    """`io.open` is the program's own `open`, on which `pathlib` stands too."""
+    import io
+
+    view.__dict__['open'] = process.loader.builtins['open']
+    copy_names(view, io)
+    return view

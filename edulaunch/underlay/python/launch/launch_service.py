@@ -192,7 +192,7 @@ class LaunchService:
                     self.__process_event(queue.get_nowait())
                     await sleep(0)
                 self.__raise_failure()
-                if not self.__is_idle():
+                if not self._is_idle():
                     await self.__wait_for_news()
                 elif self.__shutting_down:
                     return
@@ -203,7 +203,8 @@ class LaunchService:
             except Exception as error:
                 self.__report(error)
 
-    def __is_idle(self) -> bool:
+    def _is_idle(self) -> bool:
+        """Whether nothing is left to do; those who test launch ask for it by this name."""
         waiting = self.__context._completion_futures
         waiting[:] = [future for future in waiting if not future.done()]
         for future in waiting:

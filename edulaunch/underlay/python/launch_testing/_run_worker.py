@@ -11,6 +11,7 @@ from launch.event_handlers.on_process_exit import OnProcessExit
 from launch.event_handlers.on_process_io import OnProcessIO
 from launch.event_handlers.on_process_start import OnProcessStart
 from launch.launch_description import LaunchDescription
+from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_service import LaunchService
 from ros2launch.api import parse_launch_arguments
@@ -31,10 +32,13 @@ class RunWorker:
     Both give their turns to each other in simulated time, so tests may sleep, wait for output and spin nodes.
 
     :param arguments: launch arguments, `name:=value`.
+    :param preamble: is launched before the test's description.
     """
 
-    def __init__(self, test_run: TestRun, arguments: Sequence[str], debug: bool) -> None:
+    def __init__(self, test_run: TestRun, arguments: Sequence[str], debug: bool,
+                 preamble: Sequence[LaunchDescriptionEntity] = ()) -> None:
         self._run = test_run
+        self._preamble = preamble
         self._arguments = parse_launch_arguments(arguments)
         self._process = current_process()
         self._ready = Event()
@@ -74,6 +78,7 @@ class RunWorker:
             RegisterEventHandler(OnProcessStart(on_start=on_start)),
             RegisterEventHandler(OnProcessExit(on_exit=on_exit)),
             RegisterEventHandler(OnProcessIO(on_stdout=output.append, on_stderr=output.append)),
+            *self._preamble,
             IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
         ])
 

@@ -18,18 +18,42 @@ def unittestResultsToXml(*, name: str = 'launch_test', test_results: Mapping[Tes
     results = list(test_results.values())
     root = ElementTree.Element('testsuites', {'name': name, **_counts(results)})
     for run, result in test_results.items():
-        suite = ElementTree.SubElement(root, 'testsuite', {'name': f'{name}.{run}', **_counts([result])})
-        for test in result.passed:
-            _case(suite, test, result)
-        for test, reason in result.skipped:
-            ElementTree.SubElement(_case(suite, test, result), 'skipped', {'message': str(reason)})
-        for what, problems in (('failure', result.failures), ('error', result.errors)):
-            for test, text in problems:
-                found = ElementTree.SubElement(_case(suite, test, result), what, {'message': text.strip().split('\n')[-1]})
-                found.text = text
-        for note in result.notes:
-            ElementTree.SubElement(_case(suite, run, result), 'failure', {'message': note})
+        root.append(unittestResultToXml(f'{name}.{run}', result, run=run))
     return ElementTree.ElementTree(root)
+
+
+def unittestResultToXml(name: str, test_result: TestResult, *, run: object = 'launch') -> Any:
+    """The `testsuite` of one launch.
+
+    :param run: what a failure that is nobody's test is called after.
+    """
+    suite = ElementTree.Element('testsuite', {'name': name, **_counts([test_result])})
+    for test in _all_cases(test_result):
+        suite.append(unittestCaseToXml(test_result, test))
+    for note in test_result.notes:
+        ElementTree.SubElement(_case(suite, run, test_result), 'failure', {'message': note})
+    return suite
+
+
+def unittestCaseToXml(test_result: TestResult, test_case: Any) -> Any:
+    """The `testcase` of one test, with what went wrong in it."""
+    suite = ElementTree.Element('testsuite')
+    case = _case(suite, test_case, test_result)
+    for test, reason in test_result.skipped:
+        if test is test_case:
+            ElementTree.SubElement(case, 'skipped', {'message': str(reason)})
+    for what, problems in (('failure', test_result.failures), ('error', test_result.errors)):
+        for test, text in problems:
+            if test is test_case or getattr(test, 'test_case', None) is test_case:
+                found = ElementTree.SubElement(case, what, {'message': text.strip().split('\n')[-1]})
+                found.text = text
+    return case
+
+
+def _all_cases(result: TestResult) -> list[Any]:
+    """Tests that were run, and what else has an outcome: a class that could not be set up, a launch that was skipped."""
+    others = [test for outcomes in (result.skipped, result.failures, result.errors) for test, _ in outcomes]
+    return list(dict.fromkeys([*result.testCases, *(getattr(test, 'test_case', test) for test in others)]))
 
 
 def _counts(results: list[TestResult]) -> dict[str, str]:

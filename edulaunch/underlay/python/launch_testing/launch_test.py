@@ -77,14 +77,21 @@ class LaunchTest:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of ROS 2's `launch_test`."""
+    """The file, and the options of ROS 2's `launch_test`."""
+    parser.add_argument('test_file', metavar='FILE', help='path of the launch test')
     parser.add_argument('launch_arguments', nargs='*', metavar='name:=value', help='arguments of the launch description')
     parser.add_argument('-v', '--verbose', action='store_true', help='let launch log at level DEBUG')
     parser.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
     parser.add_argument('--junit-xml', metavar='FILE', help='write the results as JUnit XML')
     parser.add_argument('--package-name', metavar='NAME', help='name of the package, for the JUnit XML')
+    parser.add_argument('--workspace', action='append', metavar='DIR', help="folder with packages; default: the test file's own")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command; returns its exit code."""
+    from edulaunch.launch_test_session import main
+    return main(argv)
 
 
 if __name__ == '__main__':
-    from edulaunch.launch_test_session import main
     raise SystemExit(main())

@@ -45,17 +45,18 @@ class TestRun:
         """Make the description, and the context for the tests that came with it.
 
         :param ready_fn: called when the tests may begin.
-        :raises Exception: when there is no `ReadyToTest`; with ROS 2's text.
+        :raises Exception: when there is no `ReadyToTest`, or more than one.
         """
         function = self.test_description_function
-        if 'ready_fn' in inspect.signature(function).parameters:
+        if self._takes_ready_fn():
             return _with_context(function(ready_fn=ready_fn))
         description, context = _with_context(function())
-        action = next(_ready_actions(description.entities), None)
-        if action is None:
+        actions = ready_actions(description)
+        if len(actions) != 1:
+            wanted = 'only one ReadyToTest action' if actions else 'a ReadyToTest action'
             raise Exception('generate_test_description functions without a ready_fn argument must return '
-                            'a LaunchDescription containing a ReadyToTest action')
-        action._add_callback(ready_fn)
+                            f'a LaunchDescription containing {wanted}')
+        actions[0]._add_callback(ready_fn)
         return description, context
 
     def validate(self) -> None:
@@ -63,9 +64,16 @@ class TestRun:
 
         :raises TypeError: when it wants arguments that nobody gives.
         """
+        given = {**self.param_args, 'ready_fn': None} if self._takes_ready_fn() else self.param_args
+        self._signature().bind(**given)
+
+    def _takes_ready_fn(self) -> bool:
+        return 'ready_fn' in self._signature().parameters
+
+    def _signature(self) -> inspect.Signature:
+        """Of `generate_test_description` itself, without the parameters filled in."""
         function = self.test_description_function
-        takes_ready_fn = 'ready_fn' in inspect.signature(function).parameters
-        inspect.signature(function).bind(**({'ready_fn': None} if takes_ready_fn else {}))
+        return inspect.signature(function.func if isinstance(function, functools.partial) else function)
 
     def get_launch_description(self) -> LaunchDescription:
         """The description alone, to look at."""
@@ -98,13 +106,38 @@ def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests')
     runs = function() if getattr(function, '__parametrized__', False) else [(function, {})]
     timeout_s = getattr(function, '__ready_to_test_action_timeout__', DEFAULT_TIMEOUT_S)
     markers = getattr(function, '__markers__', {})
-    return [TestRun(name, description, parameters, _tests(module, False), _tests(module, True), timeout_s=timeout_s,
-                    markers=markers) for description, parameters in runs]
+    return [TestRun(name, description, parameters, _tests(PreShutdownTestLoader(), module),
+                    _tests(PostShutdownTestLoader(), module), timeout_s=timeout_s, markers=markers)
+            for description, parameters in runs]
 
 
-def _tests(module: ModuleType, post_shutdown: bool) -> list[unittest.TestCase]:
-    found = unittest.TestLoader().loadTestsFromModule(module)
-    return [test for test in _flat(found) if getattr(type(test), '__post_shutdown_test__', False) == post_shutdown]
+class PreShutdownTestLoader(unittest.TestLoader):
+    """Loads the tests that run while processes run."""
+
+    def loadTestsFromTestCase(self, testCaseClass: type[unittest.TestCase]) -> unittest.TestSuite:
+        """Those of a class; none of one marked `post_shutdown_test`."""
+        return _suite(super().loadTestsFromTestCase, testCaseClass, not _is_post_shutdown(testCaseClass))
+
+
+class PostShutdownTestLoader(unittest.TestLoader):
+    """Loads the tests that run when all processes have ended."""
+
+    def loadTestsFromTestCase(self, testCaseClass: type[unittest.TestCase]) -> unittest.TestSuite:
+        """Those of a class marked `post_shutdown_test`; none of another."""
+        return _suite(super().loadTestsFromTestCase, testCaseClass, _is_post_shutdown(testCaseClass))
+
+
+def _is_post_shutdown(test_class: type) -> bool:
+    return bool(getattr(test_class, '__post_shutdown_test__', False))
+
+
+def _suite(load: Callable[[type[unittest.TestCase]], unittest.TestSuite], test_class: type[unittest.TestCase],
+           wanted: bool) -> unittest.TestSuite:
+    return load(test_class) if wanted else unittest.TestSuite()
+
+
+def _tests(loader: unittest.TestLoader, module: ModuleType) -> list[unittest.TestCase]:
+    return list(_flat(loader.loadTestsFromModule(module)))
 
 
 def _flat(suite: Any) -> Iterator[Any]:
@@ -117,6 +150,11 @@ def _flat(suite: Any) -> Iterator[Any]:
 
 def _with_context(result: Any) -> tuple[LaunchDescription, dict[str, Any]]:
     return (result[0], dict(result[1])) if isinstance(result, tuple) else (result, {})
+
+
+def ready_actions(description: LaunchDescription) -> list[ReadyToTest]:
+    """The `ReadyToTest` actions of a description, each once."""
+    return [*{id(action): action for action in _ready_actions(description.entities)}.values()]
 
 
 def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:

@@ -43,7 +43,7 @@ class ProcInfoHandler:
 
     def process_names(self) -> list[str]:
         """The launch names, such as 'talker-1'."""
-        return [event.process_name for event in self._proc_info.values()]
+        return [process_name(action) for action in self._proc_info]
 
 
 class ActiveProcInfoHandler(ProcInfoHandler):

@@ -3,12 +3,15 @@ from __future__ import annotations
 
 import unittest
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
 
 from .loader import TestRun
 from .test_result import SkipResult, TestResult
+
+if TYPE_CHECKING:
+    from launch.launch_description_entity import LaunchDescriptionEntity
 
 
 class LaunchTestRunner:
@@ -23,6 +26,10 @@ class LaunchTestRunner:
         self._test_runs = list(test_runs)
         self._arguments = list(launch_file_arguments)
         self._debug = debug
+
+    def generate_preamble(self) -> list[LaunchDescriptionEntity]:
+        """What is launched before each test description; a runner of one's own may give something."""
+        return []
 
     def validate(self) -> None:
         """Check all `generate_test_description` before anything is launched.
@@ -44,7 +51,7 @@ class LaunchTestRunner:
         if len(self._test_runs) > 1:
             current_process().stdout.write(f'Starting test run {test_run}\n')
         try:
-            return RunWorker(test_run, self._arguments, self._debug).run()
+            return RunWorker(test_run, self._arguments, self._debug, self.generate_preamble()).run()
         except unittest.SkipTest as skip:
             return SkipResult(test_run, str(skip))
 

@@ -63,15 +63,27 @@ class Entity(BaseEntity):
             self.asked.add('children')
             children = children['children']
         if not isinstance(children, list):
-            raise TypeError(
-                f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'")
+            raise hints.at(
+                TypeError(f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'"),
+                self, f"put a list below '{self._type_name}', each item with a dash: - node: ...")
         return children
 
     def _child(self, item: Any) -> Entity:
         if not isinstance(item, dict) or len(item) != 1:
-            raise RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
+            raise self._no_single_element(item)
         (type_name, element), = item.items()
         return Entity(element, type_name, parent=self, line=getattr(item, 'line', 0))
+
+    def _no_single_element(self, item: Any) -> RuntimeError:
+        """For an item of the list of children that is not one element."""
+        error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
+        if not isinstance(item, dict) or not item:
+            return hints.at(
+                error, self, f"each item of '{self._type_name}' is an element's name with a colon and what it has: - node: ...")
+        hints.at(
+            error, self, f"{', '.join(map(repr, item))} stand in one item: a dash for each element, its keys two columns further")
+        error.edulaunch_line = getattr(item, 'line', self.line)  # type: ignore[attr-defined]
+        return error
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
                  can_be_str: bool = True) -> Any:

@@ -5,6 +5,7 @@ import os
 from typing import Any, TextIO
 
 from launch.frontend.entity import Entity as BaseEntity
+from launch.frontend.hints import hinted
 from launch.frontend.parser import Parser as BaseParser
 
 from .entity import Entity
@@ -26,9 +27,13 @@ class Parser(BaseParser):
     @staticmethod
     def _root_of(text: str) -> Entity:
         tree = _read(text)
-        if len(tree) != 1:
-            raise RuntimeError('Expected only one root')
-        (type_name,) = tree.keys()
+        try:
+            if len(tree) != 1:
+                raise RuntimeError('Expected only one root')
+            (type_name,) = tree.keys()
+        except (TypeError, AttributeError, RuntimeError) as error:
+            hinted(error, _about_root(tree))
+            raise
         return Entity(tree[type_name], type_name, line=tree.line)
 
     @classmethod
@@ -43,3 +48,13 @@ def _read(text: str) -> Any:
     except NotPlain:
         from .reader import read
         return read(text)
+
+
+def _about_root(tree: Any) -> str:
+    """For a document that is no mapping with one key."""
+    if not tree:
+        return "the file is empty: begin it with 'launch:' and a list of actions below"
+    if isinstance(tree, dict):
+        names = ', '.join(f"'{key}'" for key in tree)
+        return f"only 'launch' may stand at the left margin, not {names}"
+    return "begin the file with 'launch:' and put everything else below it"

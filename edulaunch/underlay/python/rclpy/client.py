@@ -81,9 +81,9 @@ class Client(Entity):
         if self._destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         impl = self._impl
-        if not self._lost_noted and not impl.server_is_ready():
-            self._note_lost_request()
         sequence = impl.send(self.srv_type.Request.to_wire(request))
+        if impl.lost and not self._lost_noted:
+            self._note_lost_request()
         future = Future()
         future._source = self
         future._callbacks.append(self.remove_pending_request)

@@ -45,7 +45,7 @@ class InvalidTypeSupport(Exception):
         super().__init__('invalid type support', *args)
 
 
-class NameValidationException(Exception):
+class NameValidationException(ValueError):
     """A name breaks ROS 2's rules. The text shows the reason, the name, and a caret under the offending character.
 
     :ivar name_type: 'node name', 'namespace', 'topic name' or 'service name'.

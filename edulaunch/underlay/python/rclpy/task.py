@@ -14,6 +14,22 @@ if TYPE_CHECKING:
     from rclpy.readiness import Entity
 
 
+class _UnfetchedException:
+    """Lives as long as a future whose exception nobody has asked for, and then tells of it.
+
+    Not in the future itself: hardly any needs it, and an object with a `__del__` costs more to make and to drop.
+    """
+
+    __slots__ = ('exception',)
+
+    def __init__(self, exception: BaseException) -> None:
+        self.exception: BaseException | None = exception
+
+    def __del__(self) -> None:
+        if self.exception is not None and sys is not None:
+            print('The following exception was never retrieved: ' + str(self.exception), file=current_process().stderr)
+
+
 class Future:
     """The outcome of something that goes on: a service call, a goal, a task.
 
@@ -27,7 +43,7 @@ class Future:
     _cancelled = False
     _result: Any = None
     _exception: BaseException | None = None
-    _exception_fetched = False
+    _unfetched: _UnfetchedException | None = None
     _executor: Executor | None = None
     _awaiting: tuple[Executor, ...] = ()
     _source: Any = None
@@ -37,10 +53,6 @@ class Future:
         self._callbacks: list[Callable[[Any], object]] = []
         if executor is not None:
             self._executor = executor
-
-    def __del__(self) -> None:
-        if self._exception is not None and not self._exception_fetched and sys is not None:
-            print('The following exception was never retrieved: ' + str(self._exception), file=current_process().stderr)
 
     def __await__(self) -> Generator[Any, None, Any]:
         while not self._done:
@@ -81,16 +93,20 @@ class Future:
     def result(self) -> Any:
         """The result, None while there is none; raises the exception when it ended with one."""
         if self._exception is not None:
-            self._exception_fetched = True
-            raise self._exception
+            raise self._fetched(self._exception)
         if not self._done:
             current_task().poll()
         return self._result
 
     def exception(self) -> BaseException | None:
         """The exception that it ended with, or None."""
-        self._exception_fetched = True
-        return self._exception
+        return None if self._exception is None else self._fetched(self._exception)
+
+    def _fetched(self, exception: BaseException) -> BaseException:
+        if self._unfetched is not None:
+            self._unfetched.exception = None
+            self._unfetched = None
+        return exception
 
     def set_result(self, result: Any) -> None:
         """End with a result."""
@@ -100,7 +116,7 @@ class Future:
     def set_exception(self, exception: BaseException) -> None:
         """End with an exception."""
         self._exception = exception
-        self._exception_fetched = False
+        self._unfetched = _UnfetchedException(exception)
         self._end()
 
     def _end(self) -> None:

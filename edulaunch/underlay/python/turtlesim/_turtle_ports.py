@@ -30,6 +30,7 @@ class TurtlePorts:
         self._debug = self._log.is_enabled_for(LoggingSeverity.DEBUG)
         name = turtle.name
         self._commands = node.create_subscription(Twist, f'{name}/cmd_vel', self._on_command, DEPTH)
+        self._commands._take_wires(self._on_command)
         self._poses = node.create_publisher(Pose, f'{name}/pose', DEPTH)
         self._colors = node.create_publisher(Color, f'{name}/color_sensor', DEPTH)
         self._services = [
@@ -53,8 +54,7 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and say what that brought: goal progress, wall, pose, colour; in this order.
 
-        Both messages are flat, so their wire tuples are made directly: this runs 62.5 times a second for each
-        turtle.
+        Both messages are flat, so their wire tuples are made directly: this runs 62.5 times a second for each turtle.
         """
         turtle = self.turtle
         rotation = self._rotation
@@ -79,12 +79,12 @@ class TurtlePorts:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} '
                             f'theta: {turtle.theta:f}')
 
-    def _on_command(self, twist: Any) -> None:
-        linear, turtle = twist._linear, self.turtle
-        sideways = None
-        if (linear._y or turtle.sideways) and self._node.get_parameter('holonomic').value:
-            sideways = linear._y
-        turtle.command(linear._x, twist._angular._z, self._clock._now_ns(), sideways)
+    def _on_command(self, twist: tuple[float, ...]) -> None:
+        """Follow a command, given as the wire of a Twist: of three objects nothing else would be used."""
+        forward, left, _, _, _, turning = twist
+        turtle = self.turtle
+        holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value
+        turtle.command(forward, turning, self._clock._now_ns(), left if holonomic else None)
         if self._rotation.goal is not None:
             self._log.warning('Velocity command received during rotation goal. Aborting goal')
             self._rotation.abort()

@@ -24,7 +24,7 @@ def run() -> None:
     while True:
         tick_ns += TICK_NS
         task.sleep_until(tick_ns)
-        if not context.ok():
+        if not context._ok:
             return
         executor._spin_some()
         frame.update()

@@ -99,12 +99,19 @@ def _nearest(name: str, names: Any) -> str | None:
 def complete_unreadable(error: Any, file: str) -> None:
     """For the error of a text that is not in its format: add the place and the problem."""
     mark = getattr(error, 'problem_mark', None)
-    line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else 0)
+    line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
     problem = getattr(error, 'edulaunch_hint', None) or getattr(error, 'problem', None) or str(error)
     first_line = problem.split('\n', 1)[0]
+    if isinstance(error, UnicodeDecodeError):
+        hinted(error, 'save the file as UTF-8')
     error.edulaunch_file, error.edulaunch_line = file, line
     _point_to(error, file, line)
-    error.edulaunch_help = f'{file or "<string>"}:{f"{line}:" if line else ""} {first_line}'
+    error.edulaunch_help = f'{file or "<string>"}:{line}: {first_line}'
+
+
+def _first_or_bad_line(error: Exception) -> int:
+    """Where a byte is that is no UTF-8; any other problem is one of the whole text, which begins at line 1."""
+    return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 
 def _point_to(error: Any, file: str, line: int) -> None:

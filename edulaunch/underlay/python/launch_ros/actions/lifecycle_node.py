@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
+from launch._engine import running_process
 from launch.event_handler import EventHandler
 from launch.some_substitutions_type import SomeSubstitutionsType
 
@@ -79,17 +80,23 @@ def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
 
 
 async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any) -> None:
-    from lifecycle_msgs.srv import ChangeState as ChangeStateService
-
     logger = launch.logging.get_logger(node.process_description.final_name)
-    request: Any = ChangeStateService.Request()
-    request.transition.id = event.transition_id
-    service = f'{node.node_name}/change_state'
-    response = await call_service(context, ChangeStateService, service, request)
-    if response is None:
-        logger.warning(f"Abandoning wait for the '{service}' service response, due to shutdown.")
-    elif not response.success:
+    imagined = running_process().state.get('launch.change_state')  # a plan's, where no node is running
+    is_done = await _ask(context, node, event) if imagined is None else imagined(context, node, event.transition_id)
+    if is_done is None:
+        logger.warning(f"Abandoning wait for the '{node.node_name}/change_state' service response, due to shutdown.")
+    elif not is_done:
         logger.error(
             f"Failed to make transition '{ChangeState.valid_transitions[event.transition_id]}' "
             f"for LifecycleNode '{node.node_name}'"
         )
+
+
+async def _ask(context: LaunchContext, node: LifecycleNode, event: Any) -> bool | None:
+    """Whether the node has made the transition; None when launch shuts down before it answers."""
+    from lifecycle_msgs.srv import ChangeState as ChangeStateService
+
+    request: Any = ChangeStateService.Request()
+    request.transition.id = event.transition_id
+    response = await call_service(context, ChangeStateService, f'{node.node_name}/change_state', request)
+    return None if response is None else bool(response.success)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
-from launch._engine import process_counter
+from launch._engine import process_counter, process_state
 from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -26,10 +26,13 @@ from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespac
 from ..utilities.normalize_parameters import plain_or_normalized
 from ..utilities.normalize_remap_rule import normalize_remap_rules, plain_or_normalized_rules
 from ..utilities.track_node_names import add_node_name
+from ._node_extensions import NodeActionExtension, get_extensions, instantiate_extension
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
+
+__all__ = ['Node', 'NodeActionExtension', 'get_extensions', 'instantiate_extension']
 
 Words = list[str | Substitution]
 
@@ -158,14 +161,7 @@ class Node(ExecuteProcess):
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Resolve names, parameters and remappings, and schedule the process."""
         self._perform_substitutions(context)
-        context.extend_locals(
-            {
-                'ros_specific_arguments': {
-                    'name': f'__node:={self.__expanded_node_name}',
-                    'ns': f'__ns:={self.__expanded_node_namespace}',
-                }
-            }
-        )
+        context.extend_locals({'ros_specific_arguments': self.__prepared_by_extensions(context)})
         self.__package_and_executable = _text(context, self.__package), _text(context, self.__node_executable)
         result = super().execute(context)
         if self.is_node_name_fully_specified():
@@ -176,6 +172,17 @@ class Node(ExecuteProcess):
                     'created within this launch context'
                 )
         return result
+
+    def __prepared_by_extensions(self, context: LaunchContext) -> dict[str, Any]:
+        """The local variable for those who write command lines with it, as installed extensions leave it."""
+        arguments = {
+            'name': f'__node:={self.__expanded_node_name}',
+            'ns': f'__ns:={self.__expanded_node_namespace}',
+        }
+        for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
+            words, arguments = extension.prepare_for_execute(context, arguments, self)
+            self.process_description._add_words(words)
+        return arguments
 
     def _process_spec_details(self) -> dict[str, Any]:
         """What a checker may want to know of the node: package, executable, and where its parameter values
@@ -248,6 +255,10 @@ class Node(ExecuteProcess):
                 rules.append((_text(context, source) or '', _text(context, target) or ''))
         for source_name, target_name in rules:
             words += ('-r', f'{source_name}:={target_name}')
+
+
+def _load_extensions() -> dict[str, NodeActionExtension]:
+    return get_extensions(launch.logging.get_logger('launch_ros.actions.node'))
 
 
 def _text(context: LaunchContext, value: SomeSubstitutionsType | None) -> str | None:

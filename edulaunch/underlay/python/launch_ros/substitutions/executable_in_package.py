@@ -45,7 +45,7 @@ class ExecutableInPackage(FindPackagePrefix):
         return f'ExecInPkg(pkg={package}, exec={executable})'
 
     def perform(self, context: LaunchContext) -> str:
-        """The path; the file need not exist for an entry point, which the index knows."""
+        """The path; the file need not exist for an entry point, nor for what is built from C++: the index knows both."""
         given = self.__executable
         executable = given if isinstance(given, str) else perform_substitutions(context, given)
         package = self._package_name(context)
@@ -61,7 +61,7 @@ class ExecutableInPackage(FindPackagePrefix):
         prefix = super().perform(context)
         folder = os.path.join(prefix, 'lib', package)
         index = current_process().index
-        if index.find_executable(package, executable):
+        if index.find_executable(package, executable) or executable in index.native_executables(package):
             return os.path.join(folder, executable)
         if not index.executables(package) and not os.path.isdir(folder):
             raise _failure(
@@ -85,14 +85,9 @@ def _failure(message: str, index: Any, package: str, executable: str) -> Substit
 
     error: Any = SubstitutionFailure(message)
     names = index.executables(package)
-    native = index.native_executables(package)
     close = nearest(executable, names)
     not_installed = executable_hint(index, package, executable)
-    if executable in native:
-        error.edulaunch_hint = (
-            f'{executable} is built from C++ ({native[executable]}); edulaunch runs Python programs only'
-        )
-    elif not_installed is not None:
+    if not_installed is not None:
         error.edulaunch_hint = not_installed
     elif close is not None:
         error.edulaunch_hint = f'did you mean {close!r}?'

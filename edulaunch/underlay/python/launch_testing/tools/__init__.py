@@ -6,10 +6,11 @@ _EXPORTS = {
     'basic_output_filter': 'output',
     'build_text_match': 'text',
     'expect_output': 'text',
+    'expected_output_from_file': 'output',
     'launch_process': 'process',
     'process': '',
     'output': '',
     'text': '',
 }
-__all__ = ['ProcessProxy', 'basic_output_filter', 'build_text_match', 'expect_output', 'launch_process']
+__all__ = [name for name, module in _EXPORTS.items() if module]
 __getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)

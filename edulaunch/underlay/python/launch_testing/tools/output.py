@@ -1,6 +1,7 @@
 """Filters of output."""
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable
 
@@ -33,3 +34,30 @@ def basic_output_filter(*, filtered_prefixes: Iterable[str] | None = None,
         return ''.join(line for line in output.splitlines(keepends=True)
                        if not line.startswith(prefixes) and not any(pattern.match(line) for pattern in patterns))
     return filtered
+
+
+def expected_output_from_file(path: str | os.PathLike[str]) -> list[str | re.Pattern[str]]:
+    """What a program should write, a line each: texts from `<path>.txt`, or regular expressions from `<path>.regex`.
+
+    :param path: with or without that ending.
+    :raises RuntimeError: when there is no such file.
+    """
+    base, ending = os.path.splitext(os.fspath(path))
+    if ending not in _LINES_OF:
+        base = os.fspath(path)
+    for name in ([base + ending] if ending in _LINES_OF else [base + known for known in _LINES_OF]):
+        if os.path.isfile(name):
+            with open(name, encoding='utf-8') as file:
+                return [_LINES_OF[os.path.splitext(name)[1]](line) for line in file.read().splitlines()]
+    raise RuntimeError(f'could not find output check file: {os.fspath(path)}\n  help: it may end with {" or ".join(_LINES_OF)}')
+
+
+def _text(line: str) -> str | re.Pattern[str]:
+    return line
+
+
+def _pattern(line: str) -> str | re.Pattern[str]:
+    return re.compile(line)
+
+
+_LINES_OF: dict[str, Callable[[str], str | re.Pattern[str]]] = {'.txt': _text, '.regex': _pattern}

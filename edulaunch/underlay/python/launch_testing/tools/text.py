@@ -15,7 +15,7 @@ def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = 
 
     :param expected_text: a text, a compiled regular expression, or a list of them: each is looked for behind the one
         before it.
-    :raises TypeError: for anything else.
+    :raises ValueError: for anything else.
     """
     one_by_one = [_matcher(item) for item in _as_list(expected_text)]
 
@@ -47,7 +47,8 @@ def _matcher(expected: Any) -> Callable[[str, int], tuple[int, int] | None]:
             found = expected.search(text, start)
             return None if found is None else found.span()
         return search
-    raise TypeError(f'expected a text or a compiled regular expression, got {type(expected).__name__}: {expected!r}')
+    raise ValueError('Unknown format for expected text: expected a text or a compiled regular expression, '
+                     f'got {type(expected).__name__}: {expected!r}')
 
 
 def expect_output(*, expected_text: Any = None, expected_lines: Iterable[Any] | None = None, text: str | None = None,

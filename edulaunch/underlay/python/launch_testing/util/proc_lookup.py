@@ -35,6 +35,11 @@ def process_name(action: ExecuteLocal) -> str:
     return str(details['name']) if details is not None else type(action).__name__
 
 
+def _name_and_arguments(action: ExecuteLocal) -> str:
+    words = list(action.process_details['cmd'])[1:] if action.process_details is not None else []
+    return ' '.join([process_name(action), *words])
+
+
 def resolveProcesses(info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None,
                      strict_proc_matching: bool = True) -> list[Any]:
     """The actions that `process` means.
@@ -54,11 +59,11 @@ def resolveProcesses(info_obj: HasProcesses, *, process: Any = None, cmd_args: C
     if isinstance(process, ExecuteLocal):
         if process in known:
             return [process]
-        raise NoMatchingProcessException(f'No data recorded for proc {process_name(process)}')
+        raise NoMatchingProcessException(f'No data recorded for proc {_name_and_arguments(process)}')
     if not isinstance(process, str):
         raise TypeError(f"proc argument must be 'ExecuteProcess' or 'str' not {type(process)}")
     matching = [action for action in known if process in process_name(action) and _has_arguments(action, cmd_args)]
-    names = ', '.join(map(process_name, matching or known))
+    names = ', '.join(sorted(map(_name_and_arguments, matching or known)))
     if not matching:
         raise NoMatchingProcessException(
             f"Did not find any processes matching name '{process}' and args '{cmd_args}'. Procs: {names}")

@@ -2,12 +2,11 @@
 from __future__ import annotations
 
 from edulaunch.sim.task import current_task
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.constants import S_TO_NS
 from rclpy.execution.exceptions import ExternalShutdownException, ShutdownException
 from rclpy.execution.executor import Executor
 from rclpy.execution.waiting import TURNS_BEFORE_TIME_PASSES
-from rclpy.readiness import NEVER_NS, ReadyList
+from rclpy.readiness import NEVER_NS, Entity, ReadyList
 from rclpy.task import Future
 
 
@@ -50,7 +49,8 @@ class SingleThreadedExecutor(Executor):
             return
         future._wake_when_done(self)
         deadline = NEVER_NS if timeout_sec is None or timeout_sec < 0 else self._sim.now_ns + int(timeout_sec * S_TO_NS)
-        self._forget_work()
+        if self._work is not None:
+            self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
             while self._context._ok and not future._done and not self._is_shutdown and self._sim.now_ns < deadline:
@@ -66,15 +66,17 @@ class SingleThreadedExecutor(Executor):
         Anything else is left to :meth:`_turn`, which would do the same with more steps.
         """
         context, sim, waiting, task = self._context, self._sim, self._waiting, current_task()
-        while context._ok and not self._is_shutdown:
+        while True:
             entities, due_ns, now = ready_list.entities, ready_list.due_ns, sim.now_ns
-            if not entities and due_ns > now and not self._woken and not self._new_tasks:
+            timer_is_due = due_ns <= now
+            if not (entities or timer_is_due or self._woken or self._new_tasks):
                 waiting.append(task)
                 try:
                     task.park(due_ns if due_ns < NEVER_NS else None)
                 finally:
                     waiting.remove(task)
-                self._raise_if_over()
+                if self._is_shutdown or not context._ok:
+                    self._raise_if_over()
                 continue
             if now != self._seen_ns:
                 self._seen_ns = now
@@ -83,27 +85,19 @@ class SingleThreadedExecutor(Executor):
                 self._turns += 1
             if self._woken or self._turns > TURNS_BEFORE_TIME_PASSES:
                 break
-            if len(entities) == 1 and due_ns > now:
+            if timer_is_due:
+                if entities or len(ready_list.timers) != 1:
+                    break
+                entity: Entity = ready_list.timers[0]
+            elif len(entities) == 1:
                 entity = entities.pop()
-            elif not entities and due_ns <= now and len(ready_list.timers) == 1:
-                entity = ready_list.timers[0]
             else:
                 break
-            group = entity.callback_group
-            if group.__class__ is MutuallyExclusiveCallbackGroup and group.busy_with is None and not entity.is_async:
-                group.busy_with = entity
-                try:
-                    entity._run(self)
-                finally:
-                    group.busy_with = None
-            elif group.__class__ is ReentrantCallbackGroup and not entity.is_async:
-                entity._run(self)
-            else:
-                self._run_entity(entity)
+            self._run_entity(entity)
             if self._tasks:
                 self._run_tasks()
-        else:
-            return
+            if self._is_shutdown or not context._ok:
+                return
         self._turn()
 
     def _turn(self, until: Future | None = None, deadline_ns: int = NEVER_NS) -> None:

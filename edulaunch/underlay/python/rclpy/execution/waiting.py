@@ -59,7 +59,8 @@ class Waiting:
     def wake(self) -> None:
         """Let a wait end, so that it looks again; the next one if there is none now."""
         self._woken = True
-        self._look_again()
+        if self._waiting:
+            self._look_again()
 
     def _look_again(self) -> None:
         for waiting in self._waiting:
@@ -68,8 +69,12 @@ class Waiting:
     def _collect(self) -> list[Entity]:
         """The entities that are ready now and may begin, in the order of one wait."""
         now = self._sim.now_ns
+        lists = self._lists
+        if len(lists) == 1 and len(lists[0].entities) == 1 and lists[0].due_ns > now:  # the usual case, without more ado
+            entities = lists[0].entities
+            return [entities.pop()] if entities[0].callback_group.can_execute(entities[0]) else []
         batch: list[Entity] = []
-        for ready_list in self._lists:
+        for ready_list in lists:
             start = len(batch)
             if ready_list.due_ns <= now:
                 batch += [timer for timer in ready_list.timers
@@ -81,7 +86,7 @@ class Waiting:
                 ready_list.entities = blocked
             if len(batch) - start > 1:
                 batch[start:] = sorted(batch[start:], key=_order_of)
-        if len(self._lists) > 1:
+        if len(lists) > 1:
             batch.sort(key=lambda entity: entity.category != WAITABLE)
         return batch
 
@@ -132,10 +137,13 @@ class Waiting:
                 current_task().sleep_until(now + PAUSE_NS)
 
     def _tasks_to_run(self) -> list[Task]:
-        """The tasks that can go on, newest first; those that are done are forgotten."""
+        """The tasks that can go on, newest first."""
         self._new_tasks = False
-        tasks = self._tasks = [task for task in self._tasks if not task._done]
-        return [task for task in reversed(tasks) if not task._executing]
+        return [task for task in reversed(self._tasks) if not task._done and not task._executing]
+
+    def _forget_tasks(self) -> None:
+        """Keep only the tasks that are not done."""
+        self._tasks = [task for task in self._tasks if not task._done]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.
@@ -146,6 +154,7 @@ class Waiting:
         yielded = False
         while not yielded and not self._is_shutdown and not condition():
             self._let_time_pass()
+            self._forget_tasks()
             for task in self._tasks_to_run():
                 yielded = True
                 yield task

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
-from rclpy.lifecycle.node import LifecycleNode
+from rclpy.lifecycle.node import LifecycleNode, LifecycleNodeMixin
 from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
 
@@ -11,6 +11,6 @@ Publisher = LifecyclePublisher
 State = LifecycleState
 
 __all__ = [
-    'LifecycleNode', 'LifecyclePublisher', 'LifecycleState', 'ManagedEntity', 'Node', 'Publisher', 'SimpleManagedEntity',
-    'State', 'TransitionCallbackReturn',
+    'LifecycleNode', 'LifecycleNodeMixin', 'LifecyclePublisher', 'LifecycleState', 'ManagedEntity', 'Node', 'Publisher',
+    'SimpleManagedEntity', 'State', 'TransitionCallbackReturn',
 ]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle.state_machine import OUTCOMES, STATES, LifecycleState, TransitionCallbackReturn, transition_from
+from rclpy.logging import get_logger
 
 if TYPE_CHECKING:
     from rclpy.lifecycle.managed_entity import ManagedEntity
@@ -45,6 +46,7 @@ class Life:
         start = self.state
         transition = transition_from(start.label, wanted)
         if transition is None:
+            get_logger('rcl_lifecycle').warning(f'No transition matching {wanted} found for current state {start.label}')
             raise RCLError(f"Failed to trigger lifecycle state machine transition: no transition matching '{wanted}' found for "
                            f'current state {start.label}')
         self._enter(transition.number, transition.label, transition.during)

@@ -3,31 +3,36 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.callback_groups import CallbackGroup
 from rclpy.lifecycle.life import Life, OnTransition
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.lifecycle.services import LifecycleServices
 from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
 from rclpy.node import Node
+from rclpy.node_parts.core import NodeCore
 from rclpy.qos import QoSProfile
 
 _CALLBACKS = {10: 'on_configure', 11: 'on_cleanup', 12: 'on_shutdown', 13: 'on_activate', 14: 'on_deactivate', 15: 'on_error'}
 
 
-class LifecycleNode(Node, ManagedEntity):
-    """A node that others configure, activate, deactivate, clean up and shut down.
-
-    Override `on_configure(state)` and the like; call `super().on_activate(state)` to activate managed publishers.
+class LifecycleNodeMixin(ManagedEntity):
+    """What makes a managed node of a `Node`, for classes that inherit from both; `Node.__init__` comes first.
 
     :param enable_communication_interface: whether to offer the services `~/change_state`, `~/get_state` ... and the topic
         `~/transition_event`.
+    :param callback_group: of those services.
     """
 
-    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
-        super().__init__(node_name, **kwargs)
-        life = self._rclpy.life = Life(self)
+    _rclpy: NodeCore
+    create_publisher: Any
+    destroy_publisher: Any
+
+    def __init__(self, *, enable_communication_interface: bool = True, callback_group: CallbackGroup | None = None) -> None:
+        node: Any = self
+        life = self._rclpy.life = Life(node)
         if enable_communication_interface:
-            life.services = LifecycleServices(self, life)
+            life.services = LifecycleServices(node, life, callback_group)
 
     def create_lifecycle_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *,
                                    publisher_class: None = None, **kwargs: Any) -> LifecyclePublisher:
@@ -44,7 +49,7 @@ class LifecycleNode(Node, ManagedEntity):
         entities = self._rclpy.life.entities
         if publisher in entities:
             entities.remove(publisher)
-        return self.destroy_publisher(publisher)
+        return bool(self.destroy_publisher(publisher))
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
         """Let an entity follow the node's life cycle."""
@@ -100,3 +105,16 @@ class LifecycleNode(Node, ManagedEntity):
     def trigger_deactivate(self) -> TransitionCallbackReturn:
         """Deactivate the node. Raises RCLError in a state that does not allow it."""
         return self._rclpy.life.trigger('deactivate')
+
+
+class LifecycleNode(LifecycleNodeMixin, Node):
+    """A node that others configure, activate, deactivate, clean up and shut down.
+
+    Override `on_configure(state)` and the like; call `super().on_activate(state)` to activate managed publishers.
+
+    :param enable_communication_interface: as of `LifecycleNodeMixin`; all other arguments are those of `Node`.
+    """
+
+    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
+        Node.__init__(self, node_name, **kwargs)
+        LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)

@@ -7,6 +7,7 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle.state_machine import STATES, LifecycleState, TransitionCallbackReturn, all_transitions
 
 if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
     from rclpy.lifecycle.life import Life
     from rclpy.lifecycle.node import LifecycleNode
 
@@ -14,17 +15,20 @@ if TYPE_CHECKING:
 class LifecycleServices:
     """The five services and the topic of a managed node."""
 
-    def __init__(self, node: LifecycleNode, life: Life) -> None:
+    def __init__(self, node: LifecycleNode, life: Life, group: CallbackGroup | None = None) -> None:
         from lifecycle_msgs import srv
         from lifecycle_msgs.msg import TransitionEvent
         self._node = node
         self._life = life
         self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
-        node.create_service(srv.ChangeState, '~/change_state', self._on_change_state)
-        node.create_service(srv.GetState, '~/get_state', self._on_get_state)
-        node.create_service(srv.GetAvailableStates, '~/get_available_states', self._on_get_available_states)
-        node.create_service(srv.GetAvailableTransitions, '~/get_available_transitions', self._on_get_available_transitions)
-        node.create_service(srv.GetAvailableTransitions, '~/get_transition_graph', self._on_get_transition_graph)
+        for kind, name, answer in (
+            (srv.ChangeState, 'change_state', self._on_change_state),
+            (srv.GetState, 'get_state', self._on_get_state),
+            (srv.GetAvailableStates, 'get_available_states', self._on_get_available_states),
+            (srv.GetAvailableTransitions, 'get_available_transitions', self._on_get_available_transitions),
+            (srv.GetAvailableTransitions, 'get_transition_graph', self._on_get_transition_graph),
+        ):
+            node.create_service(kind, f'~/{name}', answer, callback_group=group)
 
     def publish_event(self, number: int, label: str, start: LifecycleState, goal: LifecycleState) -> None:
         """Tell of a step."""
@@ -37,8 +41,7 @@ class LifecycleServices:
         wanted = request.transition.label or request.transition.id
         try:
             response.success = self._life.trigger(wanted) is TransitionCallbackReturn.SUCCESS
-        except RCLError as error:
-            self._node.get_logger().warning(str(error))
+        except RCLError:
             response.success = False
         return response
 

@@ -1,0 +1,24 @@
+"""A launch file that goes on for ever: a timer that starts itself again, a coroutine with a `while True`."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edulaunch.sim.simulation import Simulation
+
+MOST_INSTANTS = 2_000
+MOST_STEPS = 500_000
+"""So often may simulated time advance, and so much may be done, before something must end."""
+
+
+def run_to_rest(sim: Simulation) -> str | None:
+    """Go on until there is nothing left to do; what to say when that does not happen, else None."""
+    instants, now = 0, sim.now_ns
+    for _ in range(MOST_STEPS):
+        if not sim.step():
+            return None
+        if sim.now_ns != now:
+            instants, now = instants + 1, sim.now_ns
+            if instants > MOST_INSTANTS:
+                break
+    return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'

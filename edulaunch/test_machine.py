@@ -1,0 +1,88 @@
+"""The simulated machine on which the tests of a pytest run live that use launch_pytest.
+
+pytest itself is a plain script on it: fixtures, tests and launches share one ROS graph and one simulated time, as they share the
+machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing.
+"""
+from __future__ import annotations
+
+import builtins
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from greenlet import getcurrent
+
+from edulaunch.launch_test_session import workspaces_of
+from edulaunch.packages import Index
+from edulaunch.processes.ambient import ambient_process_on
+from edulaunch.processes.views import PRIVATE_COPIES
+from edulaunch.session import Session, index_for
+from edulaunch.sim.task import AmbientTask
+
+SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
+"""Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
+
+
+class TestMachine:
+    """A machine whose ambient process is pytest.
+
+    :param seed: of all randomness.
+    :param workspaces: folders with packages; None: for each test file the workspace in which it lies.
+    """
+
+    __test__ = False  # pytest is not to take this class for a test case
+
+    def __init__(self, seed: int = 0, workspaces: Sequence[str] | None = None) -> None:
+        self.session = Session(seed=seed)
+        self.session.recorder.stop()
+        self._workspaces = workspaces
+        self._task = AmbientTask(self.session.sim)
+        self.process = self._task.owner = ambient_process_on(self.session.host, self._task)
+        self._files: set[str] = set()
+        self._indexes: dict[tuple[str, ...], Index] = {}
+        self._outer: Any = None
+        self._import: Any = None
+
+    def open(self) -> None:
+        """Be the machine of the code that runs now, until :meth:`close`."""
+        here = getcurrent()
+        self._outer, here.task = getattr(here, 'task', None), self._task
+        self._import, builtins.__import__ = builtins.__import__, self._import_for_tests
+        watchdog = self.session.host.watchdog
+        if watchdog is not None:
+            import threading
+            watchdog.thread = threading.get_ident()
+
+    def close(self) -> None:
+        """End everything that still runs, and leave things as they were."""
+        builtins.__import__ = self._import
+        self.session.close()
+        getcurrent().task = self._outer or AmbientTask(type(self.session.sim)())
+
+    def add(self, path: Path) -> None:
+        """A test file is to be imported: its clocks, threads and commands are to be simulated ones."""
+        self._files.add(str(path))
+
+    def enter(self, path: Path) -> None:
+        """Code of a test file is to run: it sees the packages around it."""
+        folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
+        if folders not in self._indexes:
+            self._indexes[folders] = index_for(folders)
+        self.process.index = self.session.host.index = index = self._indexes[folders]
+        roots = self.process.loader.roots
+        roots += [root for root in index.python_roots() if root not in roots]
+
+    def let_debug(self, person_is_here: bool) -> None:
+        """While a person is in a debugger, a program may keep its turn for as long as it likes."""
+        if self.session.host.watchdog is not None:
+            self.session.host.watchdog.asleep = person_is_here
+
+    def _import_for_tests(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
+                          fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:
+        """What `import` statements call: those of test files get what a simulated program gets."""
+        here = None if globals is None else globals.get('__file__')
+        if here is None or here not in self._files or name.partition('.')[0] in SHARED:
+            module: ModuleType = self._import(name, globals, locals, fromlist, level)
+            return module
+        return self.process.loader.import_(name, globals, locals, fromlist, level)

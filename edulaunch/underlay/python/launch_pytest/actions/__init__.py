@@ -1,0 +1,4 @@
+"""Actions for launch tests."""
+from launch_testing.actions.ready import ReadyToTest
+
+__all__ = ['ReadyToTest']

@@ -1,0 +1,132 @@
+"""The pytest plugin of launch_pytest. edulaunch's own plugin registers it when a test file needs it."""
+from __future__ import annotations
+
+import functools
+import pkgutil
+from collections.abc import Generator
+from contextlib import suppress
+from importlib import import_module
+from typing import Any
+
+import pytest
+
+from edulaunch.test_machine import TestMachine
+
+from ._items import (
+    LaunchTestWarning,
+    complaint_about,
+    function_item,
+    has_shutdown_kwarg,
+    is_launch_test,
+    make_items,
+    shutdown_tests_last,
+)
+from ._launched_fixture import launch_description_of, launch_until_ready
+from ._launched_test import run_launched_test
+from .fixture import OPTIONS, finalize_launch_service
+
+__all__ = ['LaunchTestWarning', 'has_shutdown_kwarg', 'is_launch_test']
+LAZY_PACKAGES = ('edulaunch.sim', 'edulaunch.graph', 'edulaunch.packages', 'edulaunch.processes', 'launch', 'launch_ros',
+                 'launch_testing', 'launch_pytest')
+MACHINE = pytest.StashKey[TestMachine]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Open the machine, and make the mark known."""
+    config.addinivalue_line('markers', 'launch(fixture, shutdown=False): a test of what the launch fixture describes, run beside '
+                                       'it, or after its shutdown (edulaunch)')
+    option = config.getoption
+    machine = config.stash[MACHINE] = TestMachine(option('--launch-seed', 0), option('--launch-workspace', None))
+    machine.open()
+    config.add_cleanup(machine.close)
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Prepare for inner runs of pytest."""
+    if session.config.pluginmanager.has_plugin('pytester'):
+        load_everything()
+
+
+def load_everything() -> None:
+    """Import what is else imported when it is first used.
+
+    `pytester` forgets after each inner run the modules that were imported in it, but the packages that refer to them do not:
+    without this there would be two of many a class.
+    """
+    for package in LAZY_PACKAGES:
+        for found in pkgutil.walk_packages(import_module(package).__path__, f'{package}.'):
+            import_module(found.name)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
+    """A file that is imported sees the packages around it."""
+    if isinstance(collector, pytest.Module):
+        collector.config.stash[MACHINE].enter(collector.path)
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
+    """So does a test."""
+    item.config.stash[MACHINE].enter(item.path)
+    return (yield)
+
+
+def pytest_enter_pdb(config: pytest.Config) -> None:
+    """Nobody is stopped for taking long while a person looks."""
+    config.stash[MACHINE].let_debug(True)
+
+
+def pytest_leave_pdb(config: pytest.Config) -> None:
+    """From now on they are again."""
+    config.stash[MACHINE].let_debug(False)
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generator[None, Any, Any]:
+    """Make the tests of a function marked `launch`. What pytest itself, or pytest-asyncio, would make of it is not used."""
+    item = function_item(collector, name, obj)
+    if item is None or not is_launch_test(item):
+        return (yield)
+    with suppress(Exception, pytest.fail.Exception):
+        yield
+    complaint = complaint_about(item)
+    if complaint is None:
+        return make_items(collector, name, obj, item)
+    item.warn(LaunchTestWarning(complaint))
+    item.add_marker(pytest.mark.skip(complaint))
+    return [item]
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Tests of a launch that has ended come after those that need it running."""
+    items[:] = shutdown_tests_last(items)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    """Run a launch test in simulated time."""
+    __tracebackhide__ = True
+    if not is_launch_test(pyfuncitem):
+        return None
+    run_launched_test(pyfuncitem)
+    return True
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_fixture_setup(fixturedef: Any, request: pytest.FixtureRequest) -> Generator[None, Any, Any]:
+    """Launch what a launch fixture describes, and wait until it is ready."""
+    options = getattr(fixturedef.func, OPTIONS, None)
+    if options is None:
+        return (yield)
+    prefix = f"When running launch_pytest fixture '{options['name']}':"
+    service = request.getfixturevalue('launch_service')
+    loop = request.getfixturevalue('event_loop')
+    result = yield
+    description = launch_description_of(result, prefix)
+    fixturedef.addfinalizer(functools.partial(finalize_launch_service, service, eprefix=prefix,
+                                              auto_shutdown=options['auto_shutdown']))
+    launch_until_ready(service, loop, description, prefix, options['shutdown_when_idle'])
+    return result
