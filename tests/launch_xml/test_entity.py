@@ -82,11 +82,13 @@ def test_elements_of_the_standard_library_will_do():
 
 
 @pytest.mark.parametrize(('text', 'expected'), [
-    ('<p name="a" value="1"/>', ('a', 1)), ('<p value="x y" name="a"/>', ('a', 'x y')), ('<p name="a"/>', None),
-    ('<p name="a" value="1" type="str"/>', None), ('<p name="a" value="1"><p/></p>', None), ('<p name="a" other="1"/>', None)])
-def test_a_pair_is_plain_when_there_is_nothing_else(text, expected):
-    assert entity(text).plain_pair('name', 'value', is_typed=True) == expected
+    ('<p name="a" value="1"/><q/><p value="x y" name="b"/>', [('a', 1), ('b', 'x y')]), ('<p name="a"/>', None), ('<q/>', None),
+    ('<p name="a" value="1"/><p name="a" value="1" type="str"/>', None), ('<p name="a" value="1"><p/></p>', None),
+    ('<p name="a" other="1"/>', None)])
+def test_children_are_plain_pairs_when_there_is_nothing_else(text, expected):
+    pairs = entity(f'<node>{text}</node>').plain_pairs('p', 'name', 'value', is_typed=True)
+    assert (pairs and [pair[:2] for pair in pairs]) == expected
 
 
 def test_both_of_an_untyped_pair_are_texts():
-    assert entity('<remap from="1" to="2"/>').plain_pair('from', 'to') == ('1', '2')
+    assert entity('<node>\n<remap from="1" to="2"/></node>').plain_pairs('remap', 'from', 'to') == [('1', '2', 2)]

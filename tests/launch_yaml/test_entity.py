@@ -79,12 +79,15 @@ def test_what_nobody_asked_for_is_an_error():
 
 
 @pytest.mark.parametrize(('text', 'expected'), [
-    ('{name: a, value: 1}', ('a', 1)), ('{value: x y, name: a}', ('a', 'x y')), ('{name: a}', None), ('[name, value]', None),
-    ('{name: a, value: 1, type: str}', None), ('{name: 1, value: 1}', None), ('{name: a, value: [1]}', None)])
-def test_a_pair_is_plain_when_there_is_nothing_else(text, expected):
-    assert entity(text).plain_pair('name', 'value', is_typed=True) == expected
+    ('[{name: a, value: 1}, {value: x y, name: b}]', [('a', 1), ('b', 'x y')]), ('[{name: a}]', None), ('[name, value]', None),
+    ('[{name: a, value: 1}, {name: a, value: 1, type: str}]', None), ('[{name: 1, value: 1}]', None),
+    ('[{name: a, value: [1]}]', None), ('[]', None), ('{name: a, value: 1}', None)])
+def test_children_are_plain_pairs_when_there_is_nothing_else(text, expected):
+    pairs = entity(f'{{param: {text}}}').plain_pairs('param', 'name', 'value', is_typed=True)
+    assert (pairs and [pair[:2] for pair in pairs]) == expected
 
 
 def test_both_of_an_untyped_pair_are_texts():
-    assert entity('{from: a, to: b}').plain_pair('from', 'to') == ('a', 'b')
-    assert entity('{from: a, to: 2}').plain_pair('from', 'to') is None
+    assert entity('{remap: [{from: a, to: b}]}').plain_pairs('remap', 'from', 'to')[0][:2] == ('a', 'b')
+    assert entity('{remap: [{from: a, to: 2}]}').plain_pairs('remap', 'from', 'to') is None
+    assert entity('[remap]').plain_pairs('remap', 'from', 'to') is None

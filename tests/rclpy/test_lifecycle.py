@@ -9,7 +9,8 @@ import rclpy
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.lifecycle import LifecycleNode, State, TransitionCallbackReturn
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.lifecycle import LifecycleNode, LifecycleNodeMixin, State, TransitionCallbackReturn
 from rclpy.node import Node
 from std_msgs.msg import String
 
@@ -96,6 +97,31 @@ def test_transitions_that_do_not_start_here_are_refused(ros: Ros, world: World) 
         world.say('refused')
 
     assert ros(body) == ['refused']
+
+
+def test_a_refused_transition_is_logged_by_rcls_state_machine(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.raises(RCLError):
+            LifecycleNode('n').trigger_activate()
+
+    ros(body)
+    assert world.tracer.logs == [(30, 'rcl_lifecycle', 'No transition matching activate found for current state unconfigured')]
+
+
+def test_a_node_of_ones_own_is_managed_by_the_mixin(ros: Ros, world: World) -> None:
+    class Own(Node, LifecycleNodeMixin):
+        def __init__(self) -> None:
+            Node.__init__(self, 'own')
+            self.group = ReentrantCallbackGroup()
+            LifecycleNodeMixin.__init__(self, callback_group=self.group)
+
+    def body() -> None:
+        node = Own()
+        node.trigger_configure()
+        world.say(node._rclpy.life.state.label)
+        world.say(sum(service.callback_group is node.group for service in node.services))
+
+    assert ros(body) == ['inactive', 5]
 
 
 def test_others_steer_a_managed_node_by_its_services(world: World) -> None:

@@ -58,6 +58,14 @@ def test_a_refused_name_is_a_value_error() -> None:
     assert issubclass(InvalidNodeNameException, ValueError) and issubclass(InvalidTopicNameException, ValueError)
 
 
+def test_errors_of_a_name_are_value_errors(ros: Ros) -> None:
+    def body() -> None:
+        with pytest.raises(ValueError, match='Invalid node name'):
+            Node('1st')
+
+    ros(body)
+
+
 def test_bad_topics_and_services_have_exceptions_of_their_own(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

@@ -5,7 +5,7 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
-from launch.frontend.entity import Entities
+from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
 
@@ -73,13 +73,20 @@ class Entity(BaseEntity):
                 f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
             f"the attribute '{name}'")
 
-    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
-        """The texts of the two attributes (typed: the second one converted), when there is nothing else."""
-        attributes = self._attributes
-        if len(attributes) != 2 or len(self._element) or first not in attributes or second not in attributes:
-            return None
-        value = attributes[second]
-        return attributes[first], typed(value, None, True) if is_typed else value
+    def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
+        """The texts of two attributes of each child (typed: the second one converted), and its line, when no child has anything
+        else.
+        """
+        found: list[Pair] = []
+        for child in self._element:
+            if child.tag != tag:
+                continue
+            attributes = child.attrib
+            if len(attributes) != 2 or len(child) or first not in attributes or second not in attributes:
+                return None
+            value = attributes[second]
+            found.append((attributes[first], typed(value, None, True) if is_typed else value, getattr(child, 'line', 0)))
+        return found or None
 
     def given(self, names: Collection[str]) -> list[str]:
         """Those of `names` that are there, attributes before child elements, in the order of the file."""

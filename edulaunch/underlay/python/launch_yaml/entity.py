@@ -5,7 +5,7 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import hints
-from launch.frontend.entity import Entities
+from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
 from launch.utilities.type_utils import is_instance_of
@@ -109,14 +109,22 @@ class Entity(BaseEntity):
             raise hints.at(error, self, f"write the value of '{name}' in quotes" if quoted else None)
         return value
 
-    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
-        """The values of the two keys, when there is nothing else and they have the types."""
+    def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
+        """The values of two keys of each child, and its line, when no child has anything else and they have the types."""
         element = self._element
-        if not isinstance(element, dict) or len(element) != 2 or first not in element or second not in element:
+        children = element.get(tag) if isinstance(element, dict) else None
+        if not isinstance(children, list) or not children:
             return None
-        name, value = element[first], element[second]
-        fits = type(name) is str and (type(value) in _SCALARS if is_typed else type(value) is str)
-        return (name, value) if fits else None
+        found: list[Pair] = []
+        for child in children:
+            if not isinstance(child, dict) or len(child) != 2 or first not in child or second not in child:
+                return None
+            name, value = child[first], child[second]
+            if type(name) is not str or (type(value) not in _SCALARS if is_typed else type(value) is not str):
+                return None
+            found.append((name, value, getattr(child, 'line', self._line)))
+        self.asked.add(tag)
+        return found
 
     def given(self, names: Collection[str]) -> list[str]:
         """Those of `names` that are keys, in the order of the file."""

@@ -8,6 +8,9 @@ from typing import Any
 
 from . import hints
 
+Pair = tuple[str, Any, int]
+"""Two attributes of an element, and its line."""
+
 
 class Entity(ABC):
     """One element: its name, its attributes and the elements inside it.
@@ -64,10 +67,11 @@ class Entity(ABC):
         """
         return [name for name in names if self._has(name)]
 
-    def plain_pair(self, first: str, second: str, *, is_typed: bool = False) -> tuple[str, Any] | None:
-        """The two attributes of an element that has both and nothing else, which is then completely parsed.
+    def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
+        """(first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
 
-        (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer.
+        (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
+        and no entities need be made of them.
 
         :param is_typed: the second one is a scalar by YAML's rules; else both are texts.
         """

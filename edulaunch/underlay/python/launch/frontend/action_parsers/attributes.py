@@ -37,14 +37,13 @@ def typed(data_type: type) -> Reader:
 def pairs(entity: Entity, parser: Parser, tag: str, first: str = 'name',
           second: str = 'value') -> list[tuple[Substitutions, Substitutions]]:
     """Children like `<arg name="a" value="b"/>`, in order."""
+    parse = parser.parse_substitution
+    plain = entity.plain_pairs(tag, first, second)
+    if plain is not None:
+        return [(parse(name), parse(value)) for name, value, _ in plain]
     found = []
     for child in entity.get_attr(tag, data_type=Entities):
-        plain = child.plain_pair(first, second)
-        if plain is not None:
-            found.append((parser.parse_substitution(plain[0]), parser.parse_substitution(plain[1])))
-            continue
-        found.append((parser.parse_substitution(child.get_attr(first)),
-                      parser.parse_substitution(child.get_attr(second))))
+        found.append((parse(child.get_attr(first)), parse(child.get_attr(second))))
         child.assert_entity_completely_parsed()
     return found
 

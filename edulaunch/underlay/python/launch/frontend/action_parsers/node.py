@@ -5,14 +5,14 @@ from typing import Any
 
 from launch_ros.actions.node import Node
 
-from ..entity import Entities, Entity
+from ..entity import Entity
 from ..late_parse import Parsed
 from ..parser import Parser
 from .attributes import Optionals, Substitutions, add_optionals, pairs, text
 from .command_line import words_of
 from .condition import condition_of
 from .executable import PROCESS_OPTIONALS
-from .param import parameters_of
+from .param import parameters_in
 
 
 def _words(entity: Entity, parser: Parser, name: str) -> list[Substitutions]:
@@ -23,11 +23,7 @@ def _remappings(entity: Entity, parser: Parser, name: str) -> list[tuple[Substit
     return pairs(entity, parser, name, 'from', 'to')
 
 
-def _parameters(entity: Entity, parser: Parser, name: str) -> list[Any]:
-    return parameters_of(entity.get_attr(name, data_type=Entities), parser)
-
-
-NODE_CHILDREN: Optionals = {'remap': ('remappings', _remappings), 'param': ('parameters', _parameters)}
+NODE_CHILDREN: Optionals = {'remap': ('remappings', _remappings), 'param': ('parameters', parameters_in)}
 """What composable nodes have too."""
 _OPTIONALS: Optionals = {
     **PROCESS_OPTIONALS, **NODE_CHILDREN,

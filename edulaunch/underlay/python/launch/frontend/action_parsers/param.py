@@ -8,7 +8,7 @@ from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
 from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 
 from .. import hints
-from ..entity import Entities, Entity
+from ..entity import Entities, Entity, Pair
 from ..parser import Parser
 
 _SCALARS = ('int', 'float', 'bool', 'str')
@@ -16,31 +16,28 @@ _TYPES: dict[str, Any] = {
     **dict(zip(_SCALARS, ScalarTypesTuple, strict=True)),
     **{f'list_of_{name}': data_type for name, data_type in zip(_SCALARS, ListTypesTuple, strict=True)},
     'yaml': None}
-_Named = tuple[Entity, tuple[str, Any] | None]
-"""A parameter, and its name and value when it has just these."""
 _WHICH = frozenset(('name', 'from', 'allow_substs'))
 _WHAT = frozenset(('value', 'type', 'param'))
 
 
-def parameters_of(params: list[Entity], parser: Parser) -> list[Any]:
+def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
     """The argument `parameters` of a node: the files; then, as upstream, all named parameters in one dict.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
     """
+    plain = entity.plain_pairs(tag, 'name', 'value', is_typed=True)
+    if plain is not None:
+        return [_plain_dictionary(plain, parser)]
     parameters: list[Any] = []
-    named: list[_Named] = []
-    for param in params:
-        plain = param.plain_pair('name', 'value', is_typed=True)
-        if plain is not None:
-            named.append((param, plain))
-            continue
+    named: list[Entity] = []
+    for param in entity.get_attr(tag, data_type=Entities):
         given = param.given(_WHICH)
         if 'from' in given:
             parameters.append(_file(param, given, parser))
         elif 'allow_substs' in given:
             raise _wrong(param, "'allow_substs' can only be used together with 'from' attribute")
         elif 'name' in given:
-            named.append((param, None))
+            named.append(param)
         else:
             raise hints.at(ValueError('param Entity should have name or from attribute'), param, None)
     if named:
@@ -57,19 +54,18 @@ def _file(param: Entity, given: list[str], parser: Parser) -> ParameterFile:
     return ParameterFile(path, allow_substs=parser.parse_if_substitutions(allow_substs))
 
 
-def _dictionary(params: list[_Named], parser: Parser) -> dict[Any, Any]:
-    parse = parser.parse_substitution
-    found: dict[Any, Any] = {}
-    for param, plain in params:
-        name = tuple(parse(param.get_attr('name') if plain is None else plain[0]))
-        found[name] = (
-            _value(param, parser) if plain is None else _made(param, parser.parse_if_substitutions(plain[1]), None))
-    return found
+def _plain_dictionary(pairs: list[Pair], parser: Parser) -> dict[Any, Any]:
+    parse, parse_typed = parser.parse_substitution, parser.parse_if_substitutions
+    return {tuple(parse(name)): _made(line, parse_typed(value), None) for name, value, line in pairs}
 
 
-def _made(param: Entity, value: Any, data_type: Any) -> ParameterValue:
+def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
+    return {tuple(parser.parse_substitution(param.get_attr('name'))): _value(param, parser) for param in params}
+
+
+def _made(line: int, value: Any, data_type: Any) -> ParameterValue:
     made = ParameterValue(value, value_type=data_type)
-    made._line = param.line
+    made._line = line
     return made
 
 
@@ -81,13 +77,15 @@ def _value(param: Entity, parser: Parser) -> Any:
             if name in given:
                 raise _wrong(param, f'nested parameters and {name} attributes are mutually exclusive')
         param.assert_entity_completely_parsed()
-        nested = param.get_attr('param', data_type=Entities)
-        return _dictionary([(inner, inner.plain_pair('name', 'value', is_typed=True)) for inner in nested], parser)
+        plain = param.plain_pairs('param', 'name', 'value', is_typed=True)
+        if plain is not None:
+            return _plain_dictionary(plain, parser)
+        return _dictionary(param.get_attr('param', data_type=Entities), parser)
     if 'value' not in given:
         raise _wrong(param, 'either a value attribute or nested params are needed')
     value = parser.parse_if_substitutions(param.get_attr('value', data_type=data_type))
     param.assert_entity_completely_parsed()
-    return _made(param, value, data_type)
+    return _made(param.line, value, data_type)
 
 
 def _data_type(param: Entity) -> Any:
