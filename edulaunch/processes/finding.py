@@ -30,11 +30,21 @@ class Finder:
         self.last: list[str] = []
         self.own = ''
         self._listed: dict[str, frozenset[str]] = {}
+        self._absent: dict[str, tuple[str, ...]] = {}
 
     def first_match(self, top: str) -> Found | None:
         """A top-level module that comes before the shared ones."""
         before, _ = self._program_path()
-        found = regular(top, [folder for folder in (*before, *self.roots) if self._may_have(folder, top)])
+        folders = (*before, *self.roots)
+        if self._absent.get(top) == folders:
+            return None
+        found = self._first_match(top, folders)
+        if found is None:
+            self._absent[top] = folders  # most imports are of something shared, again and again
+        return found
+
+    def _first_match(self, top: str, folders: tuple[str, ...]) -> Found | None:
+        found = regular(top, [folder for folder in folders if self._may_have(folder, top)])
         if found is None and top == self.own:
             found = regular(top, self.last) or namespace(top, self.last)
         if found is None:

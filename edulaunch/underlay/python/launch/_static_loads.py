@@ -4,6 +4,9 @@ Before a file is included, launch searches it and all files below it for launch 
 each of those. Upstream loads all of them each time, which is quadratic in the depth. Here a file that was
 loaded for such a search is kept until the file, the environment or the working directory change. A file that
 is really launched is always loaded anew.
+
+Whether files have changed would be asked at each level for all files below it, which is quadratic again. So within one visit, in
+which includes of any depth are executed one right after the other, each file is looked at once.
 """
 from __future__ import annotations
 
@@ -45,6 +48,7 @@ def load_once(
     cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process.state.setdefault(
         'launch.static_loads', {})
     stamp, folder = _stamp_of(location), os.getcwd()
+    process.state.get('launch.looked_at', {})[location] = stamp
     for files in process.state.get('launch.watched_loads', ()):
         files[location] = stamp
     known = cache.get((type(source), location))
@@ -72,9 +76,27 @@ def loads_watched() -> Iterator[Files]:
         watched.pop()
 
 
+@contextmanager
+def one_visit() -> Iterator[None]:
+    """Inside, :func:`is_current` looks at each file once."""
+    state = running_process().state
+    state['launch.looked_at'] = {}
+    try:
+        yield
+    finally:
+        state.pop('launch.looked_at', None)  # a visit may have held another one
+
+
 def is_current(files: Files) -> bool:
     """Whether all files still are as they were."""
-    return all(_stamp_of(location) == stamp for location, stamp in files.items())
+    looked_at: Files = running_process().state.get('launch.looked_at', {})
+    for location, stamp in files.items():
+        now = looked_at.get(location)
+        if now is None:
+            now = looked_at[location] = _stamp_of(location)
+        if now != stamp:
+            return False
+    return True
 
 
 def _stamp_of(location: str) -> Stamp:

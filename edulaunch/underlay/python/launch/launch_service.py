@@ -13,6 +13,7 @@ from ._done import Done
 from ._engine import new_event_loop, running_process
 from ._help import show_help
 from ._origin import note_origin
+from ._static_loads import one_visit
 from .event import Event
 from .event_handler import BaseEventHandler
 from .event_handlers.on_include_launch_description import OnIncludeLaunchDescription
@@ -254,7 +255,7 @@ class LaunchService:
             context._pop_locals()
 
     def __visit(self, entity: LaunchDescriptionEntity) -> None:
-        with collector_paused():
+        with collector_paused(), one_visit():
             pairs = visit_all_entities_and_collect_futures(entity, self.__context)
         on_done = self.__on_done
         for visited, future in pairs:
