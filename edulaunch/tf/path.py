@@ -7,6 +7,7 @@ from math import sqrt
 
 from edulaunch.tf.history import History
 from edulaunch.tf.product import product
+from edulaunch.tf.quaternions import HUGE, TINY
 from edulaunch.tf.transforms import IDENTITY, Transform, canonical, relative
 
 MAX_DEPTH = 1000
@@ -61,8 +62,9 @@ class Path:
                 return None
             found = relative(product(poses), found)
         x, y, z, qx, qy, qz, qw = found
-        if qw > 0.501:  # the common case of `canonical`, written out for speed
-            s = 1.0 / sqrt(qx * qx + qy * qy + qz * qz + qw * qw)
+        square = qx * qx + qy * qy + qz * qz + qw * qw
+        if 3.99 * qw * qw > square and TINY < square < HUGE:  # the common case of `canonical`, written out for speed
+            s = 1.0 / sqrt(square) if qw > 0.0 else -1.0 / sqrt(square)
             return stamp_ns, (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
         return stamp_ns, canonical(found)
 

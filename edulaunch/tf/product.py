@@ -24,7 +24,9 @@ def product(poses: Sequence[Transform]) -> Transform:
         z += pz
         qz, qw = aw * qz + az * qw, aw * qw - az * qz
         flat += 1
-    else:
+    if x - x or y - y or z - z:  # infinite lengths need the products with zero that were left out
+        flat = 0
+    elif flat == len(poses):
         return (x, y, z, 0.0, 0.0, qz, qw)
     return _product_on((x, y, z, 0.0, 0.0, qz, qw), poses[flat:]) if flat else _product_on(poses[0], poses[1:])
 

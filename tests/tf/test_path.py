@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.tf import TransformBuffer
-from edulaunch.tf.transforms import IDENTITY, compose, inverse
+from edulaunch.tf.product import product
+from edulaunch.tf.transforms import IDENTITY, canonical, compose, inverse
 
 from .shapes import SECOND, at, chain_of, poses, x_of
 
@@ -61,3 +62,12 @@ def counted_steps(samples: int) -> int:
 
 def test_looking_far_back_costs_the_logarithm_of_the_history():
     assert 6 < counted_steps(256) < counted_steps(4096) < counted_steps(256) + 6
+
+
+@given(st.lists(poses, min_size=1, max_size=5))
+def test_what_is_shown_is_what_canonical_makes_of_the_product(links):
+    buffer = TransformBuffer()
+    for index, link in enumerate(links):
+        buffer.set(f'f{index}', f'f{index + 1}', SECOND, link)
+    stored = [buffer._frames[f'f{index + 1}'].poses[-1] for index in range(len(links))]
+    assert buffer.lookup('f0', f'f{len(links)}')[1] == canonical(product(stored[::-1]))
