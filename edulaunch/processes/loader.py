@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 _shared_import = builtins.__import__
-LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os'))
+LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))
 """What Python itself has loaded before it looks at any file of a program."""
 
 

@@ -296,7 +296,8 @@ def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
 
 
 @pytest.mark.parametrize('ask', ['os.path.exists("words.txt")', 'os.listdir() == ["words.txt"]', 'os.path.abspath("x") == os.getcwd() + "/x"',
-                                 'list(os.walk("."))[0] == (".", [], ["words.txt"])', 'os.path.relpath(os.getcwd() + "/a/b") == "a/b"',
+                                 'list(os.walk("."))[0] == (".", [], ["words.txt"])', '[e.path for e in os.scandir(".")] == ["./words.txt"]',
+                                 '[Path(e).read_text() for e in os.scandir() if e.is_file()] == ["hello"]', 'os.path.relpath(os.getcwd() + "/a/b") == "a/b"',
                                  'glob.glob("*.txt") == ["words.txt"]', 'join("a", "b") == "a/b"', 'os.stat("words.txt").st_size == 5',
                                  'Path("words.txt").read_text() == "hello"', 'Path.cwd() == Path(os.getcwd())', 'Path("words.txt").exists()',
                                  '[*Path().glob("*.txt")] == [Path("words.txt")]', 'str(Path("x").resolve()) == os.getcwd() + "/x"',

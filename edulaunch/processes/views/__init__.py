@@ -31,6 +31,7 @@ VIEWS = {
     'numpy.random': 'numpy_view.make_random',
     'os': 'os_view.make',
     'os.path': 'files_view.make_path',
+    'posixpath': 'files_view.make_path',
     'pickle': 'pickle_view.make',
     'pkg_resources': 'pkg_resources_view.make',
     'pkgutil': 'pkgutil_view.make',

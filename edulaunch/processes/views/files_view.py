@@ -7,13 +7,14 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
+from edulaunch.processes.views.folder_listing import Listing
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 ONE_PATH = ('access', 'chmod', 'listdir', 'lstat', 'makedirs', 'mkdir', 'open', 'readlink', 'remove', 'removedirs', 'rmdir',
-            'scandir', 'stat', 'truncate', 'unlink', 'utime')
+            'stat', 'truncate', 'unlink', 'utime')
 TWO_PATHS = ('link', 'rename', 'renames', 'replace')
 QUESTIONS = ('abspath', 'exists', 'getatime', 'getctime', 'getmtime', 'getsize', 'isdir', 'isfile', 'islink', 'ismount',
              'lexists', 'realpath')
@@ -27,12 +28,37 @@ def inside(path: Any) -> Any:
     return real.path.join(real.fsencode(folder) if isinstance(path, bytes) else folder, path)
 
 
-def _relative(function: Callable[..., Any], paths: int = 1) -> Callable[..., Any]:
-    def call(*arguments: Any, **options: Any) -> Any:
+class Free:
+    """A function that stays one when it becomes an attribute of a class, as functions written in C do: `pathlib` counts on it."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._function = function
+        self.__name__, self.__doc__ = function.__name__, function.__doc__
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        return self._function(*arguments, **options)
+
+
+class Relative(Free):
+    """A function of the real module, called with the paths that the program means.
+
+    :param paths: how many of its arguments are paths.
+    """
+
+    def __init__(self, function: Callable[..., Any], paths: int = 1) -> None:
+        super().__init__(function)
+        self._paths = paths
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
         if current_task().owner.cwd is None:
-            return function(*arguments, **options)
-        return function(*map(inside, arguments[:paths] or ('.',)), *arguments[paths:], **options)
-    return call
+            return self._function(*arguments, **options)
+        paths = self._paths
+        return self._function(*map(inside, arguments[:paths] or ('.',)), *arguments[paths:], **options)
+
+
+def _scandir(path: Any = '.') -> Any:
+    where = inside(path)
+    return real.scandir(path) if where is path else Listing(path, where)
 
 
 def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
@@ -42,8 +68,9 @@ def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    **{name: _relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
-    **{name: _relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)}, 'walk': _walk}
+    **{name: Relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
+    **{name: Relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)},
+    'walk': _walk, 'scandir': Free(_scandir)}
 """For the view of `os`; the same for all programs."""
 
 
@@ -60,7 +87,7 @@ def _expanduser(path: Any) -> Any:
 
 def _make_path() -> ModuleType:
     view = ModuleType(real.path.__name__)
-    view.__dict__.update({name: _relative(getattr(real.path, name)) for name in QUESTIONS}, relpath=_relpath,
+    view.__dict__.update({name: Relative(getattr(real.path, name)) for name in QUESTIONS}, relpath=_relpath,
                          expanduser=_expanduser, __edulaunch_view__=True)
     copy_names(view, real.path)
     return view
@@ -79,6 +106,6 @@ def make_io(view: ModuleType, process: Process) -> ModuleType:
     """`io.open` is the program's own `open`, on which `pathlib` stands too."""
     import io
 
-    view.__dict__['open'] = process.loader.builtins['open']
+    view.__dict__['open'] = Free(process.loader.builtins['open'])
     copy_names(view, io)
     return view

@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
-from edulaunch.processes.views.files_view import FUNCTIONS, PATH
+from edulaunch.processes.views.files_view import FUNCTIONS, PATH, Free
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -84,7 +84,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     view.__dict__.update(
         environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
         getpid=lambda: process.pid, getppid=lambda: 1000, kill=lambda pid, signum, /: _kill(process, pid, signum),
-        _exit=process.exit_now, abort=lambda: process.end_by(signal.SIGABRT), getcwd=getcwd, chdir=chdir,
+        _exit=process.exit_now, abort=lambda: process.end_by(signal.SIGABRT), getcwd=Free(getcwd), chdir=chdir,
         cpu_count=lambda: CPUS, process_cpu_count=lambda: CPUS, get_terminal_size=get_terminal_size,
         system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom, read=read, write=write)
     copy_names(view, real)
