@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
+import pathlib as real_pathlib
 import re
-from pathlib import Path
 
 from edulaunch.processes import current_process
 
@@ -50,9 +50,11 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
     return path
 
 
-def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """:func:`get_package_share_directory` as a `pathlib.Path`."""
-    return Path(get_package_share_directory(package_name, print_warning=print_warning))
+def get_package_share_path(package_name: str, print_warning: bool = True) -> real_pathlib.Path:
+    """:func:`get_package_share_directory` as a `pathlib.Path`: that of the program that asks, which may have a copy of its own."""
+    pathlib = current_process().loader.modules.get('pathlib', real_pathlib)
+    path: real_pathlib.Path = pathlib.Path(get_package_share_directory(package_name, print_warning=print_warning))
+    return path
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
