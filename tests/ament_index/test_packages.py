@@ -14,6 +14,8 @@ from ament_index_python.packages import (
     get_packages_with_prefixes,
 )
 
+from edulaunch import Session
+
 
 def test_the_first_prefix_with_the_package_wins(ask: Any, two_prefixes: tuple[str, str]) -> None:
     over, under = two_prefixes
@@ -46,3 +48,18 @@ def test_a_missing_share_folder_only_warns(ask: Any, two_prefixes: tuple[str, st
     with pytest.warns(UserWarning, match=f'Share directory for beta .{share}. does not exist.'):
         assert ask(lambda: get_package_share_directory('beta')) == str(share)
     assert ask(lambda: get_package_share_directory('beta', print_warning=False)) == str(share)
+
+
+def test_the_path_of_a_package_is_one_of_the_program_s_own_paths(tmp_path: Path) -> None:
+    (tmp_path / 'p.py').write_text("""
+from pathlib import Path
+from ament_index_python import get_package_share_path
+share = get_package_share_path('turtlesim')
+print(isinstance(share, Path), share == Path(str(share)), share.parent / 'turtlesim' == share)
+""")
+    (tmp_path / 'a.launch.xml').write_text('<launch><executable cmd="python3 $(dirname)/p.py"/></launch>')
+    with Session() as session:
+        session.launch(tmp_path / 'a.launch.xml')
+        session.run(1.0)
+        recording = session.recording()
+    assert [piece.text for piece in recording.output if piece.text.startswith('True')] == ['True True True\n']
