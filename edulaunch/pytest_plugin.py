@@ -19,6 +19,9 @@ from edulaunch.underlay_place import underlay_python
 MARKS = {'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
          'rostest': 'as launch_test, for ROS 2 packages (edulaunch)'}
 
+SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
+"""Of a run: whether any of its test files has launch tests, or texts of some."""
+
 
 def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
     """Offer `pytest_launch_collect_makemodule` to other plugins."""
@@ -51,9 +54,18 @@ def pytest_configure(config: pytest.Config) -> None:
         config.addinivalue_line('markers', f'{name}: {text}')
 
 
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Prepare for inner runs of pytest that have launch tests."""
+    if session.config.stash.get(SPEAKS_OF_LAUNCH_TESTS, False) and session.config.pluginmanager.has_plugin('pytester'):
+        from edulaunch.inner_pytest import load_everything
+        load_everything()
+
+
 def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
     """Take a launch test; leave any other file to pytest, after preparing for those of launch_pytest."""
     source = module_path.read_bytes()
+    if b'launch_pytest' in source or b'generate_test_description' in source:
+        parent.config.stash[SPEAKS_OF_LAUNCH_TESTS] = True
     entrypoint, is_plain = _entrypoint_in(source), not uses_launch_pytest(source)
     if (entrypoint is None and is_plain) or _other_launch_testing():
         return None
@@ -82,8 +94,28 @@ def _other_launch_testing() -> bool:
 
 
 def uses_launch_pytest(source: bytes) -> bool:
-    """Whether a test file has tests of launch_pytest. Their fixtures may be in a conftest.py."""
-    return b'launch_pytest' in source or (b'mark.launch(' in source and 'launch_pytest' in sys.modules)
+    """Whether a test file imports launch_pytest, or has tests whose launch fixtures a conftest.py has made with it.
+
+    A file that only speaks of it (tests of tests have other files as texts) does not; nor is every mark `launch` ours.
+    """
+    marked = b'mark.launch(' in source and 'launch_pytest' in sys.modules
+    if b'launch_pytest' not in source and not marked:
+        return False
+    try:
+        nodes = list(ast.walk(ast.parse(source)))
+    except (SyntaxError, ValueError):
+        return False
+    return any(_imports_launch_pytest(node) or (marked and _is_mark_launch(node)) for node in nodes)
+
+
+def _imports_launch_pytest(node: ast.AST) -> bool:
+    names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else \
+        [node.module or ''] if isinstance(node, ast.ImportFrom) else []
+    return any(name.partition('.')[0] == 'launch_pytest' for name in names)
+
+
+def _is_mark_launch(node: ast.AST) -> bool:
+    return isinstance(node, ast.Attribute) and node.attr == 'launch' and ast.unparse(node.value).endswith('mark')
 
 
 def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:

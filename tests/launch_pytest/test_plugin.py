@@ -8,7 +8,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import launch_pytest
 import pytest
 
 from edulaunch.pytest_plugin import uses_launch_pytest
@@ -229,13 +228,14 @@ def test_it(from_conftest):
 
 
 @pytest.mark.parametrize(('source', 'imported', 'answer'), [
-    (b'import launch_pytest', False, True), (b'@pytest.mark.launch(fixture=f)', True, True),
-    (b"@pytest.mark.launch('a browser')", False, False), (b'def test_plain(): ...', True, False)])
+    (b'import launch_pytest', False, True), (b'@pytest.mark.launch(fixture=f)\ndef test(): ...', True, True),
+    (b"@pytest.mark.launch('a browser')\ndef test(): ...", False, False), (b'TEXT = "import launch_pytest"', True, False),
+    (b'def test_plain(): ...', True, False)])
 def test_a_mark_of_somebody_else_is_left_alone(source: bytes, imported: bool, answer: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     if not imported:
         monkeypatch.delitem(sys.modules, 'launch_pytest', raising=False)
     else:
-        monkeypatch.setitem(sys.modules, 'launch_pytest', launch_pytest)
+        monkeypatch.setitem(sys.modules, 'launch_pytest', sys)
     assert uses_launch_pytest(source) is answer
 
 

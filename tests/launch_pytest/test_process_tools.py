@@ -2,9 +2,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
-import launch_pytest.tools
 import pytest
 
 Run = Callable[..., Any]
@@ -84,5 +84,6 @@ test_it = pytest.mark.launch(fixture=slow)(both)
 
 
 def test_every_exported_name_is_there() -> None:
-    for name in launch_pytest.tools.__all__:
-        assert getattr(launch_pytest.tools, name) is not None
+    tools = import_module('launch_pytest.tools')  # an import statement would make this file one of launch tests
+    for name in tools.__all__:
+        assert getattr(tools, name) is not None

@@ -2,10 +2,8 @@
 from __future__ import annotations
 
 import functools
-import pkgutil
 from collections.abc import Generator
 from contextlib import suppress
-from importlib import import_module
 from typing import Any
 
 import pytest
@@ -26,8 +24,6 @@ from ._launched_test import run_launched_test
 from .fixture import OPTIONS, finalize_launch_service
 
 __all__ = ['LaunchTestWarning', 'has_shutdown_kwarg', 'is_launch_test']
-LAZY_PACKAGES = ('edulaunch.sim', 'edulaunch.graph', 'edulaunch.packages', 'edulaunch.processes', 'launch', 'launch_ros',
-                 'launch_testing', 'launch_pytest')
 MACHINE = pytest.StashKey[TestMachine]()
 
 
@@ -39,23 +35,6 @@ def pytest_configure(config: pytest.Config) -> None:
     machine = config.stash[MACHINE] = TestMachine(option('--launch-seed', 0), option('--launch-workspace', None))
     machine.open()
     config.add_cleanup(machine.close)
-
-
-def pytest_collection_finish(session: pytest.Session) -> None:
-    """Prepare for inner runs of pytest."""
-    if session.config.pluginmanager.has_plugin('pytester'):
-        load_everything()
-
-
-def load_everything() -> None:
-    """Import what is else imported when it is first used.
-
-    `pytester` forgets after each inner run the modules that were imported in it, but the packages that refer to them do not:
-    without this there would be two of many a class.
-    """
-    for package in LAZY_PACKAGES:
-        for found in pkgutil.walk_packages(import_module(package).__path__, f'{package}.'):
-            import_module(found.name)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -111,17 +111,23 @@ class ActionServer(Waitable):
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
         return core.graph.create_publisher(core.entry, name, msg_type, engine_qos(qos))
 
+    @property
+    def action_type(self) -> Any:
+        """The class of the action."""
+        return self._action_type
+
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         """Say what to do with accepted goals; None executes them."""
-        self._handle_accepted_callback = _callable(handle_accepted_callback, default_handle_accepted_callback)
+        self._handle_accepted_callback = _callable(
+            handle_accepted_callback, default_handle_accepted_callback, 'handle accepted')
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
         """Say which goals to accept; None accepts all."""
-        self._goal_callback = _callable(goal_callback, default_goal_callback)
+        self._goal_callback = _callable(goal_callback, default_goal_callback, 'goal')
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
         """Say which requests to cancel to accept; None rejects all."""
-        self._cancel_callback = _callable(cancel_callback, default_cancel_callback)
+        self._cancel_callback = _callable(cancel_callback, default_cancel_callback, 'cancel')
 
     def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
         """Say how goals are worked on. Raises TypeError unless it is callable."""
@@ -261,9 +267,9 @@ class ActionServer(Waitable):
             endpoint.destroy()
 
 
-def _callable(callback: Any, default: Any) -> Any:
+def _callable(callback: Any, default: Any, kind: str) -> Any:
     if callback is not None and not callable(callback):
-        raise TypeError('Failed to register callback: not callable')
+        raise TypeError(f'Failed to register {kind} callback: not callable')
     return callback or default
 
 

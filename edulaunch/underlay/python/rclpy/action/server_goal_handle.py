@@ -53,8 +53,8 @@ class ServerGoalHandle:
 
     @property
     def status(self) -> int:
-        """The state, as a number of action_msgs/GoalStatus."""
-        return int(self._state)
+        """The state, as a number of action_msgs/GoalStatus; UNKNOWN once the goal is forgotten."""
+        return int(GoalState.UNKNOWN if self._destroyed else self._state)
 
     def _info(self) -> Any:
         from action_msgs.msg import GoalInfo
