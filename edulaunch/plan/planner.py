@@ -1,0 +1,221 @@
+"""One dry run, from the launch file to the plan."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.graph.graph import Graph
+from edulaunch.packages import Index
+from edulaunch.plan.assumptions import Assumptions
+from edulaunch.plan.endless import run_to_rest
+from edulaunch.plan.lifecycles import ImaginedLifecycles
+from edulaunch.plan.outline import Branch
+from edulaunch.plan.rehearsal import Notes, RehearsalHost
+from edulaunch.sim.simulation import Simulation
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
+
+FORMAT = 1
+Plan = dict[str, Any]
+
+
+class Planner:
+    """A launch service in a simulation of its own, in which nothing is started.
+
+    :ivar assumptions: what may be taken to be there; None when nothing may.
+    """
+
+    def __init__(self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str]) -> None:
+        self._path = path
+        self._given = given
+        self._notes = Notes()
+        self._sim = Simulation()
+        self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ)
+        self._items: list[Plan] = []
+        self._processes = 0
+        self._error: Plan | None = None
+        self._arguments: list[Plan] = []
+        self._configurations: dict[str, Any] = {}
+        self._reason: str | None = None
+        self._broken: Exception | None = None
+        self._service: Any = None
+        self._watch: Any = None
+        self.assumptions: Assumptions | None = None
+
+    @property
+    def outline(self) -> Branch:
+        """What was visited."""
+        return Branch('') if self._watch is None else self._watch.outline
+
+    def plan(self) -> Plan:
+        """Run it, and tell what happened."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter('default')
+            process = self._host.run_launch(self._run)
+            endless = run_to_rest(self._sim)
+            while endless is None and process.returncode is None:
+                self._let_something_end()
+                endless = run_to_rest(self._sim)
+        self._host.close()
+        if endless is not None:
+            self._error = self._endless_error(endless)
+        if self._broken is not None:
+            raise self._broken
+        plan = {
+            'format': FORMAT,
+            'file': self._path,
+            'given': self._given,
+            'arguments': self._arguments,
+            'configurations': self._configurations,
+            'items': self._items,
+            'error': self._error,
+            'log': self._notes.logs,
+            'shutdown_reason': self._reason,
+            'stdout': self._notes.stdout,
+            'warnings': [str(warning.message) for warning in caught],
+        }
+        sorted_plan: Plan = _sorted(plan)
+        return sorted_plan
+
+    def _endless_error(self, text: str) -> Plan:
+        branch = self._watch.branch
+        origin = None if branch.origin is None else str(branch.origin)
+        where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
+        help_text = f'{where}a timer that starts itself again, or a coroutine that never returns, needs something that ends it'
+        return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
+
+    def _let_something_end(self) -> None:
+        if self._host.end_next():
+            return
+        from launch.events.shutdown import Shutdown
+
+        if not self._service.context.is_shutdown:
+            self._service.emit_event(Shutdown(reason='idle'))
+        else:
+            self._host.end_all()
+
+    def _run(self, process: Process) -> int:
+        """The body of the process in which launch runs; what breaks here is our own mistake."""
+        try:
+            process.state['launch.show_help'] = self._failed
+            process.state['launch.assumptions'] = self.assumptions
+            process.state['launch.change_state'] = ImaginedLifecycles().change
+            return self._launch()
+        except Exception as error:
+            self._broken = error
+            return 1
+
+    def _launch(self) -> int:
+        import logging
+
+        import launch.logging
+        from launch.actions.include_launch_description import IncludeLaunchDescription
+        from launch.event_handlers.on_shutdown import OnShutdown
+        from launch.launch_description import LaunchDescription
+        from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+        from launch.launch_service import LaunchService
+
+        from edulaunch.plan.assumed_includes import include_if_there
+        from edulaunch.plan.watching import Watch
+
+        launch.logging.launch_config.dry = True
+        launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
+        self._arguments = self._declared_arguments()
+        self._service = LaunchService(noninteractive=True)
+        instead: dict[str, Any] = {'LoadComposableNodes': lambda action, context: None}
+        if self.assumptions is not None:
+            instead['IncludeLaunchDescription'] = partial(include_if_there, self.assumptions)
+        self._watch = Watch(self._executed, instead)
+        context = self._service.context
+        self._watch.context(context)
+        context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
+        include = IncludeLaunchDescription(
+            AnyLaunchDescriptionSource(self._path), launch_arguments=list(self._given.items())
+        )
+        self._service.include_launch_description(
+            LaunchDescription([self._watch.entity(include), self._end_of_first_visit()])
+        )
+        code: int = self._service.run()
+        return code
+
+    def _note_reason(self, event: Any, context: Any) -> None:
+        self._reason = self._reason or event.reason
+
+    def _declared_arguments(self) -> list[Plan]:
+        from launch.launch_context import LaunchContext
+        from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+
+        try:
+            description = AnyLaunchDescriptionSource(self._path).get_launch_description(LaunchContext())
+            found = description.get_launch_arguments()
+        except Exception:
+            return []  # the visit meets the same error, and reports it
+        return [
+            {
+                'name': argument.name,
+                'description': argument.description,
+                'choices': argument.choices,
+                'conditional': argument._conditionally_included,
+                'default': None
+                if argument.default_value is None
+                else ' + '.join(part.describe() for part in argument.default_value),
+            }
+            for argument in found
+        ]
+
+    def _end_of_first_visit(self) -> Any:
+        from launch.actions.opaque_function import OpaqueFunction
+
+        def keep(context: Any) -> None:
+            self._configurations = _plain(dict(context.launch_configurations))
+
+        return OpaqueFunction(function=keep)
+
+    def _executed(self, branch: Branch, context: Any) -> None:
+        from edulaunch.plan.items import item_of
+        from edulaunch.plan.process_items import origins_in_files
+
+        item = item_of(branch.action, context, self._host.env, self._processes)
+        if item is None:
+            return
+        self._processes += item['kind'] in ('node', 'process')
+        item['phase'] = self._watch.phase
+        if self._watch.phase == 'timer':
+            item['time'] = self._sim.elapsed_s
+        branch.item = _plain(item)
+        if item['kind'] == 'node':
+            branch.file_origins = origins_in_files(item)
+            branch.origins = branch.action._process_spec_details()['parameter_origins']
+        self._items.append(branch.item)
+
+    def _failed(self, error: BaseException) -> None:
+        from launch._help import launch_help, launch_origin
+
+        if self._error is None:
+            origin = launch_origin(error)
+            self._error = {
+                'type': type(error).__name__,
+                'text': str(error),
+                'help': launch_help(error),
+                'origin': None if origin is None else str(origin),
+                'stage': 'visit' if self._items else 'load',
+            }
+
+
+def _plain(value: Any) -> Any:
+    """The value as JSON can hold it."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return value if value is None or isinstance(value, str | int | float | bool) else str(value)
+
+
+def _sorted(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _sorted(value[key]) for key in sorted(value)}
+    return [_sorted(item) for item in value] if isinstance(value, list) else value
