@@ -51,7 +51,7 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> real_pathlib.Path:
-    """:func:`get_package_share_directory` as a `pathlib.Path`: that of the program that asks, which may have a copy of its own."""
+    """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
     pathlib = current_process().loader.modules.get('pathlib', real_pathlib)
     path: real_pathlib.Path = pathlib.Path(get_package_share_directory(package_name, print_warning=print_warning))
     return path
