@@ -10,7 +10,7 @@ from asyncio import base_events, events
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.sim.task import Task, current_task
+from edulaunch.sim.task import Task, TaskKilled, current_task
 
 
 class _Turns:
@@ -60,6 +60,11 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
         """Another loop may run around this one: `run_forever` sets it aside."""
         if self.is_running():
             raise RuntimeError('This event loop is already running')
+
+    def call_exception_handler(self, context: dict[str, Any]) -> None:
+        """As asyncio's; but that a program is being ended is no mistake of the callback that is interrupted."""
+        if not isinstance(context.get('exception'), TaskKilled):
+            super().call_exception_handler(context)
 
     def step_aside(self, switch: Callable[[], object]) -> None:
         """Give the turn back with this loop set aside, so that others may run theirs."""

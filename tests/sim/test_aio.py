@@ -99,3 +99,36 @@ def test_blocking_inside_a_coroutine_blocks_only_its_own_task() -> None:
 
     run_in_task(sim, lambda: drive(rude()), lambda: (sync.sleep(1), log.append((sim.elapsed_s, 'other'))))
     assert log == [(1.0, 'other'), (2.0, 'rude')]
+
+
+def test_a_program_that_is_ended_in_a_callback_says_nothing(caplog: Any) -> None:
+    sim, lock, log = Simulation(), sync.Lock(), []
+
+    async def main() -> None:
+        future = asyncio.get_running_loop().create_future()
+        future.add_done_callback(lambda _: lock.acquire())
+        try:
+            await asyncio.sleep(10.0)
+        finally:
+            log.append(sim.elapsed_s)
+            future.set_result(None)
+            await asyncio.sleep(0)
+
+    def ended() -> None:
+        lock.acquire()
+        loop = new_event_loop()
+        task = loop.create_task(main())
+        try:
+            loop.run_until_complete(task)
+        finally:
+            task.cancel()
+            loop.run_until_complete(asyncio.gather(task, return_exceptions=True))
+            loop.close()
+
+    task = Task(sim, ended, name='ended')
+    task.start()
+    sim.run(until_ns=sim.now_ns + 10**9)
+    task.kill()
+    sim.run()
+    assert log == [1.0]
+    assert caplog.text == ''
