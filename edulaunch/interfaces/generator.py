@@ -68,8 +68,8 @@ def _complete(cls: type[Message], spec: MessageSpec) -> None:
     cls._FIELDS = {field.name: field.type.ros_text for field in spec.fields}
     own_slots = [f'_{field.name}' for field in spec.fields]
     # Read by copy, deepcopy and pickle instead of __slots__, which rclpy's own extra slot must be part of.
-    cls.__slotnames__ = own_slots  # type: ignore[attr-defined]
-    cls.__slots__ = (*own_slots, '_check_fields')
+    cls.__slotnames__ = own_slots
+    cls.__slots__ = [*own_slots, '_check_fields']
     lazy = {'SLOT_TYPES': Lazy(lambda: _slot_types(spec))}
     for field in spec.fields:
         if field.default is not None:
@@ -79,6 +79,8 @@ def _complete(cls: type[Message], spec: MessageSpec) -> None:
         setattr(cls, name, attribute)
     for constant in spec.constants:
         setattr(cls, constant.name, constant.value)
+    if spec.constants:
+        cls._constants = frozenset(constant.name for constant in spec.constants)
 
 
 def _slot_types(spec: MessageSpec) -> tuple[object, ...]:

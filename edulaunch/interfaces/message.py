@@ -27,14 +27,28 @@ class Lazy:
         return value
 
 
-class Message:
+class ConstantsStay(type):
+    """The metaclass of messages: the constants of a message type cannot be assigned to, as in rclpy."""
+
+    _constants: frozenset[str] = frozenset()
+
+    def __setattr__(cls, name: str, value: object) -> None:
+        if name in cls._constants:
+            raise AttributeError(
+                f"property {name!r} of 'Metaclass_{cls.__name__}' object has no setter\n"
+                f'  help: {name} is a constant of {cls.__name__}; give a variable of your own another value'
+            )
+        super().__setattr__(name, value)
+
+
+class Message(metaclass=ConstantsStay):
     """What every message class has besides its fields; the fields look and behave as in rclpy.
 
     `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message
     from one.
     """
 
-    __slots__: tuple[str, ...] = ()
+    __slots__: list[str] = []
     TYPE: ClassVar[str]
     LAYOUT: ClassVar[Layout]
     SLOT_TYPES: ClassVar[tuple[Any, ...]]

@@ -87,11 +87,18 @@ def test_two_messages_never_share_a_default(everything):
 
 def test_slots_and_field_types_are_those_of_ros(get):
     cls = get('geometry_msgs/msg/Twist')
-    assert cls.__slots__ == ('_linear', '_angular', '_check_fields')
+    assert cls.__slots__ == ['_linear', '_angular', '_check_fields']
     assert cls.get_fields_and_field_types() == {
         'linear': 'geometry_msgs/Vector3',
         'angular': 'geometry_msgs/Vector3',
     }
+
+
+def test_a_constant_cannot_be_assigned_to(get):
+    cls = get('action_msgs/msg/GoalStatus')
+    with pytest.raises(AttributeError, match="^property 'STATUS_ABORTED' of 'Metaclass_GoalStatus' object has no setter"):
+        cls.STATUS_ABORTED = 3
+    assert cls.STATUS_ABORTED == cls().STATUS_ABORTED == 6
 
 
 @pytest.mark.parametrize(

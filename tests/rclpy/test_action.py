@@ -265,3 +265,28 @@ def test_goal_ids_repeat_from_run_to_run() -> None:
     first = ids()
     assert first == ids()
     assert len(set(first[0])) == 2
+
+
+def test_the_goals_of_a_destroyed_server_have_an_unknown_state(ros: Ros, world: World) -> None:
+    def program() -> None:
+        held: list[Any] = []
+        node = Node('server')
+        server = ActionServer(node, Fibonacci, 'fib', compute, handle_accepted_callback=held.append)
+        future = ActionClient(node, Fibonacci, 'fib').send_goal_async(Fibonacci.Goal())
+        rclpy.spin_until_future_complete(node, future)
+        world.say((held[0].status, held[0].is_active))
+        server.destroy()
+        world.say((held[0].status, held[0].is_active))
+
+    assert ros(program) == [(1, True), (0, False)]
+
+
+def test_registering_what_cannot_be_called_names_the_callback(ros: Ros, world: World) -> None:
+    def program() -> None:
+        server = ActionServer(Node('server'), Fibonacci, 'fib', compute)
+        for kind in ('goal', 'cancel', 'handle_accepted'):
+            with pytest.raises(TypeError, match=f'^Failed to register {kind.replace("_", " ")} callback: not callable$'):
+                getattr(server, f'register_{kind}_callback')(3)
+        world.say(server.action_type is Fibonacci)
+
+    assert ros(program) == [True]

@@ -73,6 +73,25 @@ def test_bad_ros_arguments_end_init(world: World, arguments: list[str], error: t
     assert world.run_program(program, '--ros-args', *arguments) == [True]
 
 
+@pytest.mark.parametrize(('text', 'number'), [('', 0), (' 7', 7), ('42nd', 42)])
+def test_the_domain_comes_from_the_environment(world: World, text: str, number: int) -> None:
+    def program() -> None:
+        rclpy.init()
+        world.say(rclpy.get_default_context().get_domain_id())
+
+    assert world.run_program(program, env={'ROS_DOMAIN_ID': text}) == [number]
+
+
+def test_a_domain_that_is_no_number_ends_init(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+
+    process = world.start(program, env={'ROS_DOMAIN_ID': 'home'})
+    world.run(1)
+    assert process.returncode == 1
+    assert 'RCLError: failed to initialize rcl: ROS_DOMAIN_ID is not an integral number' in world.output['main']
+
+
 def test_two_programs_have_contexts_of_their_own(world: World) -> None:
     def first() -> None:
         rclpy.init()

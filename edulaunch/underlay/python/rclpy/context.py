@@ -48,7 +48,7 @@ class Context:
             raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
         state = process_state()
         self._arguments = parse_or_raise(state.process.argv if args is None else args)
-        self._domain_id = domain_id if domain_id is not None else int(state.process.env.get('ROS_DOMAIN_ID') or 0)
+        self._domain_id = _default_domain_id(state.process.env.get('ROS_DOMAIN_ID', '')) if domain_id is None else domain_id
         self._ok = self._used = True
         state.contexts.append(self)
         if initialize_logging:
@@ -142,3 +142,13 @@ def parse_or_raise(arguments: list[str]) -> RosArguments:
     if parsed.unknown:
         raise UnknownROSArgsError(repr(parsed.unknown))
     return parsed
+
+
+def _default_domain_id(text: str) -> int:
+    """The number at the start of `ROS_DOMAIN_ID`, as C reads it; 0 if it is empty. Raises RCLError when there is none."""
+    words = text.strip()
+    end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
+    if words and not end:
+        raise hinted(RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'),
+                     f"the environment variable ROS_DOMAIN_ID is '{text}'; set it to a number from 0 to 101, or unset it")
+    return int(words[:end] or 0)

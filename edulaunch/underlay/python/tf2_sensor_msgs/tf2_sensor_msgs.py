@@ -1,0 +1,55 @@
+"""Turning and moving clouds of points."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from geometry_msgs.msg import Transform, TransformStamped
+from sensor_msgs.msg import PointCloud2
+from std_msgs.msg import Header
+from tf2_ros.registrations import provide
+
+
+def to_msg_msg(msg: Any) -> Any:
+    """The message itself: it needs no conversion."""
+    return msg
+
+
+from_msg_msg = to_msg_msg
+
+
+def transform_points(point_cloud: Any, transform: Transform) -> Any:
+    """Points (an array of N rows of x, y and z in metres), turned and then moved."""
+    import numpy as np
+
+    q, move = transform.rotation, transform.translation
+    points = np.asarray(point_cloud, dtype=float)
+    axis = np.array([q.x, q.y, q.z])
+    turn = 2.0 * np.cross(axis, points)
+    return points + q.w * turn + np.cross(axis, turn) + [move.x, move.y, move.z]
+
+
+def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
+    """A new cloud whose fields x, y and z are transformed and all others kept.
+
+    A stamped transform gives the new cloud its frame and stamp too.
+
+    :raises AssertionError: if the cloud lacks one of x, y and z.
+    """
+    from sensor_msgs_py.point_cloud2 import create_cloud, read_points, read_points_numpy
+
+    header = Header(stamp=cloud.header.stamp, frame_id=cloud.header.frame_id)
+    if isinstance(transform, TransformStamped):
+        header = Header(stamp=transform.header.stamp, frame_id=transform.header.frame_id)
+        transform = transform.transform
+    moved = transform_points(read_points_numpy(cloud, ['x', 'y', 'z']), transform)
+    points = read_points(cloud).copy()
+    for column, name in enumerate('xyz'):
+        points[name] = moved[:, column]
+    shape = (cloud.height, cloud.width) if cloud.height > 1 else (cloud.width,)
+    return create_cloud(header, cloud.fields, points.reshape(shape), cloud.point_step)
+
+
+provide('transform', PointCloud2, do_transform_cloud)
+provide('to_msg', PointCloud2, to_msg_msg)
+provide('from_msg', PointCloud2, from_msg_msg)
