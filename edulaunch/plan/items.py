@@ -105,6 +105,7 @@ def _set_remap(action: Any, context: LaunchContext) -> Item:
 
 def _load_nodes(action: Any, context: LaunchContext) -> Item:
     from launch_ros.actions.load_composable_nodes import get_composable_node_load_request
+    from rclpy.parameter import parameter_value_to_python
 
     requests = [
         get_composable_node_load_request(description, context)
@@ -117,6 +118,7 @@ def _load_nodes(action: Any, context: LaunchContext) -> Item:
             'name': request.node_name,
             'namespace': request.node_namespace,
             'remappings': list(request.remap_rules),
+            'parameters': {one.name: parameter_value_to_python(one.value) for one in request.parameters},
         }
         for request in requests
         if request is not None

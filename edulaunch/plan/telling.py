@@ -133,7 +133,7 @@ _TITLES = {
 def _title(item: Item) -> str:
     kind = item['kind']
     if kind == 'node':
-        name = item['runtime_name'] or "(the program's own name)"
+        name = item['runtime_name'] or _unnamed(item['namespace'])
         return f'node {name}: {" ".join(filter(None, (item["package"], item["executable"])))}'
     if kind == 'process':
         return f'process {item["process_name"]}: {" ".join(item["cmd"])}'
@@ -141,6 +141,12 @@ def _title(item: Item) -> str:
         return f'composable nodes to load: {len(item["nodes"])}'
     title: str = _TITLES.get(kind, kind.replace('_', ' ')).format(**item)
     return title
+
+
+def _unnamed(namespace: str | None) -> str:
+    """A node that the launch file gives no name, but perhaps a namespace."""
+    own = "(the program's own name)"
+    return own if namespace in (None, '', '/') else f'{namespace}/{own}'
 
 
 def _process_details(item: Item, branch: Branch) -> list[str]:
@@ -155,7 +161,9 @@ def _process_details(item: Item, branch: Branch) -> list[str]:
         lines.append(f'in the folder {item["cwd"]}')
     if item['respawn']:
         delay = item['respawn_delay']
-        lines.append('started again when it ends' + (f', {delay:g} s later' if delay else ''))
+        limit = branch.action._respawn_limit
+        lines.append('started again when it ends' + (f', {delay:g} s later' if delay else '')
+                     + (f', at most {limit} times' if limit >= 0 else ''))
     if item['output'] != 'log':
         lines.append(f'output {item["output"]}')
     return lines
@@ -186,6 +194,7 @@ def _nodes_to_load(item: Item, branch: Branch) -> list[str]:
         full_name = f'{node["namespace"].rstrip("/")}/{node["name"] or "(its own name)"}'
         remaps = ''.join(f', remap {rule.replace(":=", " -> ")}' for rule in node['remappings'])
         lines.append(f'composable node {full_name}: {node["package"]} {node["plugin"]}{remaps}')
+        lines += [f'with parameter {name} = {_short(value)}' for name, value in node['parameters'].items()]
     return lines
 
 

@@ -32,6 +32,7 @@ IN_NODE = '<launch>\n<node pkg="a" exec="b" {}>{}</node>\n</launch>'
             '<launch>\n<executable cmd="ls &quot;a $(var b)&quot;"/></launch>',
             "robot.launch.xml:2: in 'ls \"a ' a quote is not closed; close it before a $(...) begins",
         ),
+        ('', 'robot.launch.xml:1: the file has no element: begin it with <launch> and end it with </launch>'),
         ('<launch>\n<node pkg="a"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'"),
         ('<launch>\n<node pkg="a" exce="b"/></launch>', "robot.launch.xml:2: <node> needs the attribute 'exec'; is 'exce' meant for it?"),
         ('<launch>\n<timer perid="1.0"/></launch>', "robot.launch.xml:2: <timer> needs the attribute 'period'; is 'perid' meant for it?"),

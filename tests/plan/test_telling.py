@@ -116,3 +116,25 @@ def test_a_lifecycle_node_makes_the_transitions_that_it_is_asked_for(told) -> No
 def test_a_transition_that_does_not_begin_in_the_node_s_state_is_not_made(told) -> None:
     lines = told(LIFECYCLES.format(3))
     assert [line.strip() for line in lines if 'never' in line] == ['never happened here'] * 2
+
+
+def test_a_node_without_a_name_shows_its_namespace(told) -> None:
+    assert told("""
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node', namespace='left', output='log')])
+    """) == ["node /left/(the program's own name): turtlesim turtlesim_node"]
+
+
+def test_a_limit_of_new_starts_is_shown(told) -> None:
+    assert told("""
+    return LaunchDescription([ExecuteProcess(cmd=['true'], respawn=True, respawn_delay=2.0, respawn_max_retries=3, output='log')])
+    """) == ['process true: true', '  started again when it ends, 2 s later, at most 3 times']
+
+
+def test_the_parameters_of_composable_nodes_are_shown(told) -> None:
+    lines = told("""
+    from launch_ros.descriptions import ComposableNode
+    part = ComposableNode(package='image_tools', plugin='image_tools::Cam2Image', name='cam', parameters=[{'rate': 5, 'names': ['a']}])
+    return LaunchDescription([LoadComposableNodes(target_container='/box', composable_node_descriptions=[part])])
+    """)
+    assert [line.strip() for line in lines[-3:]] == [
+        'composable node /cam: image_tools image_tools::Cam2Image', 'with parameter rate = 5', "with parameter names = ['a']"]

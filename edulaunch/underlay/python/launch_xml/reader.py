@@ -79,6 +79,8 @@ class _Reading:
         error.edulaunch_line = line
         if len(self.open) > 1 and ('mismatched' in message or 'no element' in message):
             error.edulaunch_hint = f'<{self.open[-1].tag}> of line {self.open[-1].line} is not closed'
+        elif 'no element' in message:
+            error.edulaunch_hint = 'the file has no element: begin it with <launch> and end it with </launch>'
         return error  # type: ignore[no-any-return]
 
 

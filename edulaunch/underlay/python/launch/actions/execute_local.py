@@ -102,6 +102,11 @@ class ExecuteLocal(Action):
         return self.__options.respawn_delay
 
     @property
+    def _respawn_limit(self) -> int:
+        """How often it is started again at most; negative: without limit. (edulaunch only.)"""
+        return int(self.__options.respawn_max_retries)
+
+    @property
     def sigterm_timeout(self) -> list[Substitution]:
         """Seconds between SIGINT and SIGTERM, as substitutions."""
         return self.__sigterm_timeout
