@@ -69,11 +69,12 @@ def parse_ros_arguments(arguments: Sequence[str], read_text: Callable[[str], str
         elif token == '--':
             inside = False
         else:
-            _read_flag(result, token, tokens, read_text or _read_file)
+            _read_flag(result, token, tokens, read_text or read_file)
     return result
 
 
-def _read_file(path: str) -> str:
+def read_file(path: str) -> str:
+    """The text of a parameter file."""
     with open(path, encoding='utf-8') as file:
         return file.read()
 

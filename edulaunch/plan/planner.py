@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from functools import partial
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.graph import Graph
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
 FORMAT = 1
 Plan = dict[str, Any]
+_SCALARS = frozenset((str, int, float, bool, type(None)))
+_KEY = itemgetter(0)
 
 
 class Planner:
@@ -78,8 +81,7 @@ class Planner:
             'stdout': self._notes.stdout,
             'warnings': [str(warning.message) for warning in caught],
         }
-        sorted_plan: Plan = _sorted(plan)
-        return sorted_plan
+        return {key: value if key == 'items' else _plain(value) for key, value in sorted(plan.items())}
 
     def _endless_error(self, text: str) -> Plan:
         branch = self._watch.branch
@@ -177,7 +179,7 @@ class Planner:
 
     def _executed(self, branch: Branch, context: Any) -> None:
         from edulaunch.plan.items import item_of
-        from edulaunch.plan.process_items import origins_in_files
+        from edulaunch.plan.process_items import add_parameters
 
         item = item_of(branch.action, context, self._host.env, self._processes)
         if item is None:
@@ -186,10 +188,10 @@ class Planner:
         item['phase'] = self._watch.phase
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
-        branch.item = _plain(item)
         if item['kind'] == 'node':
-            branch.file_origins = origins_in_files(item)
+            branch.file_origins = add_parameters(item)
             branch.origins = branch.action._process_spec_details()['parameter_origins']
+        branch.item = _plain(item)
         self._items.append(branch.item)
 
     def _failed(self, error: BaseException) -> None:
@@ -207,15 +209,12 @@ class Planner:
 
 
 def _plain(value: Any) -> Any:
-    """The value as JSON can hold it."""
-    if isinstance(value, Mapping):
-        return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    return value if value is None or isinstance(value, str | int | float | bool) else str(value)
-
-
-def _sorted(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _sorted(value[key]) for key in sorted(value)}
-    return [_sorted(item) for item in value] if isinstance(value, list) else value
+    """The value as JSON can hold it, keys sorted."""
+    if type(value) in _SCALARS:
+        return value
+    if isinstance(value, (list, tuple)):
+        return [item if type(item) in _SCALARS else _plain(item) for item in value]
+    if isinstance(value, (dict, Mapping)):  # the first is answered ten times as fast
+        pairs = sorted(((str(key), item) for key, item in value.items()), key=_KEY)
+        return {key: item if type(item) in _SCALARS else _plain(item) for key, item in pairs}
+    return value if isinstance(value, (str, int, float)) else str(value)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
-from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
+from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments, read_file
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -18,7 +17,8 @@ Item = dict[str, Any]
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
-    """The item of an ExecuteLocal action that was just executed; a Node action's has more in it.
+    """The item of an ExecuteLocal action that was just executed; a Node action's has more in it (:func:`add_parameters`
+    is still to come).
 
     :param environ: what launch saw at its start.
     :param index: how many processes came before.
@@ -50,6 +50,8 @@ def _text(context: LaunchContext, value: Any) -> str:
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
     """Variables that the process sees differently from launch at its start; None: taken away."""
+    if env == base:
+        return {}
     changed: dict[str, str | None] = {
         name: value for name, value in sorted(env.items()) if base.get(name) != value
     }
@@ -77,7 +79,6 @@ def _node_part(action: Any, context: LaunchContext, details: Any) -> Item:
         'fully_qualified_name': action.node_name if action.is_node_name_fully_specified() else None,
         'runtime_name': None if name is None else _join(namespace or '/', name),
         'remappings': [list(rule) for rule in action.expanded_remapping_rules],
-        **_parameters(command, _join(namespace or '/', name or 'unnamed')),
     }
 
 
@@ -107,41 +108,40 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
     return arguments, others
 
 
-def _parameters(command: list[str], full_name: str) -> Item:
-    """What the node would get by the rules of rcl, and each file with its content."""
-    sources = [
-        {'file': path, 'content': _content(path)}
+def add_parameters(item: Item) -> dict[str, str]:
+    """Add to a node's item what the node would get by the rules of rcl, and each file with its content.
+
+    :returns: where each parameter was given: 'file.yaml line 12' or 'command line'.
+    """
+    command = item['cmd'][len(item['prefix']):]
+    texts: dict[str, str] = {}
+
+    def read_text(path: str) -> str:
+        if path not in texts:
+            texts[path] = read_file(path)
+        return texts[path]
+
+    item['parameter_sources'] = [
+        {'file': path, 'content': _content(path, read_text)}
         for flag, path in zip(command, command[1:], strict=False)
         if flag == '--params-file'
     ]
     try:
-        overrides = parse_ros_arguments(command).overrides_for(full_name)
+        given = parse_ros_arguments(command, read_text)
     except RosArgumentsError as error:
-        return {'parameters': {}, 'parameter_sources': sources, 'parameter_error': str(error)}
-    return {
-        'parameters': {name: override.value for name, override in sorted(overrides.items())},
-        'parameter_sources': sources,
-    }
-
-
-def origins_in_files(item: Item) -> dict[str, str]:
-    """For each parameter of a node item, 'file.yaml line 12' or 'command line'."""
-    try:
-        overrides = parse_ros_arguments(item['cmd']).overrides_for(item['runtime_name'] or '/unnamed')
-    except (RosArgumentsError, OSError):
+        item['parameters'], item['parameter_error'] = {}, str(error)
         return {}
+    overrides = given.overrides_for(_join(item['namespace'] or '/', item['name'] or 'unnamed'))
+    item['parameters'] = {name: override.value for name, override in sorted(overrides.items())}
     return {name: override.origin for name, override in overrides.items()}
 
 
-def _content(path: str) -> Any:
+def _content(path: str, read_text: Callable[[str], str]) -> Any:
     """What the file holds; None when it cannot be read, or would take up too much with its aliases replaced."""
     import yaml
     from launch_yaml.reader import read
 
-    if not os.path.isfile(path):
-        return None
     try:
-        with open(path, encoding='utf-8') as stream:
-            return read(stream.read())
-    except (yaml.YAMLError, ValueError):
+        return read(read_text(path))
+    except (yaml.YAMLError, ValueError, OSError):
         return None

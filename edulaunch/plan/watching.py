@@ -96,7 +96,9 @@ class Watched(LaunchDescriptionEntity):
         if isinstance(self._entity, Action):
             action: Any = self._entity
             condition = None if action.condition is None else action.condition._shown
-            origin = action.origin if action.origin is not None and is_students(action.origin.file) else None
+            origin = action.origin
+            if origin is not None and not is_students(origin.file):
+                origin = None
             self._branch = watch.branch = self._branch.add(Branch(action, origin, condition))
             if hasattr(action, 'period'):
                 watch.timers[action] = self._branch

@@ -137,4 +137,4 @@ def test_the_parameters_of_composable_nodes_are_shown(told) -> None:
     return LaunchDescription([LoadComposableNodes(target_container='/box', composable_node_descriptions=[part])])
     """)
     assert [line.strip() for line in lines[-3:]] == [
-        'composable node /cam: image_tools image_tools::Cam2Image', 'with parameter rate = 5', "with parameter names = ['a']"]
+        'composable node /cam: image_tools image_tools::Cam2Image', "with parameter names = ['a']", 'with parameter rate = 5']

@@ -42,6 +42,7 @@ class ParameterArguments:
         self._unwritten: list[tuple[str, dict[str, Any]]] = []
         self._files: TemporaryFiles | None = None
         self._has_files = False
+        self._origins: dict[str, str] | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
@@ -105,6 +106,11 @@ class ParameterArguments:
 
         :param node: where the launch file made the node.
         """
+        if self._origins is None:  # a plan, and a program that is started again, asks once more
+            self._origins = self._found_origins(node)
+        return self._origins
+
+    def _found_origins(self, node: Origin | None) -> dict[str, str]:
         from ._parameter_origins import origin_of_global, origins_of
 
         found: dict[str, str] = {}

@@ -39,12 +39,13 @@ class TemporaryFiles:
 
     def write(self, path: str, text: str) -> None:
         """Write a file, whole at once; one that an earlier run left with this text stays: to look takes a tenth of the time."""
-        if _text_of(path) != text:
+        content = text.encode()
+        if _content_of(path) != content:
             import tempfile
 
             handle, draft = tempfile.mkstemp(prefix='launch_params_')
-            with open(handle, 'w', encoding='utf-8') as stream:
-                stream.write(text)
+            with open(handle, 'wb') as stream:
+                stream.write(content)
             os.replace(draft, path)
         self._written.append((path, os.stat(path).st_ino))
 
@@ -53,11 +54,11 @@ class TemporaryFiles:
         _remove(self._written)
 
 
-def _text_of(path: str) -> str | None:
+def _content_of(path: str) -> bytes | None:
     try:
-        with open(path, encoding='utf-8') as stream:
+        with open(path, 'rb', buffering=0) as stream:  # half the time of a text stream
             return stream.read()
-    except (OSError, UnicodeError):
+    except OSError:
         return None
 
 

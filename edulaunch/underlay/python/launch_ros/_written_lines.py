@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 
-# A text (with the colon behind it when it is a key), a comment, a bracket.
+# A text (with the colon behind it when it is a key; what stands before its quote is not looked at), a comment, a bracket.
 _TOKEN = re.compile(
-    r'(?P<text>[rbuRBU]{0,2}(?:'
-    r'''"{3}(?:\\.|(?!"{3}).)*"{3}|\'{3}(?:\\.|(?!\'{3}).)*\'{3}|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'))'''  # noqa: Q001
+    r'''(?P<text>"{3}(?:\\.|(?!"{3}).)*"{3}|\'{3}(?:\\.|(?!\'{3}).)*\'{3}|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')'''  # noqa: Q001
     r"""(?P<colon>\s*:)?|\#[^\n]*|(?P<open>[(\[{])|(?P<close>[)\]}])""",
     re.DOTALL,
 )
@@ -38,14 +37,15 @@ def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
     depth = 0
     counted, number = 0, line
     for token in _TOKEN.finditer(text):
-        if token['open']:
+        kind = token.lastgroup
+        if kind == 'open':
             depth += 1
-        elif token['close']:
+        elif kind == 'close':
             depth -= 1
             if depth <= 0:
                 return found, True
-        elif token['colon'] and depth:
+        elif kind == 'colon' and depth:
             number += text.count('\n', counted, token.start())
             counted = token.start()
-            found[token['text'].lstrip('rbuRBU').strip('"\'')] = number
+            found[token['text'].strip('"\'')] = number
     return found, False

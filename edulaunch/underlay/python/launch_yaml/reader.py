@@ -27,14 +27,16 @@ def read(text: str) -> Any:
     :raises ValueError: when it is nested too deep, its aliases multiply it too much, or a date is impossible.
     """
     loader_class: Any = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
-    if _possible_depth(text) > SAFE_DEPTH:
+    depth = _possible_depth(text)
+    if depth > SAFE_DEPTH:
         _check_depth_of_events(text, loader_class)
     loader = loader_class(text)
     try:
         node = loader.get_single_node()
         if node is None:
             return None
-        _Size(SMALL + MAX_GROWTH * len(text)).check(node)
+        if depth > MAX_DEPTH or '*' in text:  # else there is no alias, and less than one value per character
+            _Size(SMALL + MAX_GROWTH * len(text)).check(node)
         return _data_of(node, loader)
     except RecursionError:
         raise _too_deep(1) from None
