@@ -5,6 +5,8 @@ simulation, from its first step until the whole description has been visited: ev
 started. Every round reads a text that was never read before, so nothing can have been kept of it. A *plan* goes on until
 everything has started and ended. The bare work is what nobody can do without: to read the text (Python's compiler, expat,
 libyaml) and to make one plain object with ten attributes for each node.
+Python's compiler alone needs 44 of the milliseconds for 1000 nodes, grows by 5.5 to 6 from 1000 to 5000, and has its peak of
+memory at 20 kB per node (0.6 kB stay): these two figures of Python are the compiler's, a file read before grows by 5.
 The original launch needs 0.89 s for 1000 nodes in Python and 4.19 s in XML (../shared/reference, a machine like ours).
 """
 from __future__ import annotations

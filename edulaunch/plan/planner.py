@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 FORMAT = 1
 Plan = dict[str, Any]
 _SCALARS = frozenset((str, int, float, bool, type(None)))
+"""Stay as they are; to know it without a call halves the time for the 56 values of a node."""
 _KEY = itemgetter(0)
 
 
@@ -81,7 +82,8 @@ class Planner:
             'stdout': self._notes.stdout,
             'warnings': [str(warning.message) for warning in caught],
         }
-        return {key: value if key == 'items' else _plain(value) for key, value in sorted(plan.items())}
+        sorted_plan: Plan = _sorted(plan)
+        return sorted_plan
 
     def _endless_error(self, text: str) -> Plan:
         branch = self._watch.branch
@@ -209,12 +211,15 @@ class Planner:
 
 
 def _plain(value: Any) -> Any:
-    """The value as JSON can hold it, keys sorted."""
-    if type(value) in _SCALARS:
-        return value
+    """The value as JSON can hold it."""
+    if isinstance(value, (dict, Mapping)):  # the first is answered ten times as fast
+        return {str(key): item if type(item) in _SCALARS else _plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [item if type(item) in _SCALARS else _plain(item) for item in value]
-    if isinstance(value, (dict, Mapping)):  # the first is answered ten times as fast
-        pairs = sorted(((str(key), item) for key, item in value.items()), key=_KEY)
-        return {key: item if type(item) in _SCALARS else _plain(item) for key, item in pairs}
-    return value if isinstance(value, (str, int, float)) else str(value)
+    return value if value is None or isinstance(value, (str, int, float)) else str(value)
+
+
+def _sorted(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: item if type(item) in _SCALARS else _sorted(item) for key, item in sorted(value.items(), key=_KEY)}
+    return [item if type(item) in _SCALARS else _sorted(item) for item in value] if isinstance(value, list) else value

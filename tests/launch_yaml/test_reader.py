@@ -4,7 +4,7 @@ import pytest
 import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, read
+from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
     f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n'
@@ -51,6 +51,23 @@ def test_the_deepest_allowed_nesting_is_read():
     assert read(text) == yaml.safe_load(text)
     with pytest.raises(ValueError, match='nested more than 100 levels deep'):
         read(f'[{text}]')
+
+
+def depth_of(node):
+    if isinstance(node, yaml.ScalarNode):
+        return 1
+    parts = [part for item in node.value for part in (item if isinstance(item, tuple) else (item,))]
+    return 1 + max(map(depth_of, parts), default=0)
+
+
+@settings(max_examples=400, deadline=None)
+@given(st.lists(st.sampled_from([*'[]{}#,a"\'', '\n', '\n ', '\n  ', '\r', ': ', '- ', '? ', 'a]]]: [', 'a:\n- ']), max_size=30).map(''.join))
+def test_the_quick_bound_of_the_depth_is_never_below_it(text):
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.YAMLError:
+        return
+    assert node is None or depth_of(node) <= _possible_depth(text)
 
 
 def test_a_wide_text_is_not_mistaken_for_a_deep_one():

@@ -124,6 +124,14 @@ def test_a_node_without_a_name_shows_its_namespace(told) -> None:
     """) == ["node /left/(the program's own name): turtlesim turtlesim_node"]
 
 
+def test_a_parameter_of_a_file_shows_its_line_when_the_node_has_only_a_namespace(told, tmp_path: Path) -> None:
+    (tmp_path / 'far.yaml').write_text('/left/**:\n  ros__parameters:\n    speed: 2\n')
+    assert told(f"""
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node', namespace='left', output='log',
+                                   parameters=[{str(tmp_path / 'far.yaml')!r}])])
+    """)[1:] == ['  parameter speed = 2  (far.yaml line 3)']
+
+
 def test_a_limit_of_new_starts_is_shown(told) -> None:
     assert told("""
     return LaunchDescription([ExecuteProcess(cmd=['true'], respawn=True, respawn_delay=2.0, respawn_max_retries=3, output='log')])
@@ -137,4 +145,4 @@ def test_the_parameters_of_composable_nodes_are_shown(told) -> None:
     return LaunchDescription([LoadComposableNodes(target_container='/box', composable_node_descriptions=[part])])
     """)
     assert [line.strip() for line in lines[-3:]] == [
-        'composable node /cam: image_tools image_tools::Cam2Image', "with parameter names = ['a']", 'with parameter rate = 5']
+        'composable node /cam: image_tools image_tools::Cam2Image', 'with parameter rate = 5', "with parameter names = ['a']"]
