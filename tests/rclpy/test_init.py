@@ -212,3 +212,9 @@ def test_import_rclpy_brings_what_it_brings_in_ros2(name: str) -> None:
     root = Path(rclpy.__file__).parents[1]
     program = f'import sys; sys.path[:0] = {[str(root), str(root.parents[2])]}; import rclpy; rclpy.{name}'
     subprocess.run([sys.executable, '-c', program], check=True)
+
+
+def test_the_options_of_signal_handlers_are_flags() -> None:
+    from rclpy.signals import SignalHandlerOptions
+    assert [option.value for option in (SignalHandlerOptions.NO, SignalHandlerOptions.SIGINT, SignalHandlerOptions.SIGTERM,
+                                        SignalHandlerOptions.ALL)] == [0, 1, 2, 3]

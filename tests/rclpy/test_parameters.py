@@ -344,7 +344,7 @@ def test_a_parameter_survives_its_message() -> None:
 def test_the_alternative_of_get_parameter_or(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')
-        world.say((node.get_parameter_or('p', Parameter('p', value=4)).value, node.get_parameter_or('p').value))
+        world.say((node.get_parameter_or('p', alternative_value=Parameter('p', value=4)).value, node.get_parameter_or('p').value))
 
     assert ros(body) == [(4, None)]
 

@@ -10,7 +10,9 @@ import pytest
 MODULES = [
     'rclpy.node', 'rclpy.executors', 'rclpy.client', 'rclpy.service', 'rclpy.publisher', 'rclpy.subscription', 'rclpy.timer',
     'rclpy.parameter', 'rclpy.clock', 'rclpy.time', 'rclpy.duration', 'rclpy.action.server', 'rclpy.action.client', 'tf2_ros.buffer',
-    'tf2_ros.buffer_interface', 'tf2_ros.transform_listener', 'tf2_ros.transform_broadcaster', 'tf2_ros.static_transform_broadcaster']
+    'rclpy.event_handler', 'rclpy.qos_event', 'rclpy.parameter_client', 'rclpy.parameter_event_handler', 'rclpy.parameter_service',
+    'rclpy.qos_overriding_options', 'rclpy.logging_service', 'rclpy.time_source', 'rclpy.type_description_service',
+    'rclpy.wait_for_message', 'rclpy.lifecycle.node', 'rclpy.lifecycle.publisher', 'rclpy.action.graph', 'tf2_ros.buffer_interface', 'tf2_ros.transform_listener', 'tf2_ros.transform_broadcaster', 'tf2_ros.static_transform_broadcaster']
 
 
 @pytest.mark.parametrize('module', MODULES)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.graph.qos import incompatible_policy
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
+from rclpy.impl.passed_on import passed_on
 from rclpy.impl.qos_watch import LivelinessWatch, Missed, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 
@@ -318,3 +319,9 @@ class SubscriptionEventCallbacks(_EventCallbacks):
 
         impl.on_matched = on_matched
         watch.look()
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.callback_groups': 'CallbackGroup', 'typing': 'List Optional', 'rclpy.waitable': 'NumberOfEntities',
+    'rclpy.logging': 'get_logger', 'rclpy.qos': 'qos_policy_name_from_kind',
+})

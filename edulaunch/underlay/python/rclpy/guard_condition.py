@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import GUARD, Entity, ReadyList
 from rclpy.task import is_coroutine_function
 
@@ -36,3 +37,8 @@ class GuardCondition(Entity):
     def destroy(self) -> None:
         """Trigger no more."""
         self._destroyed = True
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.utilities': 'get_default_context',
+})

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.logging import LoggingSeverity, get_logger_level, set_logger_level
 from rclpy.qos import qos_profile_services_default
 
@@ -37,3 +38,8 @@ class LoggingService:
                 results.append(SetLoggerLevelsResult(successful=False, reason=str(error)))
         response.results = results
         return response
+
+
+__getattr__ = passed_on(__name__, {
+    'rcl_interfaces.srv': 'GetLoggerLevels SetLoggerLevels', 'rcl_interfaces.msg': 'LoggerLevel SetLoggerLevelsResult',
+})

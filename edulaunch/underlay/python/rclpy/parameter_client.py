@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy.client import POLL_NS
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.task import Future
@@ -120,3 +121,13 @@ class AsyncParameterClient:
 
 def _messages(parameters: Sequence[Any]) -> list[Any]:
     return [parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter for parameter in parameters]
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.callback_groups': 'CallbackGroup',
+    'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
+        'ListParameters SetParameters SetParametersAtomically',
+    'typing': 'List Optional Union', 'rclpy.node': 'Node', 'rcl_interfaces.msg': 'ParameterEvent ParameterMsg=Parameter',
+    'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.subscription': 'Subscription',
+    'rclpy.event_handler': 'SubscriptionEventCallbacks', 'rclpy.qos': 'qos_profile_parameter_events',
+})

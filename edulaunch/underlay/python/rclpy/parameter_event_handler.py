@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -91,3 +92,11 @@ class ParameterEventHandler:
         if not node_name:
             return self.node.get_fully_qualified_name()
         return self.node.resolve_topic_name(node_name, only_expand=True)
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.callback_groups': 'CallbackGroup', 'typing': 'Dict Iterable List Optional Tuple', 'rclpy.node': 'Node',
+    'rclpy.parameter': 'Parameter', 'rcl_interfaces.msg': 'ParameterEvent',
+    'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.event_handler': 'SubscriptionEventCallbacks',
+    'itertools': 'chain', 'collections': 'defaultdict',
+})

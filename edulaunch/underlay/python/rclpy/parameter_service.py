@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameters
 
@@ -75,3 +76,10 @@ class ParameterService:
 def _failure(error: Exception) -> Any:
     from rcl_interfaces.msg import SetParametersResult
     return SetParametersResult(successful=False, reason=str(error))
+
+
+__getattr__ = passed_on(__name__, {
+    'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
+        'ListParameters SetParameters SetParametersAtomically',
+    'rcl_interfaces.msg': 'ListParametersResult SetParametersResult',
+})

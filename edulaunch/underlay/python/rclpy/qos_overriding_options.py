@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile
 from rclpy.qos_presets import QoSPolicyKind
@@ -92,3 +93,12 @@ def _to_policy(present: Any, parameter: Parameter) -> Any:
     if isinstance(present, QoSPolicyEnum):
         return type(present).get_from_short_key(parameter.value)
     return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'List Optional Type Union', 'rclpy.exceptions': 'ParameterAlreadyDeclaredException',
+    'rcl_interfaces.msg': 'ParameterDescriptor SetParametersResult QosCallbackResult=SetParametersResult',
+    'rclpy.publisher': 'Publisher',
+    'rclpy.qos': 'QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy',
+    'rclpy.subscription': 'Subscription',
+})

@@ -5,16 +5,17 @@ import signal
 from collections.abc import Callable
 from enum import IntEnum
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
 
 class SignalHandlerOptions(IntEnum):
     """Which signals rclpy handles."""
 
-    ALL = 0
+    NO = 0
     SIGINT = 1
     SIGTERM = 2
-    NO = 3
+    ALL = 3
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
@@ -78,3 +79,8 @@ class SignalHandlerGuardCondition:
 
     def destroy(self) -> None:
         """Forget it."""
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.guard_condition': 'GuardCondition', 'rclpy._rclpy_pybind11': 'InvalidHandle',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.clock import ROSClock
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter, ParameterType
 from rclpy.time import Time
 
@@ -88,3 +89,9 @@ class TimeSource:
                                                reason=f'{USE_SIM_TIME_NAME} parameter set to something besides a bool')
                 self._set_active(parameter.value)
         return SetParametersResult(successful=True)
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.clock_type': 'ClockType', 'typing': 'List Optional Set', 'rclpy.qos': 'QoSProfile ReliabilityPolicy',
+    'rcl_interfaces.msg': 'SetParametersResult',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, profile_from_engine
 from rclpy.type_hash import TypeHash
 
@@ -91,3 +92,8 @@ def _profile_lines(profile: QoSProfile) -> list[str]:
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
     """The info of an endpoint of the graph."""
     return TopicEndpointInfo(endpoint)
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.qos': 'QoSPresetProfiles',
+})

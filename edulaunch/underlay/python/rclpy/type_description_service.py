@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.exceptions import ParameterUninitializedException
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import ParameterType
 from rclpy.qos import qos_profile_services_default
 
@@ -61,3 +62,9 @@ def _individual(description: dict[str, Any]) -> Any:
         kind = dict(field['type'])
         fields.append(Field(name=field['name'], default_value=field.get('default_value', ''), type=FieldType(**kind)))
     return IndividualTypeDescription(type_name=description['type_name'], fields=fields)
+
+
+__getattr__ = passed_on(__name__, {
+    'type_description_interfaces.srv': 'GetTypeDescription', 'rclpy.parameter': 'Parameter',
+    'rcl_interfaces.msg': 'ParameterDescriptor', 'rclpy.service': 'Service', 'rclpy.type_support': 'check_is_valid_srv_type',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy.impl.hints import hinted
+from rclpy.impl.passed_on import passed_on
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
@@ -60,3 +61,8 @@ def _has(cls: Any, name: str) -> bool:
         if name in base.__dict__:
             return True
     return False
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.exceptions': 'NoTypeSupportImportedException',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
+from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSProfile, engine_qos, validate_qos
 
 if TYPE_CHECKING:
@@ -29,3 +30,9 @@ def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSP
     finally:
         impl.destroy()
     return (False, None) if taken is None else (True, msg_type.from_wire(taken[0]))
+
+
+__getattr__ = passed_on(__name__, {
+    'rclpy.node': 'Node', 'rclpy.signals': 'SignalHandlerGuardCondition', 'typing': 'Union',
+    'rclpy.utilities': 'timeout_sec_to_nsec',
+})

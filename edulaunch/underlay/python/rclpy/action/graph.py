@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rclpy.impl.passed_on import passed_on
+
 if TYPE_CHECKING:
     from rclpy.node import Node
 
@@ -31,3 +33,8 @@ def _actions(topics: NamesAndTypes) -> NamesAndTypes:
     """An action shows by its feedback topic."""
     return [(name[:-len(_TOPIC)], [type_name.removesuffix(_TYPE) for type_name in types])
             for name, types in topics if name.endswith(_TOPIC)]
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'List Tuple', 'rclpy.node': 'Node',
+})

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
+from rclpy.impl.passed_on import passed_on
 from rclpy.lifecycle.life import Life, OnTransition
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
@@ -118,3 +119,9 @@ class LifecycleNode(LifecycleNodeMixin, Node):
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
         Node.__init__(self, node_name, **kwargs)
         LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Callable Dict NamedTuple Optional Set', 'rclpy.service': 'Service',
+    'rclpy.type_support': 'check_is_valid_srv_type',
+})

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from rclpy.impl.passed_on import passed_on
 from rclpy.lifecycle.managed_entity import SimpleManagedEntity
 from rclpy.publisher import Publisher
 
@@ -18,3 +19,8 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher):
     def publish(self, msg: Any) -> None:
         """Send a message, if the node is active."""
         Publisher.publish(self, msg)
+
+
+__getattr__ = passed_on(__name__, {
+    'typing': 'Union', 'rclpy.impl.type_variables': 'MsgType',
+})

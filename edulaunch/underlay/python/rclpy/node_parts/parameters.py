@@ -109,11 +109,11 @@ class NodeParameters:
             raise TypeError('All names must be instances of type str')
         return [self.get_parameter(name) for name in names]
 
-    def get_parameter_or(self, name: str, alternative: Parameter | None = None) -> Parameter:
-        """A parameter, or `alternative` (a Parameter) when it is not declared."""
-        if alternative is None:
-            alternative = Parameter(name, ParameterType.NOT_SET)
-        return self._rclpy.parameters.values.get(name, alternative)
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """A parameter, or `alternative_value` (a Parameter) when it is not declared."""
+        if alternative_value is None:
+            alternative_value = Parameter(name, ParameterType.NOT_SET)
+        return self._rclpy.parameters.values.get(name, alternative_value)
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """The parameters `prefix.x`, by x."""
