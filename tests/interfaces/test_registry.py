@@ -52,6 +52,8 @@ def test_packages_kinds_and_names_are_listed_in_order(registry):
     assert registry.types('action') == [
         'action_tutorials_interfaces/action/Fibonacci',
         'example_interfaces/action/Fibonacci',
+        'test_msgs/action/Fibonacci',
+        'test_msgs/action/NestedMessage',
         'tf2_msgs/action/LookupTransform',
         'turtlesim/action/RotateAbsolute',
     ]
