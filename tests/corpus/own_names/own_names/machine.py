@@ -32,9 +32,6 @@ class Counting:
 class Machine(Counting, Node):
     def __init__(self):
         super().__init__('machine')
-        self._clock = 'mine'
-        self._logger = print
-        self._parameters = {'a': 1}
         self._timers = []
         self._publishers = []
         self._context = self._executor = self._handle = None
@@ -53,7 +50,7 @@ class Machine(Counting, Node):
     def step(self):
         self.state = State.BUSY if self.state is State.IDLE else State.IDLE
         self.pub.publish(String(data=json.dumps({'name': self.job.name, 'n': self.count(), 'state': self.state.name})))
-        self._logger(self.get_name(), self.get_parameter('speed').value, self.count_publishers('jobs'))
+        print(self.get_name(), self.get_parameter('speed').value, self.count_publishers('jobs'))
         if self._count == 3:
             self.timers = []
 
