@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Sequence
 from math import acos, sin
 
 from edulaunch.tf.transforms import Transform
@@ -92,31 +93,9 @@ class History:
         self.parents.insert(place, parent)
 
     def pose_at(self, time_ns: int) -> Transform | None:
-        """The pose at a time, 0 being the newest; None when it would have to be extrapolated.
-
-        Between two samples it is interpolated. Exactly at a stamp that several samples have, the last
-        inserted one counts, except among the oldest, where it is the first (as in tf2).
-        """
-        stamps, first = self.stamps, self.first
-        newer = bisect_right(stamps, time_ns, first) if time_ns else first
-        if newer == first or newer == len(stamps):
-            at_newest = stamps and (time_ns == stamps[-1] or time_ns == 0 or self.static)
-            return self.poses[-1] if at_newest else None
-        older_ns = stamps[newer - 1]
-        if time_ns == older_ns:
-            return self.poses[first if time_ns == stamps[first] else newer - 1]
-        ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
-        x, y, z, ax, ay, az, aw = self.poses[newer - 1]
-        u, v, w, bx, by, bz, bw = self.poses[newer]
-        rest = 1.0 - ratio
-        dot = ax * bx + ay * by + az * bz + aw * bw
-        if -1.0 < dot < 1.0:  # quaternions.slerp, written out: lookups in the past spend their time here
-            theta = acos(dot) if dot > 0.0 else acos(-dot)
-            scale = 1.0 / sin(theta)
-            s = sin(rest * theta) * scale
-            t = sin(ratio * theta) * (scale if dot > 0.0 else -scale)
-            ax, ay, az, aw = ax * s + bx * t, ay * s + by * t, az * s + bz * t, aw * s + bw * t
-        return (x * rest + u * ratio, y * rest + v * ratio, z * rest + w * ratio, ax, ay, az, aw)
+        """The pose at a time, 0 being the newest; None when it would have to be extrapolated. See :func:`poses_at`."""
+        found = poses_at((self,), time_ns) if self.stamps else None
+        return found[0] if found else None
 
     def sample(self, time_ns: int) -> tuple[Transform, str] | None:
         """(:meth:`pose_at`, parent); between samples of different parents the older one holds as it is."""
@@ -130,3 +109,46 @@ class History:
         if self.parents[older] != self.parents[newer]:
             pose = self.poses[older]
         return pose, self.parents[older]
+
+
+def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
+    """The pose of each frame at a time, 0 being the newest; None when one of them would have to be extrapolated.
+
+    Between two samples it is interpolated. Exactly at a stamp that several samples have, the last inserted one counts, except
+    among the oldest, where it is the first (as in tf2). One loop without a call for each frame: lookups in the past spend their
+    time here.
+
+    :param histories: none of them empty.
+    """
+    poses: list[Transform] = []
+    newer = 0  # kept from frame to frame: those of one robot are mostly sent together
+    for history in histories:
+        stamps = history.stamps
+        if history.static or time_ns == stamps[-1] or not time_ns:
+            poses.append(history.poses[-1])
+            continue
+        first = history.first
+        if not (first < newer < len(stamps) and stamps[newer - 1] <= time_ns < stamps[newer]):
+            newer = bisect_right(stamps, time_ns, first)
+            if newer == first or newer == len(stamps):
+                return None
+        older_ns = stamps[newer - 1]
+        if time_ns == older_ns:
+            poses.append(history.poses[first if time_ns == stamps[first] else newer - 1])
+            continue
+        ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
+        rest = 1.0 - ratio
+        x, y, z, ax, ay, az, aw = history.poses[newer - 1]
+        u, v, w, bx, by, bz, bw = history.poses[newer]
+        turned = ax or ay or bx or by  # about another axis than z; the zeros of the others need not be multiplied
+        dot = ax * bx + ay * by + az * bz + aw * bw if turned else az * bz + aw * bw
+        if -1.0 < dot < 1.0:  # quaternions.slerp, written out
+            theta = acos(dot) if dot > 0.0 else acos(-dot)
+            scale = 1.0 / sin(theta)
+            s = sin(rest * theta) * scale
+            t = sin(ratio * theta) * (scale if dot > 0.0 else -scale)
+            az, aw = az * s + bz * t, aw * s + bw * t
+            if turned:
+                ax, ay = ax * s + bx * t, ay * s + by * t
+        poses.append((x * rest + u * ratio, y * rest + v * ratio, z * rest + w * ratio, ax, ay, az, aw))
+    return poses

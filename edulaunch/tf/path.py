@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import sqrt
 
-from edulaunch.tf.history import History
+from edulaunch.tf.history import History, poses_at
 from edulaunch.tf.product import product
 from edulaunch.tf.quaternions import HUGE, TINY
 from edulaunch.tf.transforms import IDENTITY, Transform, canonical, relative
@@ -52,12 +52,12 @@ class Path:
         stamp_ns = time_ns or self.latest_common_time()
         found = IDENTITY
         if self.up:
-            poses = _poses_at(self.up, stamp_ns)
+            poses = poses_at(self.up, stamp_ns)
             if poses is None:
                 return None
             found = product(poses)
         if self.down:
-            poses = _poses_at(self.down, stamp_ns)
+            poses = poses_at(self.down, stamp_ns)
             if poses is None:
                 return None
             found = relative(product(poses), found)
@@ -67,19 +67,6 @@ class Path:
             s = 1.0 / sqrt(square) if qw > 0.0 else -1.0 / sqrt(square)
             return stamp_ns, (x + 0.0, y + 0.0, z + 0.0, qx * s + 0.0, qy * s + 0.0, qz * s + 0.0, qw * s)
         return stamp_ns, canonical(found)
-
-
-def _poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
-    """The pose of each at `time_ns`; None when one of them has to be extrapolated."""
-    poses: list[Transform] = []
-    for history in histories:
-        if history.static or time_ns == history.stamps[-1]:
-            poses.append(history.poses[-1])
-        elif (pose := history.pose_at(time_ns)) is not None:
-            poses.append(pose)
-        else:
-            return None
-    return poses
 
 
 def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from edulaunch.tf.transforms import Transform
 
@@ -13,25 +13,26 @@ def product(poses: Sequence[Transform]) -> Transform:
     `transforms.compose` written out, and shortened for frames that turn about the z axis only (a turtle, a robot on the floor,
     a sensor on it): a third of the work, and the same numbers.
     """
-    x = y = z = qz = 0.0
-    qw, flat = 1.0, 0
-    for px, py, pz, ax, ay, az, aw in poses:
+    rest = iter(poses)
+    x, y, z, qx, qy, qz, qw = bottom = next(rest)
+    if qx or qy:
+        return _product_on(bottom, rest)
+    left: list[Transform] = []
+    for px, py, pz, ax, ay, az, aw in rest:
         if ax or ay:
+            left = [(px, py, pz, ax, ay, az, aw), *rest]
             break
         ux, uy = -2.0 * (az * y), 2.0 * (az * x)
         x += px + aw * ux - az * uy
         y += py + aw * uy + az * ux
         z += pz
         qz, qw = aw * qz + az * qw, aw * qw - az * qz
-        flat += 1  # noqa: SIM113 (enumerate costs more)
     if x - x or y - y or z - z:  # infinite lengths need the products with zero that were left out
-        flat = 0
-    elif flat == len(poses):
-        return (x, y, z, 0.0, 0.0, qz, qw)
-    return _product_on((x, y, z, 0.0, 0.0, qz, qw), poses[flat:]) if flat else _product_on(poses[0], poses[1:])
+        return _product_on(bottom, poses[1:])
+    return _product_on((x, y, z, qx, qy, qz, qw), left) if left else (x, y, z, qx, qy, qz, qw)
 
 
-def _product_on(pose: Transform, poses: Sequence[Transform]) -> Transform:
+def _product_on(pose: Transform, poses: Iterable[Transform]) -> Transform:
     """The product for turns about any axis, with that of the frames below."""
     x, y, z, qx, qy, qz, qw = pose
     for px, py, pz, ax, ay, az, aw in poses:
