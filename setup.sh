@@ -12,7 +12,7 @@ fi
 [ $# -gt 0 ] || { echo "usage: sh setup.sh [--dev] COMMAND [ARGUMENTS]" >&2; exit 2; }
 
 find_python() {
-    for name in python3 python3.13 python3.12 python3.11 python3.10 python; do
+    for name in python3 python3.14 python3.13 python3.12 python3.11 python3.10 python; do
         if "$name" -c 'import sys; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; then
             echo "$name"
             return

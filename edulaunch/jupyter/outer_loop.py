@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sys
-from asyncio import events
 from collections.abc import Iterator
 from contextlib import contextmanager
+
+from edulaunch.sim.loops import put_back, set_aside
 
 
 @contextmanager
@@ -15,10 +16,9 @@ def outer_loop_set_aside() -> Iterator[None]:
     A launch that goes on living is left in the middle of a loop of its own; without this the kernel would take that one, or none,
     for the loop that runs.
     """
-    outer, hooks = events._get_running_loop(), sys.get_asyncgen_hooks()
-    events._set_running_loop(None)
+    hooks, outer = sys.get_asyncgen_hooks(), set_aside()
     try:
         yield
     finally:
-        events._set_running_loop(outer)
+        put_back(outer)
         sys.set_asyncgen_hooks(*hooks)

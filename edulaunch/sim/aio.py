@@ -6,10 +6,11 @@ other programs. Launch runs on it.
 from __future__ import annotations
 
 import asyncio
-from asyncio import base_events, events
+from asyncio import base_events
 from collections.abc import Callable
 from typing import Any
 
+from edulaunch.sim.loops import NOTHING, put_back, set_aside
 from edulaunch.sim.task import Task, TaskKilled, current_task
 
 
@@ -47,14 +48,13 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
     def run_forever(self) -> None:
         """As asyncio's, in the running task; a loop that runs around it (a notebook's) is set aside meanwhile."""
         self.task = current_task()
-        outer, outer_loop = events._get_running_loop(), self.task.loop
-        events._set_running_loop(None)
+        outer, outer_loop = set_aside(), self.task.loop
         self.task.loop = self
         try:
             super().run_forever()
         finally:
             self.task.loop = outer_loop
-            events._set_running_loop(outer)
+            put_back(outer)
 
     def _check_running(self) -> None:
         """Another loop may run around this one: `run_forever` sets it aside."""
@@ -68,11 +68,11 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
 
     def step_aside(self, switch: Callable[[], object]) -> None:
         """Give the turn back with this loop set aside, so that others may run theirs."""
-        events._set_running_loop(None)
+        mine = set_aside()
         try:
             switch()
         finally:
-            events._set_running_loop(self if self.is_running() else None)
+            put_back(mine if self.is_running() else NOTHING)
 
     def _process_events(self, event_list: list[Any]) -> None:
         """Nothing to do: a turn brings no file events."""

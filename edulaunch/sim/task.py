@@ -180,6 +180,12 @@ class Task:
         while self._interrupts:
             self._interrupts.pop(0)()
 
+    def attend(self) -> None:
+        """From inside the task: take what :meth:`interrupt` and :meth:`kill` want now, not at the next parking place."""
+        if self._killed:
+            raise TaskKilled
+        self._deliver_interrupts()
+
     def kill(self) -> None:
         """End the task: `TaskKilled` is raised wherever it parks, again and again."""
         self._killed = True

@@ -53,7 +53,7 @@ def _no_python(path: str) -> Iterator[Mistake]:
         yield Mistake(path, error.lineno or 0, f'Python cannot read this file: {error.msg}',
                       'use four spaces for each level everywhere; most editors can convert tabs')
     except SyntaxError as error:
-        wrong_bytes = 'utf-8' in (error.msg or '')
+        wrong_bytes = 'utf-8' in (error.msg or '').lower()
         yield Mistake(path, error.lineno or 0, f'Python cannot read this file: {error.msg}',
                       'save the file as UTF-8' if wrong_bytes else None)
     except ValueError as error:

@@ -318,9 +318,5 @@ def _check_thread() -> None:
 
 def _cancel_all_tasks(loop: asyncio.AbstractEventLoop) -> None:
     """End what a failed or interrupted launch left behind, as `asyncio.run` does."""
-    import asyncio
-    tasks = asyncio.all_tasks(loop)
-    for task in tasks:
-        task.cancel()
-    if tasks:
-        loop.run_until_complete(asyncio.gather(*tasks, return_exceptions=True))
+    from edulaunch.sim.loops import cancel_all_tasks
+    cancel_all_tasks(loop)
