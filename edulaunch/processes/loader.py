@@ -63,7 +63,9 @@ class Loader:
         module = ModuleType(module_name)
         module.__file__ = path
         module.__package__ = '' if not script else None
-        module.__spec__ = None if script else ModuleSpec(module_name, None, origin=path)
+        if not script:
+            module.__loader__ = SourceFileLoader(module_name, path)
+            module.__spec__ = ModuleSpec(module_name, module.__loader__, origin=path)
         self._execute(module, self._code(path, read_script))
         return module
 
@@ -81,7 +83,8 @@ class Loader:
             return self.run_module(f'{name}.__main__')
         module = ModuleType('__main__')
         module.__file__, module.__package__ = found.path, parent
-        module.__spec__ = ModuleSpec(name, None, origin=found.path)
+        module.__loader__ = SourceFileLoader(name, found.path)
+        module.__spec__ = ModuleSpec(name, module.__loader__, origin=found.path)
         self.process.argv[0] = found.path
         self._execute(module, self._code(found.path, read_script))
         return module

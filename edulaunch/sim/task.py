@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from greenlet import getcurrent, greenlet
+from greenlet import GreenletExit, getcurrent, greenlet
 
 from edulaunch.errors import SimulationError
 from edulaunch.sim.simulation import Item, Simulation
@@ -102,6 +102,8 @@ class Task:
         except TaskKilled:
             pass
         except BaseException as error:
+            if isinstance(error, GreenletExit) or not hasattr(self, '_timer'):
+                return  # the simulation was thrown away with the task in it: nobody is there to be told, nor all of it
             self.exception = error
         self.finished = True
         self._parked = False
