@@ -87,7 +87,7 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
     """A node that died leaves launch's exit code at 0; we say which and why."""
     lines = []
     for row in launch.recorder.processes:
-        if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name:
+        if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name and not _is_child(launch, row):
             error = row['exception']
             place = error if error and error['file'] else row
             where = f" at {launch.process.index.source_path(place['file'])}:{place['line']}" if place['file'] else ''
@@ -95,7 +95,14 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
             why = f"{error['type']}: {error['message']}" if error else next((line for line in said if not _is_help(line)), '')
             help = f'; {said[0]}' if said and _is_help(said[0]) else ''
             lines.append(f"{row['name']} died with exit code {row['returncode']}{f' ({why})' if why else ''}{where}{help}")
-    return lines
+    return list(dict.fromkeys(lines))  # one that was started again may have died again
+
+
+def _is_child(launch: LaunchRun, row: dict[str, Any]) -> bool:
+    """Whether a program of the launch started it (`subprocess`), goes under that one's name, and hears of its end itself."""
+    return any(other['name'] == row['name'] and other['started'] <= row['started'] and
+               (other['ended'] is None or row['started'] < other['ended'] or row['ended'] == other['ended'])
+               for other in launch.recorder.processes[:launch.recorder.processes.index(row)])
 
 
 def _said(launch: LaunchRun, name: str) -> list[str]:

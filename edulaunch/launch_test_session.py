@@ -10,6 +10,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
+from edulaunch.package_tests import workspaces_of
 from edulaunch.processes.process import Process
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
@@ -44,18 +45,6 @@ def run_launch_test(test: LaunchTest, *, workspaces: Sequence[str] | None = None
                 f'after {session.sim.elapsed_s:.1f} s of simulated time.',
                 help='give waits a timeout, such as event.wait(timeout=10)')
         return 1 if process.returncode is None else process.returncode
-
-
-def workspaces_of(path: str) -> list[str]:
-    """The folder whose packages a test file can use: the `src` folder above its package, else the package; none outside any."""
-    folder = os.path.dirname(os.path.abspath(path))
-    while not os.path.isfile(os.path.join(folder, 'package.xml')):
-        above = os.path.dirname(folder)
-        if above == folder:
-            return []
-        folder = above
-    parts = folder.split(os.sep)
-    return [os.sep.join(parts[:parts.index('src') + 1])] if 'src' in parts else [folder]
 
 
 def _print(stream: str, text: str) -> None:

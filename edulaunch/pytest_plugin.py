@@ -1,7 +1,8 @@
 """The pytest plugin for launch tests: files whose `generate_test_description` is marked `launch_test` or `rostest`.
 
 Such a file becomes one test, as in ROS 2, run in a fresh simulation. For a file that uses launch_pytest that package's own
-plugin is registered. This one is loaded in every run of pytest, so it imports nothing until there is such a file.
+plugin is registered; it and plain test files of a ROS package run on the simulated machine of the test run. This plugin is loaded
+in every run of pytest, so it imports nothing until there is such a file.
 """
 from __future__ import annotations
 
@@ -14,6 +15,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from edulaunch.package_tests import absent_linter, is_of_own_package
 from edulaunch.underlay_place import underlay_python
 
 MARKS = {'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
@@ -42,10 +44,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_load_initial_conftests() -> None:
+def pytest_load_initial_conftests(early_config: pytest.Config) -> None:
     """Let a conftest.py import ROS packages."""
+    if _other_launch_testing():
+        return
     from edulaunch.late_source import LateSource
-    LateSource().install()
+    LateSource(early_config).install()
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -67,15 +71,57 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
     if b'launch_pytest' in source or b'generate_test_description' in source:
         parent.config.stash[SPEAKS_OF_LAUNCH_TESTS] = True
     entrypoint, is_plain = _entrypoint_in(source), not uses_launch_pytest(source)
-    if (entrypoint is None and is_plain) or _other_launch_testing():
+    if _other_launch_testing():
         return None
     if not is_plain:
         _prepare_launch_pytest(parent.config, module_path)
     if entrypoint is None:
-        return None
+        return None if not is_plain else _plain_module(source, module_path, parent)
     hook = parent.session.gethookproxy(module_path).pytest_launch_collect_makemodule
     module: pytest.Collector | None = hook(path=module_path, parent=parent, entrypoint=entrypoint)
     return module
+
+
+def _plain_module(source: bytes, module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Prepare for a plain test file of a ROS package. Who has sourced edulaunch himself decides himself what is simulated."""
+    if not is_of_own_package(str(module_path)):
+        return None
+    linter = absent_linter(source)
+    if linter is not None:
+        module: StyleTestModule = StyleTestModule.from_parent(parent, path=module_path)
+        module.linter = linter
+        return module
+    from edulaunch.late_source import SOURCED_LATE
+    is_ours = SOURCED_LATE in parent.config.stash or parent.config.pluginmanager.has_plugin('edulaunch_test_machine')
+    if is_ours or underlay_python() not in sys.path:
+        from edulaunch.test_machine_plugin import put_on_machine
+        put_on_machine(parent.config, module_path)
+    return None
+
+
+class StyleTestModule(pytest.File):
+    """A test file that asks one of ROS 2's style checkers, which is not here."""
+
+    linter = ''
+
+    def collect(self) -> Iterable[pytest.Item]:
+        """One item, which is skipped and tells why."""
+        yield StyleTestItem.from_parent(self, name=self.path.stem)
+
+
+class StyleTestItem(pytest.Item):
+    """What such a file would have checked."""
+
+    parent: StyleTestModule
+
+    def runtest(self) -> None:
+        """Say what is missing, as of the test file."""
+        text = f'{self.parent.linter} is not here: style is checked where ROS 2 is installed'
+        raise pytest.skip.Exception(text, _use_item_location=True)
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        """Where it is, and what it is called."""
+        return self.path, 0, self.name
 
 
 @pytest.hookimpl(trylast=True)
@@ -120,12 +166,11 @@ def _is_mark_launch(node: ast.AST) -> bool:
 
 def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
     """Let launch_pytest take part in this run, and let the file see simulated time."""
-    from edulaunch.sourcing import source
-    source()
+    from edulaunch.test_machine_plugin import put_on_machine
+    put_on_machine(config, module_path)
     from launch_pytest import plugin
     if not config.pluginmanager.is_registered(plugin):
         config.pluginmanager.register(plugin, 'launch_pytest')
-    config.stash[plugin.MACHINE].add(module_path)
 
 
 class Entrypoint(NamedTuple):

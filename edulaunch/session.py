@@ -131,7 +131,7 @@ def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mappin
     :param seed: equal launch file, arguments and seed give the same recording, byte for byte.
     :param workspaces: folders with the student's packages.
     :param console: called as console(stream, text) with everything that launch prints; without one, only what went wrong is told,
-        one line each on the error stream: programs that died and why, misspelt launch arguments.
+        one line each on the error stream: programs that died and why, misspelt launch arguments, callbacks that wait for ever.
     :raises UnusableInput: when the file or package does not exist.
     :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's own text, the
         file and line, and what to try.
@@ -143,7 +143,7 @@ def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mappin
         launch.raise_error()
         recording = session.recording()
     if console is None:
-        for line in recording.launch.warnings:
+        for line in recording.warnings:
             print(f'warning: {line}', file=sys.stderr)
     return recording
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from importlib.machinery import PathFinder
 
 from edulaunch.errors import ForeignRosError
-from edulaunch.underlay_place import underlay_python
+from edulaunch.underlay_place import put_on_prefix_path, underlay_python
 
 INSTALL_SIGNS = ('.colcon_install_layout', 'local_setup.bash', 'local_setup.sh', os.path.join('share', 'ament_index'))
 """What lies in a folder that colcon has installed into."""
@@ -41,6 +41,7 @@ def source() -> None:
     if place not in sys.path:
         sys.path.insert(0, place)
     install()
+    put_on_prefix_path()
 
 
 def _foreign_rclpy(ours: str) -> str | None:

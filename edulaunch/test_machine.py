@@ -13,12 +13,13 @@ from typing import Any
 
 from greenlet import getcurrent
 
-from edulaunch.launch_test_session import workspaces_of
+from edulaunch.package_tests import workspaces_of
 from edulaunch.packages import Index
 from edulaunch.processes.ambient import ambient_process_on
 from edulaunch.processes.views import PRIVATE_COPIES
 from edulaunch.session import Session, index_for
 from edulaunch.sim.task import AmbientTask
+from edulaunch.test_imports import TestImports
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
 """Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
@@ -40,7 +41,9 @@ class TestMachine:
         self._task = AmbientTask(self.session.sim)
         self.process = self._task.owner = ambient_process_on(self.session.host, self._task)
         self._files: set[str] = set()
+        self._folders: dict[Path, tuple[str, ...]] = {}
         self._indexes: dict[tuple[str, ...], Index] = {}
+        self._imports = TestImports(self.process.loader)
         self._outer: Any = None
         self._import: Any = None
 
@@ -49,6 +52,7 @@ class TestMachine:
         here = getcurrent()
         self._outer, here.task = getattr(here, 'task', None), self._task
         self._import, builtins.__import__ = builtins.__import__, self._import_for_tests
+        self._imports.install()
         watchdog = self.session.host.watchdog
         if watchdog is not None:
             import threading
@@ -57,6 +61,7 @@ class TestMachine:
     def close(self) -> None:
         """End everything that still runs, and leave things as they were."""
         builtins.__import__ = self._import
+        self._imports.remove()
         self.session.close()
         getcurrent().task = self._outer or AmbientTask(type(self.session.sim)())
 
@@ -66,12 +71,19 @@ class TestMachine:
 
     def enter(self, path: Path) -> None:
         """Code of a test file is to run: it sees the packages around it."""
-        folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
+        folders = self._folders.get(path.parent)
+        if folders is None:
+            folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
+            self._folders[path.parent] = folders
         if folders not in self._indexes:
             self._indexes[folders] = index_for(folders)
-        self.process.index = self.session.host.index = index = self._indexes[folders]
+        index = self._indexes[folders]
+        if self.process.index is index:
+            return
+        self.process.index = self.session.host.index = index
         roots = self.process.loader.roots
         roots += [root for root in index.python_roots() if root not in roots]
+        self._imports.look_again()
 
     def let_debug(self, person_is_here: bool) -> None:
         """While a person is in a debugger, a program may keep its turn for as long as it likes."""

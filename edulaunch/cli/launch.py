@@ -63,7 +63,7 @@ def main(arguments: argparse.Namespace) -> int:
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
         recording = session.recording()
-        for line in (*recording.launch.warnings, *map(str, session.index.warnings)):
+        for line in (*recording.warnings, *map(str, session.index.warnings)):
             print(f'warning: {line}', file=sys.stderr)
         for name in session.host.unread_stdin:
             print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)

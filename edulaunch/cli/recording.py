@@ -43,7 +43,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
             {'name': topic.name, 'type': topic.type, 'messages': topic.count, 'publishers': topic.publishers,
              'subscriptions': topic.subscriptions} for topic in recording.topics.values()],
         'log_messages': len(recording.logs),
-        'warnings': recording.launch.warnings,
+        'warnings': recording.warnings,
     }
 
 

@@ -12,13 +12,17 @@ from edulaunch.sim.simulation import Simulation
 
 
 class NodeEntry:
-    """A node as the graph knows it. `endpoints` are in order of creation."""
+    """A node as the graph knows it. `endpoints` are in order of creation.
+
+    :ivar participant: what all endpoints of one DDS participant share: the process, or the context that made the node.
+    """
 
     def __init__(self, process: Any, name: str, namespace: str, index: int) -> None:
         self.process = process
         self.name = name
         self.namespace = namespace
         self.index = index
+        self.participant: object = process
         self.endpoints: list[Any] = []
 
     @property
@@ -100,7 +104,7 @@ class Graph:
         return subscription
 
     def create_service(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceServer:
-        """A server of `node`. With several servers of one name the oldest answers (ROS 2 leaves that open)."""
+        """A server of `node`. All servers of one name get each request, and the client hears the first reply."""
         server = ServiceServer(self, node, name, cls, qos, on_ready)
         self._add(node, self.services, name, server)
         return server
@@ -111,15 +115,13 @@ class Graph:
         self._add(node, self.clients, name, client)
         return client
 
-    def find_server(self, client: ServiceClient) -> ServiceServer | None:
-        """The server that would answer `client` now."""
-        for server in self.services.get(client.service_name, ()):
-            if server.type_name == client.type_name:
-                return server
-        return None
+    def servers_for(self, client: ServiceClient) -> list[ServiceServer]:
+        """The servers that would get a request of `client` now, in order of creation."""
+        return [server for server in self.services.get(client.service_name, ()) if server.type_name == client.type_name]
 
     def remove_publisher(self, publisher: Publisher) -> None:
-        """See `Publisher.destroy`."""
+        """See `Publisher.destroy`. What a dying program publishes afterwards is not recorded."""
+        publisher._record = _forget
         for subscription in list(publisher._matched):
             disconnect(publisher, subscription)
         self._remove(self.publishers, publisher.topic_name, publisher)
@@ -155,3 +157,7 @@ class Graph:
         endpoint.node.endpoints.remove(endpoint)
         self.tracer.endpoint_removed(endpoint.kind, endpoint)
         self._changed()
+
+
+def _forget(record: Any) -> None:
+    """Takes the place of what records the messages of a publisher."""

@@ -71,7 +71,8 @@ def namespace_problem(namespace: str) -> Problem | None:
         return None
     if namespace[-1] == '/':
         return "namespace must not end with a '/', unless only a '/'", len(namespace) - 1
-    return _absolute_path_problem('namespace', namespace, MAX_NAMESPACE, f"namespace should not exceed '{MAX_NAMESPACE}'")
+    too_long = "namespace should not exceed 'RMW_NAMESPACE_MAX_NAME_LENGTH'"
+    return _absolute_path_problem('namespace', namespace, MAX_NAMESPACE, too_long)
 
 
 def full_topic_name_problem(name: str) -> Problem | None:
@@ -81,8 +82,8 @@ def full_topic_name_problem(name: str) -> Problem | None:
     if name[0] != '/':
         return "topic name must be absolute, it must lead with a '/'", 0
     if name[-1] == '/':
-        return "topic name must not end with a forward slash '/'", len(name) - 1
-    return _absolute_path_problem('topic name', name, MAX_TOPIC_NAME, f"topic length should not exceed '{MAX_TOPIC_NAME}'")
+        return "topic name must not end with a '/'", len(name) - 1
+    return _absolute_path_problem('topic name', name, MAX_TOPIC_NAME, "topic length should not exceed '255U - 8U'")
 
 
 def topic_name_problem(name: str) -> Problem | None:
@@ -95,15 +96,21 @@ def topic_name_problem(name: str) -> Problem | None:
         return 'topic name token must not start with a number', 0
     if name[-1] == '/':
         return 'topic name must not end with a forward slash', len(name) - 1
-    return _character_problem(name) or _token_problem(name)
+    problem = _character_problem(name)
+    if problem is not None:
+        return problem
+    digit = _digit_token(name)
+    return ('topic name token must not start with a number', digit) if digit >= 0 else None
 
 
 def _character_problem(name: str) -> Problem | None:
     opened = -1
     for index, character in enumerate(name):
+        if character == '{' and opened >= 0:
+            return "substitution name must not contain characters other than alphanumerics or '_'", index
         if character in '{}':
-            if (character == '{') == (opened >= 0):
-                return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened if opened >= 0 else index
+            if character == '}' and opened < 0:
+                return "topic name must not have unmatched (unbalanced) curly braces '{}'", index
             opened = index if character == '{' else -1
         elif character in _WORD:
             if opened == index - 1 >= 0 and name[opened] == '{' and character in _DIGITS:
@@ -118,13 +125,6 @@ def _character_problem(name: str) -> Problem | None:
     if opened >= 0:
         return "topic name must not have unmatched (unbalanced) curly braces '{}'", opened
     return None
-
-
-def _token_problem(name: str) -> Problem | None:
-    if name[0] == '~' and len(name) > 1 and name[1] != '/':
-        return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
-    digit = _digit_token(name)
-    return ('topic name token must not start with a number', digit) if digit >= 0 else None
 
 
 def caret_text(kind: str, name: str, problem: Problem) -> str:
@@ -170,13 +170,8 @@ def _substituted(name: str, node_name: str, namespace: str) -> str:
     for part in parts:
         key, _, rest = part.partition('}')
         if key not in values:
-            raise ValueError(f'unknown substitution: {{{key}}}')
-        value = values[key]
-        if head.endswith('/') and value.startswith('/'):
-            value = value[1:]
-        elif value == '/' and rest.startswith('/'):
-            value = ''
-        head += value + rest
+            raise ValueError(f"topic name '{name}' is invalid: unknown substitution: {{{key}}}")
+        head += values[key] + rest
     return head
 
 

@@ -53,17 +53,21 @@ def read_value(text: str) -> Any:
     """
     if text.strip() and text == text.strip() and not _YAML_MARKS.intersection(text) and text[:2] not in ('-', '- ', '?', '? '):
         return scalar_from_text(text)
-    reader = _Reader(text)
+    if not text:
+        raise ParameterFileError('error not set')
+    reader = _Reader(text, of_a_file=False)
     if not reader.skip_to_root(mapping=False):
-        raise ParameterFileError('No value at line 1')
+        return None   # nothing but a comment
     return _read_value(reader, reader.next())
 
 
 class _Reader:
     """The YAML events of a text, one at a time."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, of_a_file: bool = True) -> None:
         import yaml
+        self.of_a_file = of_a_file
+        self._line = 1
         self._events: Iterator[Any] = yaml.parse(text, Loader=getattr(yaml, 'CLoader', yaml.Loader))
         self._error = yaml.YAMLError
 
@@ -71,13 +75,12 @@ class _Reader:
         try:
             event = next(self._events)
         except self._error as error:
-            mark = getattr(error, 'problem_mark', None)
-            line = '' if mark is None else f' near line {mark.line + 1}'
-            problem = str(getattr(error, 'problem', error))
-            help = 'is the line indented with a tab? YAML wants spaces' if 'cannot start any token' in problem else None
-            raise ParameterFileError(f'Error parsing a event{line}: {problem}', help) from None
+            reason = f'Error parsing a event near line {self._line}' if self.of_a_file else 'Error parsing an event'
+            raise ParameterFileError(reason, _yaml_help(error)) from None
+        self._line = line_of(event)   # rcl names the line of what it could still read
         if type(event).__name__ == 'AliasEvent':
-            raise ParameterFileError(f'Will not support aliasing at line {line_of(event)}')
+            reason = f'Will not support aliasing at line {self._line}' if self.of_a_file else 'Unknown YAML event'
+            raise ParameterFileError(reason)
         return event
 
     def skip_to_root(self, mapping: bool = True) -> bool:
@@ -90,6 +93,14 @@ class _Reader:
             if type(root).__name__ != 'MappingStartEvent':
                 raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(root)}', LAYOUT)
         return True
+
+
+def _yaml_help(error: Any) -> str:
+    mark = getattr(error, 'problem_mark', None)
+    problem = str(getattr(error, 'problem', error))
+    where = '' if mark is None else f'line {mark.line + 1}: '
+    tab = '; is the line indented with a tab? YAML wants spaces' if 'cannot start any token' in problem else ''
+    return where + problem + tab
 
 
 def line_of(event: Any) -> int:
@@ -142,7 +153,9 @@ def _read_value(reader: _Reader, event: Any) -> Any:
     if kind == 'ScalarEvent':
         return _scalar(event)
     if kind == 'SequenceStartEvent':
-        return _read_sequence(reader)
+        return _read_sequence(reader) or None   # rcl cannot tell of what an empty list would be: the parameter is not set
+    if not reader.of_a_file:
+        raise ParameterFileError('Unknown YAML event', 'write a value or a list of values')
     raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')
 
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isclose
 from typing import Any
 
 TYPE_NAMES = ('NOT_SET', 'BOOL', 'INTEGER', 'DOUBLE', 'STRING', 'BYTE_ARRAY', 'BOOL_ARRAY', 'INTEGER_ARRAY',
@@ -36,8 +37,8 @@ def type_of_value(value: Any) -> int:
         for python_type, number in _ARRAY_TYPES:
             if all(isinstance(item, python_type) for item in value):
                 return number
-        raise TypeError(f"The given value is not a list of one of the allowed types '{[kind for kind, _ in _ARRAY_TYPES]}'.")
-    raise TypeError(f"The given value is not one of the allowed types '{[*_SCALAR_TYPES, list, tuple]}'.")
+        raise TypeError(f"The given value is not a list of one of the allowed types '{value}'.")
+    raise TypeError(f"The given value is not one of the allowed types '{value}'.")
 
 
 def value_fits(value: Any, number: int) -> bool:
@@ -99,7 +100,8 @@ def sequence_type_name(value: Any) -> str:
 
 
 def integer_range_problem(name: str, value: int, lowest: int, highest: int, step: int) -> str | None:
-    """Why an integer is refused by its range, in rclpy's words, or None. Both ends are always allowed."""
+    """Why an integer is refused by its range, in rclpy's words, or None. Both ends are always allowed, in either order."""
+    lowest, highest = min(lowest, highest), max(lowest, highest)
     if value in (lowest, highest):
         return None
     if not lowest <= value <= highest:
@@ -110,21 +112,25 @@ def integer_range_problem(name: str, value: int, lowest: int, highest: int, step
 
 
 def float_range_problem(name: str, value: float, lowest: float, highest: float, step: float) -> str | None:
-    """Why a float is refused by its range, in rclpy's words, or None. Ends and steps have a relative tolerance of 1e-6."""
+    """Why a float is refused by its range, in rclpy's words, or None.
+
+    Ends (in either order) and steps have a relative tolerance of 1e-6.
+    """
+    lowest, highest = min(lowest, highest), max(lowest, highest)
     if _close(value, lowest) or _close(value, highest):
         return None
     if not lowest < value < highest:
         return f'Parameter {name} out of range Min: {lowest}, Max: {highest}, value: {value}'
     if step:
-        steps = (value - lowest) / step
-        if not _close(steps, round(steps)):
+        nearest = lowest + round((value - lowest) / step) * step
+        if not _close(value, nearest):
             return (f'The parameter value for {name} is not close enough to a valid step. '
                     f'Min: {lowest}, max: {highest}, value: {value}, step: {step}')
     return None
 
 
 def _close(first: float, second: float) -> bool:
-    return abs(first - second) <= _TOLERANCE * max(abs(first), abs(second))
+    return isclose(first, second, rel_tol=_TOLERANCE)
 
 
 def pattern_matches(pattern: str, fully_qualified_name: str) -> bool:

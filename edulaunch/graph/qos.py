@@ -36,15 +36,16 @@ def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
     """The policy that keeps a publisher and a subscription apart, as ROS 2 names it, or None when they match.
 
     The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
+    Of several, the one that Fast DDS reports as the last is told.
     """
-    if offered.durability == VOLATILE and requested.durability == TRANSIENT_LOCAL:
-        return 'DURABILITY'
-    if requested.deadline_ns and not 0 < offered.deadline_ns <= requested.deadline_ns:
-        return 'DEADLINE'
+    if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
+        return 'RELIABILITY'
     if offered.liveliness == AUTOMATIC and requested.liveliness == MANUAL_BY_TOPIC:
         return 'LIVELINESS'
     if requested.lease_ns and not 0 < offered.lease_ns <= requested.lease_ns:
         return 'LIVELINESS'
-    if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
-        return 'RELIABILITY'
+    if requested.deadline_ns and not 0 < offered.deadline_ns <= requested.deadline_ns:
+        return 'DEADLINE'
+    if offered.durability == VOLATILE and requested.durability == TRANSIENT_LOCAL:
+        return 'DURABILITY'
     return None

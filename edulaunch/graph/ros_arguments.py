@@ -5,9 +5,24 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
-from edulaunch.graph.names import RemapRule, absolute_namespace, namespace_problem, node_name_problem
+from edulaunch.graph.names import RemapRule, absolute_namespace
 from edulaunch.graph.parameter_files import ParameterFileError, read_parameter_file, read_value
 from edulaunch.graph.parameters import pattern_matches
+from edulaunch.graph.rule_reader import (
+    END,
+    NAMESPACE,
+    NODE,
+    SEPARATOR,
+    SERVICE_SCHEME,
+    TOKEN,
+    TOPIC_SCHEME,
+    RuleError,
+    RuleReader,
+    read_matched_name,
+    read_new_name,
+    read_new_namespace,
+    read_parameter_name,
+)
 
 SEVERITIES = {'debug': 10, 'info': 20, 'warn': 30, 'error': 40, 'fatal': 50}
 
@@ -31,6 +46,7 @@ class RosArguments:
     :ivar log_levels: logger name -> severity number; the name '' is the default level.
     :ivar outputs: which of 'stdout', 'rosout', 'external-lib' logs were switched on or off.
     :ivar others: the arguments outside any `--ros-args` section, the program's own name included.
+    :ivar deprecated: the remap rules among those.
     :ivar unknown: tokens inside a section that mean nothing.
     """
 
@@ -41,6 +57,7 @@ class RosArguments:
         self.outputs: dict[str, bool] = {}
         self.settings: dict[str, str] = {}
         self.others: list[str] = []
+        self.deprecated: list[str] = []
         self.unknown: list[str] = []
 
     def overrides_for(self, fully_qualified_name: str) -> dict[str, Override]:
@@ -65,12 +82,24 @@ def parse_ros_arguments(arguments: Sequence[str], read_text: Callable[[str], str
         if token == '--ros-args':
             inside = True
         elif not inside:
-            result.others.append(token)
+            _read_other(result, token)
         elif token == '--':
             inside = False
         else:
             _read_flag(result, token, tokens, read_text or read_file)
     return result
+
+
+def _read_other(result: RosArguments, token: str) -> None:
+    """A remap rule counts outside of `--ros-args`, too; rcl calls that deprecated."""
+    try:
+        if ':=' in token:
+            result.remap_rules.append(remap_rule(token))
+            result.deprecated.append(token)
+            return
+    except RuleError:
+        pass
+    result.others.append(token)
 
 
 def read_file(path: str) -> str:
@@ -88,7 +117,7 @@ _MISSING = {
     'remap': "Couldn't parse trailing {} flag. No remap rule found.",
     'param': "Couldn't parse trailing {} flag. No parameter override rule found.",
     'params-file': "Couldn't parse trailing {} flag. No file path provided.",
-    'log-level': "Couldn't parse trailing log level flag: '{}'. No log level found.",
+    'log-level': "Couldn't parse trailing log level flag: '{}'. No log level provided.",
     'enclave': "Couldn't parse trailing {} flag. No enclave path provided.",
     'log-file-name': "Couldn't parse trailing {} flag. No file name prefix provided.",
     'log-config-file': "Couldn't parse trailing {} flag. No file path provided.",
@@ -129,41 +158,44 @@ def _refuse(what: str, flag: str, value: str, reason: str, help: str | None = No
 
 
 def _remap_rule(flag: str, text: str) -> RemapRule:
-    def refuse(reason: str) -> RosArgumentsError:
-        return _refuse('remap rule', flag, text, reason, "write 'from:=to', such as turtle1/cmd_vel:=cmd_vel")
+    try:
+        return remap_rule(text)
+    except RuleError as error:
+        raise _refuse('remap rule', flag, text, str(error), "write 'from:=to', such as turtle1/cmd_vel:=cmd_vel") from None
 
-    left, separator, replacement = text.partition(':=')
-    if not separator or not left or not replacement:
-        raise refuse("Expected a name, ':=' and a new name")
-    kind = 'any'
-    for scheme, meaning in (('rostopic://', 'topic'), ('rosservice://', 'service')):
-        head, found, tail = left.partition(scheme)
-        if found:
-            left, kind = head + tail, meaning
-    node_name, colon, match = left.rpartition(':')
-    if colon and node_name_problem(node_name):
-        raise refuse(f"'{node_name}' is not a node name")
-    if match in ('__node', '__name', '__ns'):
-        kind = 'namespace' if match == '__ns' else 'node'
-        problem = node_name_problem(replacement) if kind == 'node' else namespace_problem(absolute_namespace(replacement))
-        if problem:
-            raise refuse(problem[0])
-        replacement = absolute_namespace(replacement) if kind == 'namespace' else replacement
-    return RemapRule(kind, node_name or None, match, replacement)
+
+def remap_rule(text: str) -> RemapRule:
+    """The rule that `from:=to` is.
+
+    :raises RuleError: when it is none.
+    """
+    reader = RuleReader(text)
+    node_name = reader.node_prefix()
+    if reader.kind in (NODE, NAMESPACE):
+        kind = 'node' if reader.kind == NODE else 'namespace'
+        match = reader.take()
+        reader.expect(SEPARATOR)
+        if kind == 'namespace':
+            return RemapRule(kind, node_name, match, read_new_namespace(reader))
+        replacement = reader.expect(TOKEN)
+        reader.expect(END)
+        return RemapRule(kind, node_name, match, replacement)
+    kind = {SERVICE_SCHEME: 'service', TOPIC_SCHEME: 'topic'}.get(reader.kind, 'any')
+    if kind != 'any':
+        reader.take()
+    match = read_matched_name(reader)
+    return RemapRule(kind, node_name, match, read_new_name(reader))
 
 
 def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
-    def refuse(reason: str) -> RosArgumentsError:
-        return _refuse('parameter override rule', flag, text, reason, "write 'name:=value', such as background_r:=200")
-
-    left, separator, value = text.partition(':=')
-    node_name, _, name = left.rpartition(':')
-    if not separator or not name:
-        raise refuse("Expected a parameter name, ':=' and a value")
+    reader = RuleReader(text)
     try:
-        override = Override(read_value(value), 'command line')
-    except ParameterFileError as error:
-        raise refuse(str(error)) from None
+        node_name = reader.node_prefix()
+        name = read_parameter_name(reader)
+        override = Override(read_value(text[reader.position:]), 'command line')
+    except (RuleError, ParameterFileError) as error:
+        raise _refuse('parameter override rule', flag, text, str(error),
+                      "write 'name:=value', such as background_r:=200") from None
     pattern = absolute_namespace(node_name) if node_name else '/**'
     result.parameters.setdefault(pattern, {})[name] = override
 
@@ -184,22 +216,28 @@ def _add_file(result: RosArguments, flag: str, path: str, read_text: Callable[[s
 
 
 def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
-    name, separator, level = text.rpartition(':=')
-    number = SEVERITIES.get(level.lower())
-    if number is None or (separator and not name):
-        raise _refuse('log level rule', flag, text, f"'{level}' is not one of DEBUG, INFO, WARN, ERROR, FATAL")
+    try:
+        name, number = _log_level(text)
+    except RuleError as error:
+        raise _refuse('log level', flag, text, str(error), 'a level is one of debug, info, warn, error, fatal') from None
     result.log_levels[name] = number
 
 
-def without_ros_arguments(arguments: Sequence[str]) -> list[str]:
-    """A command line without its `--ros-args` sections."""
-    kept: list[str] = []
-    inside = False
-    for token in arguments:
-        if token == '--ros-args':
-            inside = True
-        elif inside and token == '--':
-            inside = False
-        elif not inside:
-            kept.append(token)
-    return kept
+def _log_level(text: str) -> tuple[str, int]:
+    """The logger ('' for the default level) and the severity that `level` or `logger:=level` names.
+
+    :raises RuleError: when it names none.
+    """
+    name, separator, level = text.partition(':=')
+    if not separator:
+        name, level = '', text
+    elif not name:
+        raise RuleError('Argument has an invalid logger item that name is empty')
+    else:
+        reader = RuleReader(text, len(name) + len(separator))
+        reader.expect(TOKEN)
+        reader.expect(END)
+    number = SEVERITIES.get(level.lower())
+    if number is None:
+        raise RuleError('Argument does not use a valid severity level')
+    return name, number

@@ -47,10 +47,11 @@ class ServiceServer(ServiceEnd):
         return self.queue.popleft() if self.queue else None
 
     def respond(self, request_id: RequestId, wire: Any) -> None:
-        """Send the reply to whoever asked; a client that is gone is not told."""
+        """Send the reply to whoever asked. A client that is gone, or whom another server has answered, is not told."""
         client, sequence = request_id
-        if client.destroyed:
+        if client.destroyed or sequence not in client.unanswered:
             return
+        client.unanswered.remove(sequence)
         self.graph.tracer.response(client, sequence, wire)
         client.queue.append((sequence, wire))
         client.on_ready()
@@ -64,6 +65,7 @@ class ServiceClient(ServiceEnd):
     """One client of a service; `queue` holds (sequence, wire) of replies, oldest first.
 
     :ivar lost: how many requests found no server.
+    :ivar unanswered: the numbers of the requests that wait for a reply.
     """
 
     kind = 'client'
@@ -73,20 +75,25 @@ class ServiceClient(ServiceEnd):
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[int, Any]] = deque()
         self.lost = 0
+        self.unanswered: set[int] = set()
         self._sequence = 0
 
     def server_is_ready(self) -> bool:
         """Whether a server of this name and type exists now."""
-        return self.graph.find_server(self) is not None
+        return bool(self.graph.servers_for(self))
 
     def send(self, wire: Any) -> int:
-        """Send a request and return its number. With no server it is lost, as in ROS 2."""
+        """Send a request and return its number. All servers of the name get it and the first reply counts; with no server it is
+        lost, as in ROS 2.
+        """
         self._sequence += 1
-        server = self.graph.find_server(self)
-        self.graph.tracer.request(self, self._sequence, wire, server is not None)
-        if server is None:
-            self.lost += 1
+        servers = self.graph.servers_for(self)
+        self.graph.tracer.request(self, self._sequence, wire, bool(servers))
+        if servers:
+            self.unanswered.add(self._sequence)
         else:
+            self.lost += 1
+        for server in servers:
             server.queue.append((wire, (self, self._sequence)))
             server.on_ready()
         return self._sequence

@@ -14,12 +14,21 @@ def help_for(field_type: FieldType, message: type[Message] | None, name: str, va
     if not field_type.array:
         return _one(field_type, message, name, value)
     if type(value).__module__ == 'numpy':
-        return f'{_given(value)} was given: write value.tolist()'
+        return _numpy(field_type, value)
     if not isinstance(value, Iterable):
         return f'{_given(value)} was given: write [{_brief(value)}]'
     if isinstance(value, (str, bytes)):
         return f'{_given(value)} was given'
     return _several(field_type, message, name, list(value))
+
+
+def _numpy(field_type: FieldType, value: Any) -> str:
+    kind, given = field_type.kind, f'{_given(value)} was given'
+    if getattr(value, 'ndim', 0) > 1:
+        return f'{given} with {value.ndim} dimensions: write value.ravel()'
+    if kind is not None and kind.is_number and getattr(value, 'ndim', 0) == 1:
+        return f"{given} of '{value.dtype}': write value.astype('{kind.name}')"
+    return f'{given}: write value.tolist()'
 
 
 def _several(field_type: FieldType, message: type[Message] | None, name: str, values: list[Any]) -> str:

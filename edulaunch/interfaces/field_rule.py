@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 from array import array
 from collections import UserList, UserString
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Collection, Sequence, Set
 from typing import Any, NoReturn
 
 from edulaunch.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.interfaces.message import Message
+from edulaunch.interfaces.numpy_values import python_values
 from edulaunch.interfaces.spec import Field
 
 _INF = float('inf')
@@ -61,6 +62,8 @@ class FieldRule:
             return f"a sub message of type '{self.message.__name__}'"
         if self.kind is not None and self.kind.python is bytes:
             return "of type 'bytes' or 'ByteString' with length 1"
+        if self.type.string_bound is not None:
+            return f'string value not longer than {self.type.string_bound}'
         return f"of type '{self._python_name()}'"
 
     def _python_name(self) -> str:
@@ -92,11 +95,18 @@ class FieldRule:
     # Several values
 
     def _accept_several(self, value: Any) -> Any:
-        if not self._are_right(value):
-            self._refuse(f'must be {self._several_words()}', value)
-        if not is_number_sequence(self.type) or self.kind is None:
+        if self.kind is None or not is_number_sequence(self.type):
+            if not self._are_right(value):
+                self._refuse(f'must be {self._several_words()}', value)
             return value
-        return array(self.kind.code, value)
+        numbers = value
+        if not self._are_right(value):
+            numbers = python_values(value, self.kind)
+            if isinstance(numbers, array):
+                return self._accept_array(numbers)
+            if not self._are_right(numbers):
+                self._refuse(f'must be {self._several_words()}', value)
+        return array(self.kind.code, numbers)
 
     def _are_right(self, value: Any) -> bool:
         listed = isinstance(value, (Sequence, Set, UserList)) and not isinstance(value, (str, UserString))
@@ -107,8 +117,17 @@ class FieldRule:
             self.type.array, True
         )
 
-    def _each_is_right(self, values: Iterable[Any]) -> bool:
-        return all(self._is_one(value) and self._is_in_range(value) for value in values)
+    def _each_is_right(self, values: Collection[Any]) -> bool:
+        return self._are_plain_numbers(values) or all(self._is_one(value) and self._is_in_range(value) for value in values)
+
+    def _are_plain_numbers(self, values: Collection[Any]) -> bool:
+        """Whether a glance is enough, as it nearly always is: an image has a million values."""
+        kind = self.kind
+        if kind is None or not kind.is_number or not values:
+            return False
+        if isinstance(values, (bytes, bytearray)):
+            return kind.low == 0 or (kind.python is int and max(values) <= kind.high)
+        return set(map(type, values)) == {kind.python} and kind.low <= min(values) and max(values) <= kind.high
 
     def _several_words(self) -> str:
         words = ['a set or sequence']
@@ -124,10 +143,13 @@ class FieldRule:
     def _accept_array(self, value: array[Any]) -> array[Any]:
         assert self.kind is not None
         if value.typecode != self.kind.code:
-            raise AssertionError(
-                f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
-                f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)"
-            )
+            numbers = python_values(value, self.kind)
+            if not self._are_right(numbers):
+                raise AssertionError(
+                    f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
+                    f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)"
+                )
+            return array(self.kind.code, numbers)
         if not self._is_right_length(len(value)):
             raise AssertionError(
                 f"The '{self.name}' array.array() must have a size <= {self.type.size}"
@@ -143,14 +165,18 @@ class FieldRule:
         numpy = sys.modules.get('numpy')
         if numpy is not None and isinstance(value, numpy.ndarray):
             return self._accept_ndarray(value)
-        if not self._are_right(value):
+        given = value if self._are_right(value) else python_values(value, self.kind)
+        if not self._are_right(given):
             self._refuse(f'must be {self._several_words()}', value)
-        numbers = array(self.kind.code, value)
+        numbers = array(self.kind.code, given)
         return numbers.tobytes() if is_byte_like(self.type) else tuple(numbers)
 
     def _accept_ndarray(self, value: Any) -> Any:
         assert self.kind is not None
         if value.dtype != self.kind.name:
+            numbers = python_values(value, self.kind)
+            if self._are_right(numbers):
+                return value.astype(self.kind.name)
             raise AssertionError(
                 f"The '{self.name}' numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'"
                 f"\n  help: this one has '{value.dtype}': write value.astype('{self.kind.name}')"

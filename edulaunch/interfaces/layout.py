@@ -7,6 +7,7 @@ fields are tuples (or bytes) inside it; each element of a repeated message field
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Callable
 from typing import Any
 
@@ -119,6 +120,8 @@ def default_wire(field: Field) -> Any:
         if field_type.kind is None:
             raise ValueError('the elements of a nested field have no plain default')
         values = (zero(field_type),) * (field_type.size if field_type.array == 'fixed' else 0)
+    if field_type.base == 'float32':
+        values = array('f', values)  # as numpy keeps them; a single float32 stays as it was written until it is sent
     return _as_bytes(field_type, values) if is_byte_like(field_type) else tuple(values)
 
 

@@ -98,7 +98,7 @@ class Terminal:
         session.run(seconds)
         launch.raise_error()
         found = snapshot(session)
-        for line in found.launch.warnings:
+        for line in found.warnings:
             self._write('stderr', f'warning: {line}\n')
         return found
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
+from edulaunch.packages.absent import absent_kind
 from edulaunch.packages.place import Place
 from edulaunch.packages.prefix import Prefix, expand_prefixes
 from edulaunch.packages.program import Program
@@ -12,6 +13,9 @@ from edulaunch.packages.reading import Contents, PackageWarning
 from edulaunch.packages.underlay import Underlay
 from edulaunch.packages.workspace import Workspace
 from edulaunch.underlay_place import underlay_prefix
+
+_ON_PATH = ('rviz2',)
+"""Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
 
 
 class Index:
@@ -42,6 +46,7 @@ class Index:
             *(Workspace(os.fspath(folder), self._warnings) for folder in workspaces),
             *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
         ]
+        self._underlay = underlay
         if underlay is not None:
             self._places.append(Underlay(underlay))
 
@@ -75,6 +80,18 @@ class Index:
         missing, as in ROS."""
         prefix = self.prefix(package)
         return None if prefix is None else os.path.join(prefix, 'share', package)
+
+    def absent(self, package: str) -> str | None:
+        """What a well-known package that is not here belongs to ('Gazebo'); None for one that is here, and for a mistake.
+
+        Its files would stand below :attr:`absent_prefix`.
+        """
+        return None if self._underlay is None or self._place(package) is not None else absent_kind(package)
+
+    @property
+    def absent_prefix(self) -> str:
+        """Where packages that are not here would be: that of the built-in ones."""
+        return self._underlay or ''
 
     def executables(self, package: str) -> list[str]:
         """Names of the package's executables, sorted; none for an unknown package.
@@ -121,8 +138,10 @@ class Index:
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours."""
+        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours. `rviz2` is on the PATH."""
         folder, executable = os.path.split(path)
+        if executable in _ON_PATH and not folder and (place := self._place(executable)) is not None:
+            return place.program(executable, executable)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)
         if name != 'lib':
@@ -131,7 +150,8 @@ class Index:
             if place.path == prefix and package in place.packages():
                 return (place.program(package, executable) or self._stand_in(place, package, executable)
                         or self._native(package, executable, path))
-        return None
+        kind = self.absent(package) if prefix == self._underlay else None
+        return None if kind is None else Program('absent', package, executable, path, file=kind)
 
     def _native(self, package: str, executable: str, path: str) -> Program | None:
         """A program of the workspace that only a C++ compiler could make."""

@@ -8,8 +8,9 @@ from typing import NamedTuple
 class Program(NamedTuple):
     """A program of a package; all but native ones run in the simulation.
 
-    :param kind: 'entry_point' (a function of a module), 'script' (a file run as `__main__`), or 'native' (built from C++: `file`
-        is the line of CMakeLists.txt that builds it; it ends at once, and says so).
+    :param kind: 'entry_point' (a function of a module), 'script' (a file run as `__main__`), 'module' (of `python3 -m`), 'shell'
+        (`file` is a line of commands), or one that ends at once and says why: 'native' (built from C++: `file` is the line of
+        CMakeLists.txt that builds it) or 'absent' (of a package that is not here: `file` is what it belongs to).
     :param path: `<prefix>/lib/<package>/<executable>`, the word that stands in a command line.
     :param module: dotted module name of an entry point, else ''.
     :param function: name of the entry point's function, else ''.

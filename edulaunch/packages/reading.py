@@ -28,6 +28,8 @@ class Contents:
     :param programs: those of `files` that are installed as executables.
     :param python_modules: top-level import name -> absolute path of its folder or .py file.
     :param native: executables built from C++ or C: name -> line of the build file; they cannot run here.
+    :param announced: group of entry points -> lines `name = package.module:attribute`.
+    :param version: what setup() says, '' when it says nothing.
     :param interfaces: there are .msg, .srv or .action files among `files`.
     """
 
@@ -37,5 +39,7 @@ class Contents:
         self.programs: set[str] = set()
         self.python_modules: dict[str, str] = {}
         self.native: dict[str, int] = {}
+        self.announced: dict[str, list[str]] = {}
+        self.version = ''
         self.interfaces = False
         self.warnings: list[PackageWarning] = []

@@ -159,7 +159,14 @@ class _SetupScript:
                 self.contents.python_modules[name.partition('.')[0]] = path
 
     def _executables(self, options: dict[str, Any]) -> None:
-        entries = list(self._console_scripts(self._known(options, 'entry_points')))
+        groups = self._groups(options)
+        entries = list(self._console_scripts(groups))
+        version = options.get('version')
+        self.contents.version = version.strip() if isinstance(version, str) else ''
+        self.contents.announced = {
+            group: [line.strip() for line in _lines(lines) if isinstance(line, str) and _ENTRY.fullmatch(line)]
+            for group, lines in groups.items() if isinstance(group, str)
+        }
         scripts = [script for script in self._known(options, 'scripts') or () if isinstance(script, str)]
         if not entries and not scripts:
             return
@@ -174,13 +181,16 @@ class _SetupScript:
             else:
                 self.warn(f'scripts= lists {script!r}, which is not there')
 
-    def _console_scripts(self, entry_points: Any) -> Iterator[tuple[str, str, str]]:
-        """(executable, module, function) of each console script; entry_points= may be an ini-like text."""
-        if isinstance(entry_points, str):
-            entry_points = _ini_sections(entry_points)
-        if not isinstance(entry_points, dict):
-            return
-        for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(entry_points.get(kind))):
+    def _groups(self, options: dict[str, Any]) -> dict[Any, Any]:
+        """Group -> lines of entry_points=, which may be an ini-like text."""
+        given = self._known(options, 'entry_points')
+        if isinstance(given, str):
+            return dict(_ini_sections(given))
+        return given if isinstance(given, dict) else {}
+
+    def _console_scripts(self, groups: dict[Any, Any]) -> Iterator[tuple[str, str, str]]:
+        """(executable, module, function) of each console script."""
+        for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(groups.get(kind))):
             if not isinstance(line, str) or not line.strip():
                 continue
             match = _ENTRY.fullmatch(line)

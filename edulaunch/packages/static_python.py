@@ -265,6 +265,9 @@ class StaticPython:
 
     # calls
 
+    def _of_Lambda(self, node: ast.Lambda) -> Any:
+        return node
+
     def _of_Call(self, node: ast.Call) -> Any:
         keywords = self._keywords(node)
         function = self._method(node.func) or self.value(node.func)
@@ -272,7 +275,7 @@ class StaticPython:
             self.calls.append((node.lineno, keywords))
             return None
         arguments = self._items(node.args)
-        if isinstance(function, ast.FunctionDef):
+        if isinstance(function, ast.FunctionDef | ast.Lambda):
             return self._call_own(function, arguments, keywords)
         if isinstance(function, Module):
             function = self._functions[function.name]
@@ -282,7 +285,7 @@ class StaticPython:
             return unknown
         if unknown is not None and node.func.attr == 'extend' and isinstance(arguments[0], Unknown):  # type: ignore[attr-defined]
             arguments = [[arguments[0]]]
-        return function(*arguments, **keywords)
+        return function(*map(self._callable, arguments), **{name: self._callable(value) for name, value in keywords.items()})
 
     def _keywords(self, node: ast.Call) -> dict[str, Any]:
         keywords: dict[str, Any] = {}
@@ -303,16 +306,35 @@ class StaticPython:
         method: Callable[..., Any] | None = getattr(holder, node.attr) if node.attr in allowed else None
         return method
 
-    def _call_own(self, function: ast.FunctionDef, arguments: list[Any], keywords: dict[str, Any]) -> Any:
+    def _callable(self, value: Any) -> Any:
+        """A function that is handed to another one (`map`, `filter`, `sorted(key=)`) as something that can be called."""
+        if isinstance(value, ast.FunctionDef | ast.Lambda):
+            return lambda *arguments: self._call_own(value, list(arguments), {})
+        return self._functions.get(value.name, value) if isinstance(value, Module) else value
+
+    def _call_own(self, function: ast.FunctionDef | ast.Lambda, arguments: list[Any], keywords: dict[str, Any]) -> Any:
         """A function that the file itself defines: its body is followed with the arguments bound."""
-        names = [argument.arg for argument in function.args.args]
-        defaults = dict(zip(reversed(names), map(self.value, reversed(function.args.defaults)), strict=False))
         outer = self.names
-        self.names = {**outer, **defaults, **dict(zip(names, arguments, strict=False)), **keywords}
+        self.names = {**outer, **self._bound(function.args, arguments, keywords)}
         try:
+            if isinstance(function, ast.Lambda):
+                return self.value(function.body)
             self.run(function.body)
         except _Returned as returned:
             return returned.args[0]
         finally:
             self.names = outer
         return None
+
+    def _bound(self, parameters: ast.arguments, arguments: list[Any], keywords: dict[str, Any]) -> dict[str, Any]:
+        """What each parameter of a function is worth in a call."""
+        names = [parameter.arg for parameter in parameters.posonlyargs + parameters.args]
+        defaults = zip(reversed(names), map(self.value, reversed(parameters.defaults)), strict=False)
+        only = zip((parameter.arg for parameter in parameters.kwonlyargs), map(self.value, parameters.kw_defaults), strict=True)
+        bound = {**dict(defaults), **dict(only), **dict(zip(names, arguments, strict=False)), **keywords}
+        if parameters.vararg is not None:
+            bound[parameters.vararg.arg] = tuple(arguments[len(names):])
+        if parameters.kwarg is not None:
+            known = {*names, *(parameter.arg for parameter in parameters.kwonlyargs)}
+            bound[parameters.kwarg.arg] = {name: value for name, value in keywords.items() if name not in known}
+        return bound

@@ -82,6 +82,14 @@ class PathText(str):
         """As of `Path`."""
         return os.path.isdir(os.path.join(self.folder, self))
 
+    def exists(self) -> bool:
+        """As of `Path`."""
+        return os.path.exists(os.path.join(self.folder, self))
+
+    def relative_to(self, other: str) -> PathText:
+        """As of `Path`, for a folder above."""
+        return self.below(self.folder, os.path.relpath(self, other))
+
     def as_posix(self) -> str:
         """As of `Path`."""
         return str(self)
@@ -96,6 +104,12 @@ class PathText(str):
     def parent(self) -> PathText:
         """As of `Path`."""
         return self.below(self.folder, os.path.dirname(self) or '.')
+
+    @property
+    def parents(self) -> list[PathText]:
+        """As of `Path`."""
+        above = self.parent
+        return [above] if above in ('.', os.sep) else [above, *above.parents]
 
     @property
     def name(self) -> str:
@@ -113,7 +127,7 @@ class PathText(str):
         return os.path.splitext(self.name)[1]
 
 
-PATH_ATTRIBUTES = frozenset(('parent', 'name', 'stem', 'suffix'))
+PATH_ATTRIBUTES = frozenset(('parent', 'parents', 'name', 'stem', 'suffix'))
 PURE: dict[str, Callable[..., Any]] = {
     'os.path.join': os.path.join,
     'os.path.basename': os.path.basename,
@@ -133,6 +147,10 @@ PURE: dict[str, Callable[..., Any]] = {
     'range': lambda *limits: list(range(*limits)),
     'reversed': lambda items: list(reversed(items)),
     'sum': sum,
+    'any': any,
+    'all': all,
+    'min': min,
+    'max': max,
     'zip': lambda *columns: list(zip(*columns, strict=False)),
     'enumerate': lambda items: list(enumerate(items)),
 }
@@ -147,7 +165,8 @@ def callables(folder: str) -> dict[str, Callable[..., Any]]:
         **PURE,
         'pathlib.Path': lambda *parts: PathText.below(folder, *parts),
         'pathlib.Path.cwd': lambda: PathText.below(folder, folder),
-        'map': lambda function, items: [table[function.name](item) for item in items],
+        'map': lambda function, *columns: list(map(function, *columns)),
+        'filter': lambda function, items: list(filter(function, items)),
         'glob.glob': listing.glob,
         'glob.iglob': listing.glob,
         'os.walk': listing.walk,
@@ -221,7 +240,8 @@ METHODS: dict[type, frozenset[str]] = {
             'removesuffix',
         )
     ),
-    PathText: frozenset(('glob', 'rglob', 'iterdir', 'joinpath', 'is_file', 'is_dir', 'as_posix', 'resolve', 'absolute')),
+    PathText: frozenset(('glob', 'rglob', 'iterdir', 'joinpath', 'is_file', 'is_dir', 'exists', 'relative_to', 'as_posix',
+                         'resolve', 'absolute')),
     list: frozenset(('append', 'extend', 'insert', 'copy', 'index', 'count', 'remove')),
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),

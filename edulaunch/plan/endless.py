@@ -1,4 +1,4 @@
-"""A launch file that goes on for ever: a timer that starts itself again, a coroutine with a `while True`."""
+"""A launch file that goes on for ever: a timer that starts itself again, a `while True`, a handler that feeds itself."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -9,6 +9,8 @@ if TYPE_CHECKING:
 MOST_INSTANTS = 2_000
 MOST_STEPS = 500_000
 """So often may simulated time advance, and so much may be done, before something must end."""
+MOST_REACTIONS = 20_000
+"""So often may event handlers give actions: events that follow from events are all handled in one step."""
 
 
 def run_to_rest(sim: Simulation) -> str | None:
@@ -21,4 +23,9 @@ def run_to_rest(sim: Simulation) -> str | None:
             instants, now = instants + 1, sim.now_ns
             if instants > MOST_INSTANTS:
                 break
+    return still_busy(sim)
+
+
+def still_busy(sim: Simulation) -> str:
+    """What to say then."""
     return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'

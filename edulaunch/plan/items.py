@@ -141,7 +141,10 @@ _MAKERS: dict[str, Callable[[Any, LaunchContext], Item]] = {
         'kind': 'unset_configuration',
         'name': _text(context, action.name),
     },
-    'ResetLaunchConfigurations': lambda action, context: {'kind': 'reset_configurations'},
+    'ResetLaunchConfigurations': lambda action, context: {
+        'kind': 'reset_configurations',
+        'kept': dict(context.launch_configurations),
+    },
     'ResetEnvironment': lambda action, context: {'kind': 'reset_env'},
     'LogInfo': lambda action, context: {'kind': 'log', 'msg': _text(context, action.msg)},
     'TimerAction': _timer,

@@ -21,9 +21,10 @@ class Branch:
     :ivar origin: where a launch file made the action.
     :ivar origins: of a node, parameter name -> where the launch file gives it.
     :ivar file_origins: of a node, parameter name -> where a parameter file gives it.
+    :ivar missing_files: of a node, parameter files that are not there.
     """
 
-    __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'origins', 'file_origins', 'children')
+    __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'origins', 'file_origins', 'missing_files', 'children')
 
     def __init__(self, action: Any, origin: Origin | None = None, condition: str | None = None) -> None:
         self.action = action
@@ -33,6 +34,7 @@ class Branch:
         self.is_taken = False
         self.origins: dict[str, str] = {}
         self.file_origins: dict[str, str] = {}
+        self.missing_files: list[str] = []
         self.children: list[Branch] = []
 
     def add(self, branch: Branch) -> Branch:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
-from edulaunch.plan.endless import run_to_rest
+from edulaunch.plan.endless import run_to_rest, still_busy
 from edulaunch.plan.lifecycles import ImaginedLifecycles
 from edulaunch.plan.outline import Branch
 from edulaunch.plan.rehearsal import Notes, RehearsalHost
@@ -65,6 +65,8 @@ class Planner:
                 self._let_something_end()
                 endless = run_to_rest(self._sim)
         self._host.close()
+        if endless is None and self._watch is not None and self._watch.is_endless:
+            endless = still_busy(self._sim)
         if endless is not None:
             self._error = self._endless_error(endless)
         if self._broken is not None:
@@ -89,7 +91,8 @@ class Planner:
         branch = self._watch.branch
         origin = None if branch.origin is None else str(branch.origin)
         where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
-        help_text = f'{where}a timer that starts itself again, or a coroutine that never returns, needs something that ends it'
+        help_text = (f'{where}a handler whose own actions cause its event, a timer that starts itself again, '
+                     'or a coroutine that never returns needs something that ends it')
         return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
 
     def _let_something_end(self) -> None:
@@ -193,6 +196,7 @@ class Planner:
         if item['kind'] == 'node':
             branch.file_origins = add_parameters(item)
             branch.origins = branch.action._process_spec_details()['parameter_origins']
+            branch.missing_files = branch.action._missing_parameter_files()
         branch.item = _plain(item)
         self._items.append(branch.item)
 

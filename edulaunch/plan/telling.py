@@ -174,6 +174,7 @@ def _node_details(item: Item, branch: Branch) -> list[str]:
     for name, value in item['parameters'].items():
         origin = branch.origins.get(name) or branch.file_origins.get(name)
         lines.append(f'parameter {name} = {_short(value)}' + (f'  ({origin})' if origin else ''))
+    lines += [f'parameter file {path} is missing' for path in branch.missing_files]
     if 'parameter_error' in item:
         lines.append(f'parameters cannot be read: {item["parameter_error"]}')
     lines += [f'remap {old} -> {new}' for old, new in item['remappings']]
@@ -198,6 +199,10 @@ def _nodes_to_load(item: Item, branch: Branch) -> list[str]:
     return lines
 
 
+def _kept_configurations(item: Item, branch: Branch) -> list[str]:
+    return [f'but {name} = {_short(value)}' for name, value in item['kept'].items()]
+
+
 def _handler_details(item: Item, branch: Branch) -> list[str]:
     """Whether what a handler waits for ever came."""
     return [] if branch.children else ['never happened here']
@@ -208,4 +213,5 @@ _DETAILS: dict[str, Callable[[Item, Branch], list[str]]] = {
     'process': _process_details,
     'load_composable_nodes': _nodes_to_load,
     'event_handler': _handler_details,
+    'reset_configurations': _kept_configurations,
 }

@@ -15,6 +15,7 @@ from launch.action import Action
 from launch.event_handler import BaseEventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
 
+from edulaunch.plan.endless import MOST_REACTIONS
 from edulaunch.plan.outline import Branch
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ class Watch:
     :ivar phase: of what is visited now.
     :ivar outline: everything so far.
     :ivar timers: the branch of each timer that was set: launch has one handler for them all.
+    :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
     """
 
     def __init__(self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]]) -> None:
@@ -55,6 +57,12 @@ class Watch:
         self.outline = Branch('')
         self.branch = self.outline
         self.timers: dict[Any, Branch] = {}
+        self.reactions = 0
+
+    @property
+    def is_endless(self) -> bool:
+        """Whether the handlers were silenced."""
+        return self.reactions > MOST_REACTIONS
 
     def entity(self, entity: Any, parent: Branch | None = None) -> LaunchDescriptionEntity:
         """The entity, watched. (What is no entity stays, and fails in launch as it does without a watch.)"""
@@ -155,11 +163,14 @@ class WatchedHandler(BaseEventHandler):
     def handle(self, event: Event, context: LaunchContext) -> Any:
         """Let the handler react; its entities come back watched."""
         watch, kind = self._watch, type(event).__name__
+        if watch.is_endless:
+            return None
         watch.phase = _PHASES.get(kind, watch.phase)
         entities = self._handler.handle(event, context)
         if entities is None:
             return None
         listed = [entities] if isinstance(entities, LaunchDescriptionEntity) else list(entities)
+        watch.reactions += bool(listed)
         parent = watch.timers.get(getattr(event, 'timer_action', None), self._parent)
         if kind not in _NO_BRANCH and listed:
             text = _EVENTS.get(kind, f'on {event.name}').format(name=getattr(event, 'process_name', ''))

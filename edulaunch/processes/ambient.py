@@ -11,7 +11,7 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import AmbientTask, Task, current_task
-from edulaunch.underlay_place import underlay_prefix
+from edulaunch.underlay_place import sourced_path, underlay_prefix
 
 
 class AmbientProcess(Process):
@@ -33,7 +33,7 @@ class AmbientProcess(Process):
 
 def make_ambient_process(task: AmbientTask) -> Process:
     """A process around `task`, with a graph, an index of the underlay and a host of its own."""
-    prefixes = [path for path in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if path]
+    prefixes = [path for path in sourced_path().split(os.pathsep) if path]
     host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], []), env=dict(os.environ))
     return ambient_process_on(host, task)
 
@@ -43,6 +43,7 @@ def ambient_process_on(host: Host, task: AmbientTask) -> Process:
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.task = task
+    process.sourced_path = sourced_path()
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.stdin = sys.stdin
     process.is_writing = True  # to the real streams, always

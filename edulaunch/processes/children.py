@@ -47,6 +47,7 @@ class Child:
         self._outlets['stderr'] = (self._outlets['stdout'] if stderr == subprocess.STDOUT else
                                    _outlet(process, 'stderr', stderr, self.stderr))
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
+        program.is_heard = False  # what nobody captures, this program writes in its place
         self._program = program
         self.stdin: InputEnd | None = None
         if input is not None:

@@ -1,6 +1,7 @@
 """One line of help for an exception that ended a program: what Python and ROS leave unsaid."""
 from __future__ import annotations
 
+import linecache
 import os
 import re
 import sys
@@ -8,6 +9,7 @@ from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.packages import nearest
+from edulaunch.processes.compiled_modules import compiled_module, missing_library
 from edulaunch.processes.not_here import KINDS
 
 if TYPE_CHECKING:
@@ -24,8 +26,12 @@ def error_help(process: Process, error: BaseException) -> str | None:
         return hint
     if type(error) is ModuleNotFoundError and error.name:   # importlib.metadata's kind of it is not about modules
         return _module_help(process, error.name)
+    if isinstance(error, ImportError | OSError) and (library := missing_library(error)):
+        return f'{wanted_by(process)} needs the native library {library!r}, which this machine does not have'
     if isinstance(error, ImportError):
         return _hiding_help(process, error.name) or _name_help(process, error)
+    if _enters_init(error):
+        return 'in ROS 2 Jazzy rclpy.init() gives nothing for `with`, as it does in later versions: call it on a line of its own'
     if isinstance(error, AttributeError):
         if hiding := _hiding_help(process, getattr(error.obj, '__name__', None)):
             return hiding
@@ -33,6 +39,16 @@ def error_help(process: Process, error: BaseException) -> str | None:
         from edulaunch.interfaces.attribute_help import attribute_help
         return attribute_help(error, current_registry())
     return None
+
+
+def _enters_init(error: BaseException) -> bool:
+    """Whether it comes from `with rclpy.init():`. What Python says of None in a `with` depends on its version."""
+    if '__enter__' not in str(error) and 'context manager' not in str(error):
+        return False
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno)
 
 
 def _hiding_help(process: Process, name: Any) -> str | None:
@@ -47,6 +63,8 @@ def _hiding_help(process: Process, name: Any) -> str | None:
 def _module_help(process: Process, name: str) -> str | None:
     """For a module that nobody has: what it is, which program wanted it, and the nearest name."""
     top = name.partition('.')[0]
+    if compiled := _compiled_help(process, name):
+        return compiled
     if name != top and _parent_is_there(process, name):
         return _part_help(process, name) or _package_help(process, top)
     for kind, modules in KINDS.items():
@@ -55,6 +73,13 @@ def _module_help(process: Process, name: str) -> str | None:
                     'the other programs go on without it')
     return (_package_help(process, top)
             or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(process, top))
+
+
+def _compiled_help(process: Process, name: str) -> str | None:
+    """For a module that is there, but is no Python."""
+    compiled = compiled_module(process, name)
+    return None if compiled is None else (f'{wanted_by(process)} needs the module {name!r}, which is {compiled}; '
+                                          'only Python runs here, and the other programs go on without it')
 
 
 def wanted_by(process: Process) -> str:
@@ -84,6 +109,8 @@ def _name_help(process: Process, error: ImportError) -> str | None:
         return None
     if said[2]:
         return f'{error.name} is still being imported: two modules import each other. Import inside the function that needs it'
+    if compiled := _compiled_help(process, f'{error.name}.{said[1]}'):
+        return compiled
     module = process.loader.modules.get(error.name or '')
     if module is None:
         return None

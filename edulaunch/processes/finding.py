@@ -58,6 +58,12 @@ class Finder:
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
 
+    def folders(self) -> list[str]:
+        """Every folder that may hold a top-level module of the program, each once."""
+        before, after = self._program_path()
+        places = [os.path.dirname(place) for place in self._process.overlay.modules.values()]
+        return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
+
     def _may_have(self, folder: str, top: str) -> bool:
         """Whether a module can be in a folder. Each is listed once: most imports are of something else. What is written there
         later is found last.

@@ -23,8 +23,11 @@ if TYPE_CHECKING:
     from edulaunch.processes.watchdog import Watchdog
 
 FIRST_PID = 1001
-WRAPPERS = ('env', 'gdb', 'gnome-terminal', 'gnome-terminal.wrapper', 'konsole', 'lxterminal', 'nice', 'perf', 'python',
-            'python3', 'screen', 'stdbuf', 'strace', 'taskset', 'terminator', 'time', 'tmux', 'valgrind', 'xterm')
+WRAPPERS = ('alacritty', 'chrt', 'env', 'gdb', 'gdbserver', 'gnome-terminal', 'gnome-terminal.wrapper', 'ionice', 'kitty',
+            'konsole', 'lxterminal', 'mate-terminal', 'nice', 'nohup', 'perf', 'python', 'python3', 'screen', 'setsid', 'stdbuf',
+            'strace', 'sudo', 'taskset', 'terminator', 'time', 'tmux', 'valgrind', 'x-terminal-emulator', 'xfce4-terminal',
+            'xterm')
+SHELLS = ('bash', 'dash', 'sh', 'zsh')
 SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
 
 
@@ -129,7 +132,7 @@ class Host:
         if spec.shell:
             line = ' '.join(words)
             if SHELL_SIGNS & set(_outside_quotes(line)):
-                return None
+                return self._known_line(line)
             words = shlex.split(line)
         for position, word in enumerate(words):
             program = self.index.find_program(word)
@@ -137,9 +140,20 @@ class Host:
                 return words[position:], program
             if os.path.basename(word) == 'ros2' and self._ros2 is not None:
                 return words[position:], None
+            if words[position + 1:position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
+                return self._known_line(*words[position + 2:]) if words[position + 2:] else None
             if position == 0 and os.path.basename(word) not in WRAPPERS:
                 break
         return python_command(words, spec.cwd, frozenset(self.overlay(self.index).modules)) if _names_python(words) else None
+
+    def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
+        """A shell line of which the simulation knows each command."""
+        from edulaunch.processes.shell_lines import is_simulated, parts_of, with_arguments
+        line = with_arguments(line, list(arguments))
+        parts = parts_of(line)
+        if parts is None or not is_simulated(parts, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):
+            return None
+        return ['sh', '-c', line], Program('shell', '', 'sh', 'sh', file=line)
 
     def ended(self, process: Process) -> None:
         """Called by a process when it has ended."""

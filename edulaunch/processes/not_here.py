@@ -11,13 +11,16 @@ KINDS = {
     'a Windows console': ('msvcrt', 'winsound', '_winapi', 'win32api', 'win32con'),
     'hardware': ('serial', 'RPi', 'smbus', 'pigpio', 'gpiozero', 'picamera', 'pyrealsense2', 'dynamixel_sdk'),
     'Navigation 2': ('nav2_msgs', 'nav2_simple_commander', 'nav2_common'),
-    'MoveIt': ('moveit_msgs', 'moveit_configs_utils', 'moveit_commander', 'moveit'),
+    'MoveIt': ('moveit_msgs', 'moveit_configs_utils', 'moveit_commander', 'moveit', 'launch_param_builder'),
     'rosbag2; edulaunch records every run by itself': ('rosbag2_py', 'rosbags_py', 'rosbag2_interfaces'),
     'the inside of the ros2 command; call it with subprocess.run()': (
         'ros2cli', 'ros2topic', 'ros2node', 'ros2param', 'ros2service', 'ros2action', 'ros2pkg', 'ros2run', 'ros2interface',
         'ros2bag'),
     'ROS 1; with ROS 2 it is rclpy': ('rospy', 'roslib', 'actionlib', 'rospkg', 'dynamic_reconfigure'),
     'ros2_control': ('control_msgs', 'controller_manager', 'controller_manager_msgs'),
+    'diagnostics; diagnostic_msgs is here': ('diagnostic_updater', 'diagnostic_aggregator', 'diagnostic_common_diagnostics'),
+    'robot descriptions': ('xacro', 'urdf_parser_py', 'kdl_parser_py', 'PyKDL'),
+    'cameras and images': ('image_geometry', 'ros2_numpy', 'camera_info_manager_py'),
 }
 """What cannot be had here, and the modules that stand for it."""
 REFUSED = frozenset((*KINDS['a window'], *KINDS['the keyboard of a real machine'])) - {'tkinter', '_tkinter'}

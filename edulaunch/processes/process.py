@@ -10,7 +10,7 @@ from edulaunch.processes.addresses import SIGN, Addresses
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
-from edulaunch.sim.task import Task, TaskKilled
+from edulaunch.sim.task import Task, TaskKilled, running_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.host import Host
@@ -26,9 +26,11 @@ OnExit = Callable[[int], object]
 class Process:
     """One simulated program. `state` is a dict in which the ROS faces keep what would be process-wide globals.
 
-    Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `cwd` (None: that of the launcher),
-    `returncode` (None while it runs; negative for a signal, as in `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`,
-    `stdin`, `stdout`, `stderr`, `is_writing` (while its output is handed on), `loader`.
+    Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `sourced_path` (AMENT_PREFIX_PATH
+    as sourcing left it), `cwd` (None: that of the launcher), `returncode` (None while it runs; negative for a signal, as in
+    `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdin`, `stdout`, `stderr`, `is_writing` (while its output is
+    handed on), `is_gone` (dead, yet its stack unwinds), `is_heard` (its output is recorded; that of a child is, as far as it
+    reaches the program that started it), `loader`.
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -41,6 +43,7 @@ class Process:
         self.pid = pid
         self.argv = argv
         self.env: dict[str, str] = dict(spec.env if spec.env is not None else host.env)
+        self.sourced_path = host.env.get('AMENT_PREFIX_PATH', '')
         self.state: dict[str, Any] = {}
         self.returncode: int | None = None
         self.on_output: OnOutput | None = None
@@ -55,6 +58,8 @@ class Process:
         self.stdout = OutputStream(self, 'stdout')
         self.stderr = OutputStream(self, 'stderr')
         self.is_writing = False
+        self.is_gone = False
+        self.is_heard = True
         self.addresses = Addresses()
         self._main = main
         self._loader: Loader | None = None
@@ -85,10 +90,13 @@ class Process:
 
     def write(self, stream: str, text: str) -> None:
         """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
+        if self.is_gone:
+            return
         before, self.is_writing = self.is_writing, True
         try:
             text = self.steady(text)
-            self.tracer.output(self, stream, text)
+            if self.is_heard:
+                self.tracer.output(self, stream, text)
             if self.on_output is not None:
                 self.on_output(stream, text)
         finally:
@@ -100,10 +108,14 @@ class Process:
 
     def log(self, level: int, logger: str, message: str) -> None:
         """Record a log message (its console line is written separately)."""
+        if self.is_gone:
+            return
         self.tracer.log(self, level, logger, message)
 
     def note(self, kind: str, text: str) -> None:
         """Record something that the engine noticed and the user should hear about."""
+        if self.is_gone:
+            return
         self.tracer.note(self, kind, text)
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
@@ -133,7 +145,8 @@ class Process:
 
     def send_signal(self, signum: int) -> None:
         """Deliver a signal. A handler in `signal_handlers` decides; else SIGINT raises KeyboardInterrupt in the program where
-        it waits, those of DEADLY end it, and any other is ignored. Nothing happens after the end.
+        it waits, those of DEADLY end it, and any other is ignored. Nothing happens after the end. A program that sends a signal
+        to itself takes it before this returns.
         """
         signum = int(signum)
         if self.returncode is not None:
@@ -144,13 +157,30 @@ class Process:
         elif signum == signal.SIGINT:
             self.task.interrupt(_raise_keyboard_interrupt)
         elif signum in DEADLY:
-            self._signal = signum
-            self.task.kill()
+            self.die_of(signum)
+        if running_task() is self.task:
+            self.task.attend()
+
+    def die_of(self, signum: int) -> None:
+        """End by a signal without a handler: Python has no time for `finally` blocks then."""
+        self._signal = signum
+        self._vanish()
+
+    def die_at_once(self, signum: int) -> None:
+        """The handler that stands for the default action of a signal; called inside the program."""
+        self.die_of(signum)
+        self.task.attend()
+
+    def _vanish(self) -> None:
+        """Kill the program. Unwinding its stack runs its `finally` blocks, which a real end does not: nobody hears of them."""
+        self.is_gone = True
+        self.graph.remove_process(self)
+        self.task.kill()
 
     def exit_now(self, code: int) -> None:
         """End at once without cleaning up, as `os._exit`."""
         self.returncode = code
-        self.task.kill()
+        self._vanish()
         self.task.park()
 
     def end_by(self, signum: int) -> None:
@@ -167,7 +197,8 @@ class Process:
             self.run_exit_calls()
         finally:
             if self.returncode is None:
-                self.returncode = code if code is not None else -(self._signal or signal.SIGKILL)
+                killed = code is None or self._signal is not None
+                self.returncode = -(self._signal or signal.SIGKILL) if killed else code
             self._end()
 
     def _end_unbegun(self, task: Task) -> None:
@@ -233,6 +264,7 @@ class Process:
     def _end(self) -> None:
         for action in self.at_exit:
             action()
+        self.is_gone = True
         for thread in self.threads:
             if not thread.finished:
                 thread.kill()

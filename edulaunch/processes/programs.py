@@ -24,16 +24,22 @@ def run_program(process: Process, program: Program) -> object:
         loader.roots.insert(0, program.python_roots[0])
         loader.run_module(program.module)
         return None
-    if program.kind == 'native':
+    if program.kind == 'shell':
+        from edulaunch.processes.shell_lines import run_line
+        return run_line(process, program.file)
+    if program.kind in ('native', 'absent'):
         raise _cannot_run(process, program)
     return entry_function(process, program)()
 
 
 def _cannot_run(process: Process, program: Program) -> OSError:
-    """What the system says of a file for another machine, and why."""
-    error: Any = OSError(errno.ENOEXEC, os.strerror(errno.ENOEXEC), program.executable)
-    error.edulaunch_hint = (f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, '
-                            'and the other programs go on without it')
+    """What the system says of a file that is not there or is for another machine, and why."""
+    absent = program.kind == 'absent'
+    number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
+    error: Any = OSError(number, os.strerror(number), name)
+    why = (f'{process.name} needs the package {program.package!r} ({program.file}), which is not here; ' if absent else
+           f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, and ')
+    error.edulaunch_hint = f'{why}the other programs go on without it'
     said: OSError = error
     return said
 

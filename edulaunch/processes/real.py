@@ -5,6 +5,7 @@ cannot repeat exactly; a recording says so.
 """
 from __future__ import annotations
 
+import codecs
 import errno
 import os
 import queue
@@ -59,9 +60,11 @@ class RealProcess:
         self._look_again()
 
     def _read(self, stream: str, reader: int) -> None:
+        decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a letter of two bytes may come in two pieces
         try:
             while chunk := _chunk(reader):
-                self._lines.put((stream, chunk.decode('utf-8', 'replace')))
+                self._lines.put((stream, decoder.decode(chunk)))
+            self._lines.put((stream, decoder.decode(b'', final=True)))
         finally:
             os.close(reader)
             self._lines.put((stream, None))
@@ -84,7 +87,7 @@ class RealProcess:
                 break
             if text is None:
                 self._open -= 1
-            elif self.on_output is not None:
+            elif text and self.on_output is not None:
                 self.on_output(stream, text)
         if self._open:
             self._look_again()

@@ -25,8 +25,8 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
-    error carries a hint or is one of rclpy's own: then we have raised it knowingly. Or Python could not read the student's file
-    at all: then nothing of it ran.
+    error carries a hint, is one of rclpy's own, or a built-in program's end by Ctrl-C: then we have raised it knowingly. Or
+    Python could not read the student's file at all: then nothing of it ran.
     The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
     """
     return ''.join(_chain(error, [])), _place(error)
@@ -67,7 +67,8 @@ def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> I
 def _one(error: BaseException) -> Iterator[str]:
     """One error without those before it."""
     own = _own(error)
-    knowingly = hasattr(error, 'edulaunch_hint') or type(error).__module__.startswith('rclpy.')
+    knowingly = (hasattr(error, 'edulaunch_hint') or isinstance(error, KeyboardInterrupt)
+                 or type(error).__module__.startswith('rclpy.'))
     explained = knowingly or _unread_file(error) is not None
     shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
     if shown:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from edulaunch.errors import EdulaunchError
 from edulaunch.recording.records import Frame
@@ -25,6 +26,22 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
     near = get_close_matches(name, names, n=1)
     return NotRecorded(f'{text} in this recording; there are: {", ".join(names) or "none"}',
                        help=f'did you mean {near[0]!r}?' if near else None)
+
+
+class NoMessages(list[Any]):
+    """The messages of a topic that nobody had: none. Asking for one of them says which topics there are.
+
+    It stays an empty list for all who count or go through the messages: that nobody spoke is a fact of the run, too.
+    """
+
+    def __init__(self, topic: str, among: Iterable[str]) -> None:
+        super().__init__()
+        self._topic, self._among = topic, among
+
+    def __getitem__(self, which: Any) -> Any:
+        if isinstance(which, slice):
+            return []
+        raise not_recorded(f'no topic {self._topic!r}', self._topic, self._among)
 
 
 class Frames(dict[str, Frame]):

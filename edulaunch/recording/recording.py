@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import RecordingError
 from edulaunch.recording import file_format
-from edulaunch.recording.absent import not_recorded
+from edulaunch.recording.absent import NoMessages, not_recorded
 from edulaunch.recording.records import (
     DeclaredArgument,
     Frame,
@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from edulaunch.canvas.table import Table
     from edulaunch.interfaces.registry import Registry
     from edulaunch.recording.trajectory import Trajectory
+
+
+SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake')
+"""Kinds of notes about which ROS 2 says nothing."""
 
 
 class Recording:
@@ -153,7 +157,12 @@ class Recording:
         return found
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
-        """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there."""
+        """All messages of a topic as (time in seconds, message), in order of publication; [] for a topic that is not there.
+
+        :raises KeyError: later, when one of the messages of a topic that is not there is asked for; it names the nearest topic.
+        """
+        if topic not in self.topics:
+            return NoMessages(topic, self.topics)
         rows = []
         for column in self._columns(topic):
             from_wire = self._class(column['type']).from_wire
@@ -173,8 +182,11 @@ class Recording:
         if not fields:
             raise ValueError('series() needs at least one field, such as "linear.x"')
         get = attrgetter(*fields)
+        messages = self.messages(topic)
+        if isinstance(messages, NoMessages):
+            return messages
         rows: list[tuple[float, ...]] = []
-        for time, message in self.messages(topic):
+        for time, message in messages:
             values: Any = get(message)
             rows.append((time, values) if len(fields) == 1 else (time, *values))
         return rows
@@ -222,6 +234,13 @@ class Recording:
     def notes(self) -> list[Note]:
         """What the engine noticed, in order."""
         return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
+
+    @property
+    def warnings(self) -> list[str]:
+        """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
+        silent = [f'{note.process}: {note.text}' for note in self.notes
+                  if note.kind in SILENT or (note.kind == 'incompatible' and note.text.endswith('TYPE'))]
+        return [*self.launch.warnings, *dict.fromkeys(silent)]
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:

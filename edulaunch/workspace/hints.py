@@ -22,6 +22,9 @@ def package_hint(index: Index, package: str) -> str:
         if 'package.xml' in files or 'setup.py' in files:
             return _why_no_package(folder, files)
     near = nearest(package, index.packages())
+    kind = index.absent(package)
+    if kind is not None:
+        return f'the package {package!r} ({kind}) is not here'
     if near is not None:
         return f'did you mean the package {near!r}?'
     if same:

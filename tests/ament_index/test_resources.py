@@ -42,8 +42,8 @@ def test_the_first_prefix_gives_the_resource(ask: Any, plugin: str) -> None:
     ('arguments', 'kind', 'text'),
     [
         (('plugin', 'bag'), LookupError, "Could not find the resource 'bag' of type 'plugin'"),
-        (('a/b', 'bag'), InvalidResourceTypeNameError, "Resource type 'a/b' has an invalid name"),
-        (('plugin', 'a\\b'), InvalidResourceNameError, "Resource 'a\\b' has an invalid name"),
+        (('a/b', 'bag'), InvalidResourceTypeNameError, "Resource type 'a/b' is invalid"),
+        (('plugin', 'a\\b'), InvalidResourceNameError, "Resource name 'a\\b' is invalid"),
         (('', 'bag'), AssertionError, 'The resource type must not be empty'),
     ],
 )

@@ -78,3 +78,9 @@ def test_a_typed_parameter_of_a_cpp_node_cannot_be_deleted(machine) -> None:
 def test_an_unknown_node_is_waited_for_one_second(machine) -> None:
     typed = machine.run('ros2 param get /simm background_r', 1.5)
     assert typed.writes == [(2.0, "Node not found\n  help: did you mean '/sim'?\n")] and typed.code == 1
+
+
+def test_a_value_that_is_no_yaml_is_refused_with_help(machine) -> None:
+    said = machine.fails('ros2 param set /sim background_r @home')
+    assert "found character '@' that cannot start any token" in said
+    assert said.endswith("""help: to mean text, put it into quotation marks twice: '"@home"'\n""")

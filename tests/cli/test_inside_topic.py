@@ -36,7 +36,7 @@ def test_verbose_info_shows_each_endpoint(machine) -> None:
     parts = machine.read('ros2 topic info -v /turtle1/pose').split('\n\n')
     assert parts[:2] == ['Type: turtlesim/msg/Pose', 'Publisher count: 1'] and parts[3] == 'Subscription count: 0'
     assert parts[2].splitlines()[:3] == ['Node name: sim', 'Node namespace: /', 'Topic type: turtlesim/msg/Pose']
-    assert '  History (Depth): KEEP_LAST (7)' in parts[2].splitlines()
+    assert '  History (Depth): UNKNOWN' in parts[2].splitlines()
 
 
 def test_type_and_find(machine) -> None:

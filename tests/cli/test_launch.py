@@ -67,6 +67,13 @@ def test_a_node_that_dies_is_as_silent_as_in_ros_but_for_one_line(run, tmp_path:
     assert code == 0 and err.count('\n') == 1 and err.startswith('warning: turtlesim_node-1 died with exit code -6')
 
 
+def test_how_a_command_ended_that_a_program_runs_is_that_programs_business(run, tmp_path: Path) -> None:
+    script = tmp_path / 'runs.py'
+    script.write_text("import subprocess, time\ntime.sleep(1)\nsubprocess.run(['ros2', 'nonsense'], capture_output=True)\n")
+    code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', '{script}'])"))
+    assert (code, err) == (0, '') and 'finished cleanly' in out
+
+
 def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
     code, out, err = run(describe("DeclareLaunchArgument('radius', default_value='1')"), 'raduis:=2')
     assert (code, err) == (0, "warning: launch argument 'raduis' is not declared by any of the launch files; did you mean 'radius'?\n")
@@ -176,9 +183,36 @@ def test_a_program_that_cannot_be_started_is_explained_without_our_frames(run) -
         'shell=True']
 
 
+def test_a_callback_that_waits_for_ever_is_a_warning(run, tmp_path: Path) -> None:
+    (tmp_path / 'wait.py').write_text(
+        'import rclpy\nfrom std_srvs.srv import Empty\nrclpy.init()\nnode = rclpy.create_node("a")\n'
+        'node.create_service(Empty, "clear", lambda request, response: response)\nclient = node.create_client(Empty, "clear")\n'
+        'async def tick():\n    await client.call_async(Empty.Request())\nnode.create_timer(1.0, tick)\nrclpy.spin(node)\n')
+    code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'wait.py')!r}])"), '--for', '3')
+    assert err == ("warning: python3-1: await in tick() of node '/a' (wait.py:8) waits for ever: the reply of service '/clear' can only be "
+                   'taken when tick() has ended. Use add_done_callback() in place of waiting, or async and await with the client in '
+                   'a callback group of its own.\n')
+
+
+def test_a_command_in_one_text_is_explained(run) -> None:
+    code, out, err = run(describe("ExecuteProcess(cmd='zz -a')"))
+    assert out.splitlines()[2:4] == [
+        "FileNotFoundError: [Errno 2] No such file or directory: 'z'",
+        '  help: @/my.launch.py:5: cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True']
+
+
 def test_an_argument_that_the_included_file_does_not_declare_is_a_warning(run, tmp_path: Path) -> None:
     (tmp_path / 'inner.launch.py').write_text(describe("DeclareLaunchArgument('speed', default_value='1')"))
     code, out, err = run(describe(f"IncludeLaunchDescription({str(tmp_path / 'inner.launch.py')!r}, "
                                   "launch_arguments={'speeed': '3'}.items())"))
     assert (code, err) == (0, "warning: launch argument 'speeed', given to inner.launch.py at my.launch.py:5, is not declared there; "
                               "did you mean 'speed'?\n")
+
+
+def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_path: Path) -> None:
+    script = tmp_path / 'hears.py'
+    script.write_text('import rclpy\nfrom geometry_msgs.msg import Pose\nrclpy.init()\nnode = rclpy.create_node("hears")\n'
+                      'node.create_subscription(Pose, "/turtle1/pose", print, 10)\n')
+    _, _, err = run(describe("Node(package='turtlesim', executable='turtlesim_node')", f"ExecuteProcess(cmd=['python3', '{script}'])"))
+    assert err == ('warning: turtlesim_node-1: /turtle1/pose: /turtlesim (turtlesim/msg/Pose) and /hears (geometry_msgs/msg/Pose) '
+                   'cannot talk because of TYPE\n')

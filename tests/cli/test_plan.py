@@ -65,6 +65,22 @@ def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: py
     assert shown.err == 'missing packages, with placeholders instead: my_robot\n'
 
 
+def test_parameter_files_that_are_not_there_stand_below_their_node(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / 'my.launch.xml'
+    path.write_text('<launch><node pkg="my_robot" exec="a"><param from="$(find-pkg-share my_robot)/a.yaml"/>'
+                    '<param from="/none/b.yaml"/></node></launch>')
+    assert main(['plan', str(path), '--assume-packages']) == 0
+    assert capsys.readouterr().out.splitlines()[2:4] == [
+        '    ├── parameter file my_robot/a.yaml is missing', '    └── parameter file /none/b.yaml is missing']
+
+
+def test_configurations_that_outlive_a_reset_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / 'my.launch.xml'
+    path.write_text('<launch><group forwarding="false"><keep name="mode" value="slow"/></group></launch>')
+    assert main(['plan', str(path)]) == 0
+    assert capsys.readouterr().out.splitlines()[-3:-1] == ['    └── reset configurations', "        └── but mode = 'slow'"]
+
+
 def test_a_terminal_without_line_drawing_gets_a_plain_tree(file: Path) -> None:
     run = subprocess.run([sys.executable, '-m', 'edulaunch', 'plan', str(file)], capture_output=True, check=True,
                          env={**os.environ, 'PYTHONIOENCODING': 'ascii'})

@@ -20,6 +20,9 @@ from edulaunch.graph.qos import BEST_EFFORT, KEEP_ALL, MANUAL_BY_TOPIC, TRANSIEN
     (QoS(liveliness=MANUAL_BY_TOPIC), QoS(), None),
     (QoS(), QoS(lease_ns=10), 'LIVELINESS'),
     (QoS(depth=1), QoS(depth=100, history=KEEP_ALL), None),
+    (QoS(reliability=BEST_EFFORT), QoS(durability=TRANSIENT_LOCAL, lease_ns=10), 'RELIABILITY'),
+    (QoS(), QoS(durability=TRANSIENT_LOCAL, deadline_ns=10, lease_ns=10), 'LIVELINESS'),
+    (QoS(), QoS(durability=TRANSIENT_LOCAL, deadline_ns=10), 'DEADLINE'),
 ])
 def test_offered_must_be_at_least_requested(offered: QoS, requested: QoS, policy: str | None) -> None:
     assert incompatible_policy(offered, requested) == policy

@@ -48,13 +48,16 @@ def test_without_a_server_a_request_is_lost() -> None:
     assert server(graph, node, log).take() is None and asking.server_is_ready()
 
 
-def test_the_oldest_of_several_servers_answers_until_it_is_gone() -> None:
+def test_all_servers_of_one_name_get_a_request_and_the_first_reply_counts() -> None:
     graph, node, log = bench()
-    first, _, asking = server(graph, node, log, 'first'), server(graph, node, log, 'second'), client(graph, node, log)
+    first, second, asking = server(graph, node, log, 'first'), server(graph, node, log, 'second'), client(graph, node, log)
     asking.send(())
+    for serving in (second, first):
+        serving.respond(serving.take()[1], (serving is second,))
+    assert (asking.take(), asking.take()) == ((1, (True,)), None)
     first.destroy()
     asking.send(())
-    assert log == ['first', 'second']
+    assert log == ['first', 'second', 'client', 'second']
 
 
 def test_a_server_of_another_type_is_no_server() -> None:

@@ -63,14 +63,14 @@ SEVERAL = 'field must be a set or sequence'
         (
             'geometry_msgs/msg/PoseWithCovariance',
             'covariance',
-            numpy.zeros(36, 'float32'),
+            numpy.zeros(36, 'complex'),
             "The 'covariance' numpy.ndarray() must have the dtype of 'numpy.float64'",
         ),
         (
-            'sensor_msgs/msg/LaserScan',
-            'ranges',
-            array('d'),
-            "The 'ranges' array.array() must have the type code of 'f'",
+            'nav_msgs/msg/OccupancyGrid',
+            'data',
+            array('d', [1.0]),
+            "The 'data' array.array() must have the type code of 'b'",
         ),
         (
             'shape_msgs/msg/SolidPrimitive',
@@ -121,3 +121,60 @@ def test_a_fixed_array_can_be_given_as_a_matrix(get):
 
 def test_bytes_are_a_sequence_of_uint8(get):
     assert get('sensor_msgs/msg/Image')(data=b'\1\2').data == array('B', [1, 2])
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'field', 'value', 'stored'),
+    [
+        ('sensor_msgs/msg/LaserScan', 'ranges', numpy.array([1.5, numpy.inf]), array('f', [1.5, float('inf')])),
+        ('sensor_msgs/msg/LaserScan', 'ranges', numpy.array([1, 2], 'int32'), array('f', [1.0, 2.0])),
+        ('sensor_msgs/msg/LaserScan', 'ranges', [numpy.float32(1), 2.0], array('f', [1.0, 2.0])),
+        ('nav_msgs/msg/OccupancyGrid', 'data', numpy.array([-1, 100], 'int8'), array('b', [-1, 100])),
+        ('nav_msgs/msg/OccupancyGrid', 'data', [numpy.int64(-1), 100], array('b', [-1, 100])),
+        ('sensor_msgs/msg/Image', 'data', numpy.zeros((2, 2), 'uint8').flatten(), array('B', bytes(4))),
+        ('sensor_msgs/msg/Image', 'data', numpy.array([]).astype('uint8'), array('B')),
+        ('sensor_msgs/msg/Image', 'data', bytes([0, 255]), array('B', [0, 255])),
+    ],
+)
+def test_a_sequence_of_numbers_takes_what_jazzys_array_takes_of_numpy(get, type_name, field, value, stored):
+    msg = get(type_name)()
+    setattr(msg, field, value)
+    assert getattr(msg, field) == stored
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'value'),
+    [
+        ('nav_msgs/msg/OccupancyGrid', numpy.array([1.0])),
+        ('nav_msgs/msg/OccupancyGrid', numpy.array([200])),
+        ('nav_msgs/msg/OccupancyGrid', bytes([200])),
+        ('nav_msgs/msg/OccupancyGrid', numpy.zeros((2, 2), 'int8')),
+        ('nav_msgs/msg/OccupancyGrid', [numpy.float64(1)]),
+        ('std_msgs/msg/Float32MultiArray', numpy.array(['a'])),
+        ('std_msgs/msg/Float32MultiArray', [1.0, 1e39]),
+        ('std_msgs/msg/Float32MultiArray', [1.0, None]),
+        ('std_msgs/msg/Float32MultiArray', [10**400]),
+        ('std_msgs/msg/Float32MultiArray', b'1234'),
+    ],
+)
+def test_a_sequence_of_numbers_refuses_other_kinds_and_numbers_out_of_range(get, type_name, value):
+    with pytest.raises(AssertionError, match="The 'data' field must be a set or sequence and each value of type"):
+        get(type_name)().data = value
+
+
+@pytest.mark.parametrize('value', [[0, 1.5, True], (0, 1.5, 1), array('d', [0, 1.5, 1]), numpy.array([0, 1.5, 1])])
+def test_integers_are_floats_in_a_sequence_of_floats_as_in_jazzy(get, value):
+    assert get('sensor_msgs/msg/JointState')(position=value).position == array('d', [0.0, 1.5, 1.0])
+    covariance = get('geometry_msgs/msg/PoseWithCovariance')(covariance=[*value] * 12).covariance
+    assert (covariance[:3].tolist(), covariance.dtype) == ([0.0, 1.5, 1.0], numpy.float64)
+
+
+def test_an_array_of_another_kind_is_converted_as_in_jazzy(get):
+    assert get('std_msgs/msg/Int64MultiArray')(data=array('B', [1, 2])).data == array('q', [1, 2])
+    assert get('std_msgs/msg/Float64MultiArray')(data=map(int, '12')).data == array('d', [1.0, 2.0])
+    assert get('sensor_msgs/msg/CameraInfo')(k=numpy.arange(9)).k.dtype == numpy.float64
+
+
+def test_a_sequence_of_floats_may_hold_what_is_no_number(get):
+    values = [float('nan'), 1.0, float('inf'), float('-inf')]
+    assert list(map(repr, get('std_msgs/msg/Float32MultiArray')(data=values).data)) == ['nan', '1.0', 'inf', '-inf']

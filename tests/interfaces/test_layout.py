@@ -29,6 +29,8 @@ def test_nested_fields_lie_in_place_of_the_nested_message(get):
         (Field('a', FieldType('uint8', None, 'fixed', 3)), b'\0\0\0'),
         (Field('a', FieldType('int8', None, 'unbounded'), (-1, 1)), b'\xff\1'),
         (Field('a', FieldType('float64', None, 'fixed', 2)), (0.0, 0.0)),
+        (Field('a', FieldType('float64', None, 'fixed', 1), (0.1,)), (0.1,)),
+        (Field('a', FieldType('float32', None, 'fixed', 1), (0.1,)), (0.10000000149011612,)),
         (Field('a', FieldType('bool', None, 'bounded', 2)), ()),
     ],
 )

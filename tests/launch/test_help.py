@@ -17,6 +17,9 @@ IMPORTS = (
 MISTAKES = {
     'from launch.actions import IfCondition': 'IfCondition lives in launch.conditions',
     'from launch.actions import DeclareLaunchArgumnt': "did you mean 'DeclareLaunchArgument'?",
+    'import xacro': "the module 'xacro' (robot descriptions) is not here",
+    'from nav2_common.launch import RewrittenYaml': "the module 'nav2_common' (Navigation 2) is not here",
+    'import qqq_zzz.parts': "if 'qqq_zzz' is a package of yours, name its workspace: --workspace DIR; if it is not, try: pip install qqq_zzz",
     'from launch.action_s import LogInfo': "did you mean 'from launch.actions import ...'?",
     'import launch\nx = launch.actions.LogInf': "did you mean 'LogInfo'?",
     'from .other import x': 'a launch file belongs to no package: put the shared code into your Python package, and write from my_package.module import ... without the leading dot',
@@ -33,12 +36,16 @@ MISTAKES = {
     "from launch_ros.actions import Node\nx = Node(package='a', executable='b', node_name='c')": 'Node has no node_name=; did you mean name=?',
     "x = LogInfo('hello')": 'give the arguments by name: LogInfo(msg=...)',
     "x = LogInfo(msg=['a', 3])": "3 must be a text: write '3'",
+    "import pathlib\nfrom launch_ros.actions import SetParametersFromFile\nx = SetParametersFromFile(filename=pathlib.Path('a.yaml'))": 'a path must be a text here: write filename=str(...)',
+    "import pathlib\nx = LogInfo(msg=['in ', pathlib.Path('a')])": 'a path must be a text here: write str(...)',
     'x = TimerAction(period=2, actions=[])': 'write period=2.0',
     "x = SetLaunchConfiguration('a', valeu='1')": 'SetLaunchConfiguration needs value=...; did you mean that by valeu=?',
     'x = GroupAction(actons=[])': 'GroupAction needs actions=...; did you mean that by actons=?',
     "from launch_ros.actions import Node\nx = Node(package='a', executabel='b')": 'Node needs executable=...; did you mean that by executabel=?',
     "from launch_ros.actions import PushRosNamespace\nx = PushRosNamespace(namespce='a')": 'PushROSNamespace needs namespace=...; did you mean that by namespce=?',
     "from launch_ros.actions import SetRemap\nx = SetRemap('a')": 'SetRemap needs dst=...',
+    "from launch_ros.actions import LifecycleNode\nx = LifecycleNode(package='a', executable='b', name='n')": 'LifecycleNode needs namespace=...',
+    "x = TimerAction(period=2.0, actions=LogInfo(msg='a'))": 'put it into a list: actions=[...]',
     "x = LaunchDescription(LogInfo(msg='a'))": 'a list is expected: put the LogInfo into [ ]',
     "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'perhaps a comma is missing after LogInfo(...)',
     'x = 1': 'a launch file needs: def generate_launch_description(): return LaunchDescription([...])',
@@ -85,6 +92,8 @@ VISITED = {
     "around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'text'\"]",
     "IncludeLaunchDescription(__file__, launch_arguments={'name': '1', 'other': '2'})": 'launch_arguments needs (name, value) pairs: add .items() to the dictionary',
     "OpaqueFunction(function=lambda context: LogInfo(msg='a'))": 'a list is expected: put the LogInfo into [ ]',
+    "LogInfo(msg='a', condition=LaunchConfiguration('x'))": 'a condition is expected: put IfCondition(...) or UnlessCondition(...) around the LaunchConfiguration',
+    "ExecuteProcess(cmd=['ls'], on_exit='shutdown')": 'what is to happen then is an action, or a list of actions, such as Shutdown()',
     "'text'": 'among the entities is a str: a list of actions holds only actions and launch descriptions',
 }
 
@@ -103,6 +112,23 @@ def test_a_mistake_found_while_launching_is_explained_with_its_line(
     assert lines[-1].endswith(VISITED[entity])
     if entity != "'text'":
         assert f'{path}:9 ({entity.partition("(")[0]})' in lines[-1]
+
+
+def test_an_argument_of_a_group_that_is_over_is_explained(launch_it: Any, tmp_path: Path) -> None:
+    from launch.actions import GroupAction, LogInfo
+    from launch.substitutions import LaunchConfiguration
+    path = tmp_path / 'part.launch.py'
+    path.write_text(f"{IMPORTS}def generate_launch_description():\n"
+                    "    return LaunchDescription([DeclareLaunchArgument('robot', default_value='r2')])\n")
+    from launch.actions import IncludeLaunchDescription
+    lines = launch_it(GroupAction([IncludeLaunchDescription(str(path))]), LogInfo(msg=LaunchConfiguration('robot')))[1]
+    assert "'robot' was set inside a GroupAction that is over by now" in lines[-1]
+
+
+def test_a_namespace_that_cannot_be_one_is_explained(launch_it: Any) -> None:
+    from launch_ros.actions import PushROSNamespace
+    lines = launch_it(PushROSNamespace('a-b'))[1]
+    assert lines[-1].endswith(": a namespace has letters, digits, '_' and '/' only, and no part of it begins with a digit")
 
 
 def test_an_error_nobody_knows_has_no_line() -> None:

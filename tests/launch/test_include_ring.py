@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from launch.actions import IncludeLaunchDescription
+from launch import LaunchContext, LaunchDescription, LaunchDescriptionSource
+from launch.actions import IncludeLaunchDescription, LogInfo
 
 PYTHON = ('from launch import LaunchDescription\nfrom launch.actions import IncludeLaunchDescription\n'
           'from launch.substitutions import PathJoinSubstitution, ThisLaunchFileDir\n'
@@ -61,3 +62,17 @@ def test_a_file_may_be_included_twice_in_a_row(launch_it: Any, tmp_path: Path) -
     (tmp_path / 'a.launch.xml').write_text('<launch><log message="here"/></launch>')
     two = [IncludeLaunchDescription(str(tmp_path / 'a.launch.xml')) for _ in range(2)]
     assert launch_it(*two)[0] == 0
+
+
+def test_descriptions_that_come_from_no_file_may_stand_inside_each_other(launch_it: Any) -> None:
+    entities: list[Any] = [LogInfo(msg='inside')]
+    for _ in range(3):
+        entities = [IncludeLaunchDescription(LaunchDescriptionSource(LaunchDescription(entities)))]
+    assert launch_it(*entities) == (0, ['[INFO] [launch.user]: inside'])
+
+
+def test_an_include_may_be_visited_alone_again_and_again(tmp_path: Path) -> None:
+    (tmp_path / 'a.launch.xml').write_text('<launch/>')
+    context = LaunchContext()
+    for _ in range(3):
+        assert len(IncludeLaunchDescription(str(tmp_path / 'a.launch.xml')).visit(context)) == 1  # type: ignore[arg-type]

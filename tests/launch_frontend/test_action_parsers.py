@@ -295,6 +295,18 @@ def test_a_group_in_yaml_is_a_list_of_actions(yaml_actions_of):
     assert [type(entity).__name__ for entity in it.get_sub_entities()][2:4] == ['PushROSNamespace', 'LogInfo']
 
 
+@pytest.mark.parametrize(('text', 'message'), [
+    ('<executable cmd="ls" env="a"/>', "Unexpected attribute(s) found in `executable`: {'env'}"),
+    ('<executable cmd="ls"><name/></executable>', "Unexpected nested tag(s) found in `executable`: {'name'}"),
+    ('<node exec="e" param="a.yaml"/>', "Unexpected attribute(s) found in `node`: {'param'}"),
+    ('<node exec="e"><param name="a" value="b" param="c"/></node>', "Unexpected attribute(s) found in `param`: {'param'}"),
+    ('<log message="a"><if/></log>', "Unexpected nested tag(s) found in `log`: {'if'}"),
+    ('<include file="a" arg="b"/>', "Unexpected attribute(s) found in `include`: {'arg'}"),
+    ('<arg name="a" choice="b"/>', "Unexpected attribute(s) found in `arg`: {'choice'}")])
+def test_an_attribute_is_no_child_and_a_child_no_attribute(failure_of, text, message):
+    assert str(failure_of(f'<launch>{text}</launch>', raises=ValueError)) == message
+
+
 @pytest.mark.parametrize('name', sorted(action_parse_methods))
 def test_every_element_refuses_what_it_does_not_know(failure_of, name):
     error = failure_of(f'<launch><{name} bogus_attribute="1"/></launch>', raises=(ValueError, AttributeError))

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from launch_ros.actions import LifecycleTransition
+from launch_ros.actions import LifecycleNode, LifecycleTransition, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState, StateTransition
 from launch_ros.events.lifecycle import matches_node_name as old_matcher
@@ -64,3 +64,11 @@ def test_a_matcher_of_ones_own_excludes_the_others() -> None:
 def test_empty_lists_are_refused(names: list[Any], transitions: list[Any], text: str) -> None:
     with pytest.raises(ValueError, match=text):
         LifecycleTransition(lifecycle_node_names=names, transition_ids=transitions)
+
+
+def test_the_target_is_a_lifecycle_node() -> None:
+    node = LifecycleNode(package='p', executable='e', name='n', namespace='')
+    OnStateTransition(entities=[], target_lifecycle_node=node)
+    other: Any = Node(package='p', executable='e')
+    with pytest.raises(RuntimeError, match="^OnStateTransition requires a 'LifecycleNode' action as the target$"):
+        OnStateTransition(entities=[], target_lifecycle_node=other)

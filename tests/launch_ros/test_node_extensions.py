@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from launch import LaunchContext
 from launch_ros.actions.node import Node, NodeActionExtension, get_extensions, instantiate_extension
+from launch_ros.utilities.plugin_support import PluginException, satisfies_version
 
 MODULE = """
 from launch_ros.actions.node import NodeActionExtension
@@ -61,3 +62,24 @@ def test_an_instance_is_kept_unless_it_is_to_be_unique() -> None:
     assert instantiate_extension('group', 'it', NodeActionExtension, kept, logger) is one
     assert instantiate_extension('group', 'it', NodeActionExtension, kept, logger, unique_instance=True) is not one
     assert instantiate_extension('group', 'bad', lambda: 1 / 0, kept, logger) is None
+
+
+@pytest.mark.parametrize(('version', 'wanted', 'problem'), [
+    ('0.1', '^0.1', None), ('0.1.5', '^0.1', None), ('1.4', '^1.2', None), ('0.1', '^0.2', 'too old'), ('0.2', '^0.1', 'newer'),
+    ('2.0', '^1.2', 'newer'), ('1.0', '^1.2', 'too old')])
+def test_an_extension_says_which_extension_point_it_is_written_for(version: str, wanted: str, problem: str | None) -> None:
+    if problem is None:
+        satisfies_version(version, wanted)
+    else:
+        with pytest.raises(PluginException, match=problem):
+            satisfies_version(version, wanted)
+
+
+def test_an_extension_for_another_version_is_left_out_with_a_warning(caplog: pytest.LogCaptureFixture) -> None:
+    class Newer(NodeActionExtension):
+        EXTENSION_POINT_VERSION = '0.2'
+
+    extensions: dict[str, NodeActionExtension] = {}
+    assert instantiate_extension('g', 'newer', Newer, extensions, logging.getLogger('a')) is None
+    assert "Failed to instantiate 'g' extension 'newer': Extension point is newer ('0.2')" in caplog.text
+    assert extensions == {}

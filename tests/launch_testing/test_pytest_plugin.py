@@ -4,12 +4,14 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from edulaunch.launch_test_session import main, workspaces_of
+from edulaunch.launch_test_session import main
+from edulaunch.package_tests import workspaces_of
 from edulaunch.pytest_plugin import is_launch_test
 
 from .conftest import CORPUS
@@ -57,6 +59,13 @@ def test_the_command_shows_launch_arguments(capsys: pytest.CaptureFixture[str]) 
     assert main([str(CORPUS / 'parametrized.py'), '-s']) == 0
     assert capsys.readouterr().out == ("Arguments (pass arguments as '<name>:=<value>'):\n\n    'who':\n"
                                        "        no description given\n        (default: 'nobody')\n")
+
+
+def test_the_command_is_installed_under_its_name_in_ros() -> None:
+    tomllib = pytest.importorskip('tomllib')
+    project = Path(__file__).resolve().parents[2] / 'pyproject.toml'
+    module, _, function = tomllib.loads(project.read_text('utf-8'))['project']['scripts']['launch_test'].partition(':')
+    assert getattr(import_module(module), function) is main
 
 
 def test_the_command_refuses_a_missing_file(capsys: pytest.CaptureFixture[str]) -> None:

@@ -76,6 +76,16 @@ def test_what_nobody_asked_for_is_an_error():
         it.assert_entity_completely_parsed()
 
 
+@pytest.mark.parametrize(('text', 'what'), [
+    ('<x p="1"/>', r"attribute\(s\) found in `x`: {'p'}"), ('<x><a/></x>', r"nested tag\(s\) found in `x`: {'a'}")])
+def test_to_ask_for_an_attribute_is_not_to_ask_for_a_child_of_that_name(text, what):
+    it = entity(text)
+    assert it.get_attr('a', optional=True) is None
+    assert it.get_attr('p', data_type=Entities, optional=True) is None
+    with pytest.raises(ValueError, match=what):
+        it.assert_entity_completely_parsed()
+
+
 def test_elements_of_the_standard_library_will_do():
     it = Entity(ET.fromstring('<x a="1"><y/></x>'))
     assert (it.type_name, it.get_attr('a'), it.children[0].type_name, it.line) == ('x', '1', 'y', 0)

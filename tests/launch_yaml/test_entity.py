@@ -78,6 +78,13 @@ def test_what_nobody_asked_for_is_an_error():
         entity('[a]', 'node').assert_entity_completely_parsed()
 
 
+def test_an_element_must_have_something_even_if_it_is_empty():
+    entity('{}', 'shutdown').assert_entity_completely_parsed()
+    with pytest.raises(TypeError, match="^argument of type 'NoneType' is not iterable$") as caught:
+        entity('null', 'shutdown').assert_entity_completely_parsed()
+    assert caught.value.edulaunch_hint == 'write shutdown: {} when it has no keys'
+
+
 @pytest.mark.parametrize(('text', 'expected'), [
     ('[{name: a, value: 1}, {value: x y, name: b}]', [('a', 1), ('b', 'x y')]), ('[{name: a}]', None), ('[name, value]', None),
     ('[{name: a, value: 1}, {name: a, value: 1, type: str}]', None), ('[{name: 1, value: 1}]', None),

@@ -4,7 +4,7 @@ import pytest
 import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read
+from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
     f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n'
@@ -115,3 +115,26 @@ data = st.recursive(
 @given(data, st.booleans())
 def test_what_was_written_is_read(value, flow):
     assert read(yaml.safe_dump(value, default_flow_style=flow)) == value
+
+
+@pytest.mark.parametrize(('text', 'message'), [
+    ('launch:\n\t- log: {}\n', "while scanning for the next token\nfound character '\\t' that cannot start any token\n"
+                               '  in "/p/a.launch.yaml", line 2, column 1'),
+    ('launch:\n - a: {b: c\n', 'while parsing a flow mapping\n  in "/p/a.launch.yaml", line 2, column 7\n'
+                               'expected \',\' or \'}\', but got \'<stream end>\'\n  in "/p/a.launch.yaml", line 3, column 1'),
+    ('launch: !odd x\n', "could not determine a constructor for the tag '!odd'\n  in \"/p/a.launch.yaml\", line 1, column 9")])
+def test_errors_of_a_file_are_those_of_pyyaml_s_own_reader(text, message):
+    with pytest.raises(yaml.YAMLError) as caught:
+        read_file(text, '/p/a.launch.yaml')
+    assert str(caught.value) == message
+
+
+def test_only_short_files_are_read_again_for_a_better_error():
+    with pytest.raises(yaml.YAMLError, match='unicode string'):
+        read_file('a: b\n' * 30_000 + '@', '/p/a.launch.yaml')
+
+
+def test_a_tab_is_told_in_words():
+    with pytest.raises(yaml.YAMLError) as caught:
+        read_file('launch:\n\t- log: {}\n', 'a')
+    assert caught.value.edulaunch_hint == 'a tab stands in the indentation; YAML wants spaces'

@@ -36,8 +36,8 @@ def test_a_node_that_dies_is_told_with_its_line(walk: Begin, capsys: pytest.Capt
 
 @pytest.mark.parametrize('old, new, told', [
     ('ros__parameters', 'ros_parameters', "help: 'ros_parameters' is spelled ros__parameters, with two underscores"),
-    ('    background_g', '   background_g', 'near line 4: did not find expected key'),
-    ('background_g: 86', 'background_g 86', "near line 5: could not find expected ':'"),
+    ('    background_g', '   background_g', 'line 4: did not find expected key'),
+    ('background_g: 86', 'background_g 86', "line 5: could not find expected ':'"),
     ('background_g: 86', 'background_g: lots', "parameter 'background_g' has invalid type"),
 ])
 def test_a_mistake_in_the_yaml_file_is_told(walk: Begin, capsys: pytest.CaptureFixture[str], old: str, new: str, told: str) -> None:

@@ -221,3 +221,8 @@ def test_links_fall_back_to_copies(workspace: Any, monkeypatch: pytest.MonkeyPat
     assert os.path.isfile(copy)
     assert not os.path.islink(copy)
     assert index.source_path(copy) == str(workspace.path / 'src/alpha/launch/a.launch.py')
+
+
+def test_rviz2_is_on_the_path() -> None:
+    program = Index().find_program('rviz2')
+    assert program is not None and program.package == 'rviz2'

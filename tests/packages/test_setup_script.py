@@ -79,6 +79,15 @@ def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, 
             'from pathlib import Path\nfrom setuptools import setup\nhere = Path(__file__).resolve().parent\n'
             'setup(data_files=[("share/robo/launch", list(map(str, (here / "launch").rglob("c.*"))))])'
         ),
+        # any number of folders, below them whatever is a file
+        'from pathlib import Path\nfrom setuptools import setup\nname = Path(__file__).parent.name\n'
+        'def tree(*folders, end, **more):\n    out = []\n    for folder in folders:\n'
+        "        for f in sorted(Path(folder).rglob('*')):\n            if f.is_file() and f.suffix == end:\n"
+        "                out.append((str(Path('share') / name / f.parent), [str(f)]))\n    return out\n"
+        "setup(name=name, data_files=[*tree('launch', 'config', end='.xml', verbose=True)])",
+        # lambdas
+        HEAD + "xml = lambda folder: list(filter(lambda f: f.endswith('xml'), map(lambda f: folder + '/' + f, os.listdir(folder))))\n"
+        "setup(name='robo', data_files=[('share/robo/launch', xml('launch'))])",
     ],
 )
 def test_lists_made_by_a_program_are_followed(workspace: Any, setup: str) -> None:

@@ -213,3 +213,23 @@ def test_what_goes_on_without_end_is_an_error_with_its_place(plan: Plan, tmp_pat
     assert error['text'] == f'the launch file goes on without end: after {after} simulated seconds it still does something'
     assert error['origin'].startswith(f'{tmp_path}/a.launch.py:')
     assert 'needs something that ends it' in error['help']
+
+
+def test_a_handler_of_its_own_events_is_silenced_and_named(plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('edulaunch.plan.watching.MOST_REACTIONS', 50)
+    found = plan("    from launch import EventHandler\n"
+                 "    every = EventHandler(matcher=lambda event: True, entities=[LogInfo(msg='again')])\n"
+                 "    return [RegisterEventHandler(every), run('a'), TimerAction(period=1.0, actions=[])]")
+    assert 40 < sum(item['kind'] == 'log' for item in found['items']) <= 51
+    assert found['error']['text'].startswith('the launch file goes on without end')
+    assert found['error']['help'].startswith(f"{found['error']['origin']} (LogInfo): a handler whose own actions cause its event")
+
+
+@pytest.mark.parametrize('body', [
+    "    return [Node(package='gazebo_ros', executable='spawn_entity.py')]\n",
+    "    from launch_ros.substitutions import FindPackageShare\n    return [LogInfo(msg=FindPackageShare('gazebo_ros'))]\n",
+])
+def test_a_plan_does_not_go_on_without_well_known_packages_as_a_launch_does(plan: Plan, body: str) -> None:
+    error = plan(body)['error']
+    assert error['text'].startswith('"package \'gazebo_ros\' not found, searching: ')
+    assert error['help'] == "the package 'gazebo_ros' (Gazebo) is not here"

@@ -57,3 +57,11 @@ def test_a_real_program_that_is_waited_for_takes_no_simulated_time(world: Any) -
         except FileNotFoundError:
             print('not found')
         """) == "shown\nb'x' 0.0\nnot found\n"
+
+
+def test_what_a_child_writes_is_recorded_once_and_not_when_it_is_captured(world: Any) -> None:
+    recorded: list[tuple[str, str]] = []
+    world.host.tracer.output = lambda process, stream, text: recorded.append((process.name, text))
+    child = world.write('child.py', 'print("said")')
+    world.run(f'import subprocess\nsubprocess.run([{child!r}])\nsubprocess.run([{child!r}], capture_output=True)')
+    assert recorded == [('program-1', 'said\n')]

@@ -1,9 +1,13 @@
 """The line of help below a traceback."""
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+
+import edulaunch
+from edulaunch.processes.spec import ProcessSpec
 
 
 @pytest.mark.parametrize(('text', 'help'), [
@@ -19,6 +23,10 @@ import pytest
     ('import scipy_nothing', "program-1 needs the module 'scipy_nothing', which is not here. If it is no module of yours, try: pip install scipy_nothing"),
     ('import msvcrt', "program-1 needs the module 'msvcrt' (a Windows console), which is not here; the other programs go on without it"),
     ('import rospy', "program-1 needs the module 'rospy' (ROS 1; with ROS 2 it is rclpy), which is not here; the other programs go on without it"),
+    ('import diagnostic_updater', "program-1 needs the module 'diagnostic_updater' (diagnostics; diagnostic_msgs is here), "
+     'which is not here; the other programs go on without it'),
+    ('import rclpy\nwith rclpy.init():\n    pass', 'in ROS 2 Jazzy rclpy.init() gives nothing for `with`, as it does in later versions: '
+     'call it on a line of its own'),
     ('from geometry_msgs.msg import Twist\nTwist().linaer', "did you mean 'linear'?"),
 ])
 def test_help(world: Any, text: str, help: str | None) -> None:
@@ -26,6 +34,43 @@ def test_help(world: Any, text: str, help: str | None) -> None:
     world.write('lib/robot/arm.py', 'def move(): ...')
     lines = world.run(text).splitlines()
     assert (lines[-1] if lines else None) == (None if help is None else f'  help: {help}')
+
+
+@pytest.mark.parametrize(('text', 'name', 'place'), [
+    ('import robot.fast', 'robot.fast', 'compiled code (robot/fast.cpython-312-x86_64-linux-gnu.so)'),
+    ('from robot import fast', 'robot.fast', 'compiled code (robot/fast.cpython-312-x86_64-linux-gnu.so)'),
+    ('from robot.quick import go', 'robot.quick', 'Cython, which must be compiled (robot/quick.pyx)'),
+    ('import driver', 'driver', 'compiled code (lib/driver.abi3.so)'),
+])
+def test_compiled_modules_are_named_with_the_program_that_needs_them(world: Any, text: str, name: str, place: str) -> None:
+    for file in ('robot/__init__.py', 'robot/fast.cpython-312-x86_64-linux-gnu.so', 'robot/quick.pyx', 'driver.abi3.so'):
+        world.write(f'lib/{file}', '')
+    world.start(world.write('p.py', text), 'arm-2', package='robot', executable='arm')
+    world.sim.run()
+    assert world.log[-1][2].splitlines()[-1] == (
+        f"  help: arm-2 (arm of robot) needs the module '{name}', which is {place}; only Python runs here, "
+        'and the other programs go on without it')
+
+
+def test_modules_that_cmake_would_build_are_named_too(tmp_path: Path) -> None:
+    for name, text in {
+        'package.xml': '<package><name>robo</name><export><build_type>ament_cmake_python</build_type></export></package>',
+        'CMakeLists.txt': 'project(robo)\nament_python_install_package(robo)\npybind11_add_module(_core SHARED src/core.cpp)\n',
+        'robo/__init__.py': 'from robo._core import go\n',
+    }.items():
+        (tmp_path / 'robo' / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / 'robo' / name).write_text(text)
+    (tmp_path / 'p.py').write_text('import robo')
+    written: list[str] = []
+    with edulaunch.Session(workspaces=[tmp_path / 'robo']) as session:
+        session.host.start(ProcessSpec(argv=('python3', str(tmp_path / 'p.py')), name='p-1'), lambda stream, text: written.append(text))
+        session.run(1)
+    assert "help: p-1 needs the module 'robo._core', which is made from C++ by CMakeLists.txt:3 of robo; only Python" in written[-1]
+
+
+def test_a_missing_native_library_is_named(world: Any) -> None:
+    assert world.run('import ctypes\nctypes.CDLL("libnothing_of_the_kind.so.1")').splitlines()[-1] == (
+        "  help: program-1 needs the native library 'libnothing_of_the_kind.so.1', which this machine does not have")
 
 
 def test_the_program_is_named_as_the_launch_file_names_it(world: Any) -> None:

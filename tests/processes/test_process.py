@@ -6,6 +6,9 @@ from typing import Any
 
 import pytest
 
+from edulaunch.graph.qos import QoS
+
+DEFAULT = 'signal.signal(signal.SIGINT, signal.SIG_DFL)'
 PRINT_FOREVER = 'import time\nwhile True:\n    time.sleep(1)\n    print("tick")\n'
 
 
@@ -15,12 +18,12 @@ PRINT_FOREVER = 'import time\nwhile True:\n    time.sleep(1)\n    print("tick")\
     ('import sys\nsys.exit("bad luck")', 1, 'bad luck\n'),
     ('raise SystemExit', 0, ''),
     ('exit(4)', 4, ''),
-    ('import os\ntry:\n    os._exit(5)\nfinally:\n    print("not printed")', 5, 'not printed\n'),
+    ('import os\ntry:\n    os._exit(5)\nfinally:\n    print("not printed")', 5, ''),
 ])
 def test_exit_codes_are_those_of_python(world: Any, text: str, code: int, output: str) -> None:
     wrote = world.run(text)
     assert world.codes == {'program-1': code}
-    assert wrote == (output if code != 5 else wrote)
+    assert wrote == output
 
 
 def test_an_uncaught_exception_shows_only_the_students_frames(world: Any) -> None:
@@ -66,6 +69,125 @@ def test_a_program_killed_by_a_signal_has_its_negative_number(world: Any, signum
     world.sim.run()
     assert world.codes == {'program-1': -signum} and len(world.log) == 2
     process.send_signal(signum)
+
+
+@pytest.mark.parametrize('signum', [signal.SIGTERM, signal.SIGKILL])
+def test_a_killed_program_says_and_publishes_nothing_in_its_finally_blocks(world: Any, signum: int) -> None:
+    process = world.start(world.write('p.py', """
+        import rclpy, time
+        from rclpy.signals import SignalHandlerOptions
+        from std_msgs.msg import String
+        rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+        node = rclpy.create_node('talker')
+        publisher = node.create_publisher(String, 'chatter', 10)
+        try:
+            time.sleep(100)
+        except:
+            print('everything is caught')
+        finally:
+            publisher.publish(String(data='last words'))
+            node.get_logger().info('last words')
+            raise SystemExit(3)
+        """))
+    node = world.host.graph.add_node(None, 'listener', '/')
+    from std_msgs.msg import String
+    heard = world.host.graph.create_subscription(node, '/chatter', String, QoS(), lambda: None)
+    world.sim.schedule(world.sim.now_ns + 10**9, lambda: process.send_signal(signum))
+    world.sim.run()
+    assert (world.log, list(heard.queue), world.codes) == ([], [], {'program-1': -signum})
+
+
+def test_daemon_threads_end_with_the_program_without_a_word(world: Any) -> None:
+    assert world.run("""
+        import threading, time
+        def work():
+            try:
+                time.sleep(100)
+            finally:
+                print('not reached')
+        threading.Thread(target=work, daemon=True).start()
+        time.sleep(1)
+        """) == ''
+
+
+def test_with_the_default_action_ctrl_c_kills(world: Any) -> None:
+    process = world.start(world.write('p.py', """
+        import signal, time
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        try:
+            time.sleep(100)
+        finally:
+            print('not reached')
+        """))
+    world.sim.schedule(world.sim.now_ns + 10**9, lambda: process.send_signal(signal.SIGINT))
+    world.sim.run()
+    assert (world.log, world.codes) == ([], {'program-1': -2})
+
+
+@pytest.mark.parametrize(('first', 'second', 'said', 'code'), [
+    ('rclpy.init()', DEFAULT, '', -2), (DEFAULT, 'rclpy.init()', 'shut down\n', 0), ('rclpy.init()', '', 'interrupted\n', 0),
+])
+def test_rclpy_puts_itself_in_the_place_of_the_default_action(world: Any, first: str, second: str, said: str, code: int) -> None:
+    process = world.start(world.write('p.py', f"""
+        import rclpy, signal
+        from rclpy.executors import ExternalShutdownException
+        {first}
+        {second}
+        try:
+            rclpy.spin(rclpy.create_node('n'))
+        except KeyboardInterrupt:
+            print('interrupted')
+        except ExternalShutdownException:
+            print('shut down')
+        """))
+    world.sim.schedule(world.sim.now_ns + 10**9, lambda: process.send_signal(signal.SIGINT))
+    world.sim.run()
+    assert (''.join(text for *_, text in world.log), world.codes) == (said, {'program-1': code})
+
+
+@pytest.mark.parametrize('send', ['os.kill(os.getpid(), signal.SIGINT)', 'signal.raise_signal(signal.SIGINT)'])
+def test_a_signal_to_itself_is_taken_at_once(world: Any, send: str) -> None:
+    assert world.run(f"""
+        import os, signal
+        try:
+            {send}
+            print('not reached')
+        except KeyboardInterrupt:
+            print('interrupted')
+        """) == 'interrupted\n'
+
+
+@pytest.mark.parametrize(('install', 'words'), [
+    ('signal.signal(signal.SIGKILL, print)', 'OSError [Errno 22] Invalid argument'),
+    ('signal.signal(signal.SIGINT, "stop")', 'TypeError signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object'),
+    ('in_thread()', 'ValueError signal only works in main thread of the main interpreter'),
+])
+def test_a_handler_that_cannot_be_is_refused_as_by_python(world: Any, install: str, words: str) -> None:
+    assert world.run(f"""
+        import signal
+        from concurrent.futures import ThreadPoolExecutor
+        def in_thread():
+            ThreadPoolExecutor().submit(signal.signal, signal.SIGINT, print).result()
+        try:
+            {install}
+        except Exception as error:
+            print(type(error).__name__, error)
+        """) == f'{words}\n'
+
+
+def test_a_handler_is_told_where_the_program_stood(world: Any) -> None:
+    process = world.start(world.write('p.py', """
+        import signal, time
+        def stop(number, frame):
+            print(frame.f_code.co_name)
+        def wait():
+            time.sleep(3)
+        signal.signal(signal.SIGINT, stop)
+        wait()
+        """))
+    world.sim.schedule(world.sim.now_ns + 10**9, lambda: process.send_signal(signal.SIGINT))
+    world.sim.run()
+    assert world.log == [(1.0, 'program-1', 'wait\n')]
 
 
 def test_an_unhandled_sigint_ends_the_program_with_minus_two(world: Any) -> None:

@@ -35,6 +35,11 @@ def test_emulate_tty_gives_a_real_program_a_terminal(wanted: bool, configured: s
     assert written_by(['sh', '-c', ASK], *before, emulate_tty=wanted) == (kind + b'\n', kind + b'\n')
 
 
+def test_a_letter_may_come_in_two_pieces() -> None:
+    pieces = r"printf '\303'; sleep 0.05; printf '\274b\n\377x\n\303'"
+    assert written_by(['sh', '-c', pieces])[0].decode() == 'üb\n\N{REPLACEMENT CHARACTER}x\n\N{REPLACEMENT CHARACTER}'
+
+
 @pytest.mark.skipif(not os.path.isdir(OPEN), reason='this system does not list open files')
 @pytest.mark.parametrize('emulate_tty', [False, True])
 def test_nothing_is_lost_and_nothing_stays_open(emulate_tty: bool) -> None:

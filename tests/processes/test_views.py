@@ -148,6 +148,23 @@ def test_asyncio_runs_in_simulated_time(world: Any) -> None:
         """) == '1 1.0\n2 2.0\n[2, 1]\n1 3.5\n'
 
 
+def test_asyncio_counts_the_tasks_of_each_program_and_tells_at_its_end_what_was_left(world: Any) -> None:
+    for name in ('one', 'two'):
+        out = world.run("""
+            import asyncio
+            async def wait():
+                print(asyncio.current_task().get_name())
+                await asyncio.sleep(1000)
+            loop = asyncio.new_event_loop()
+            asyncio.run_coroutine_threadsafe(wait(), loop)
+            loop.call_later(1.0, loop.stop)
+            loop.run_forever()
+            """, name).splitlines()
+        assert out[:2] == ['Task-1', 'Task was destroyed but it is pending!']
+        assert out[2].startswith("task: <Task pending name='Task-1' coro=<wait() running at ")
+        assert out[2].endswith('wait_for=<Future pending cb=[Task.task_wakeup()]>>')
+
+
 def test_asyncio_run_wants_a_coroutine_and_cancels_what_is_left(world: Any) -> None:
     assert world.run("""
         import asyncio

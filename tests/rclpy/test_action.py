@@ -209,14 +209,42 @@ def test_a_blocking_send_goal_in_a_callback_is_explained(world: World) -> None:
     assert "waits for ever: the answer of action '/fibonacci' can only be taken" in world.tracer.notes[0][1]
 
 
-def test_a_result_given_with_the_end_is_answered_at_once(world: World) -> None:
+def test_the_end_of_a_goal_takes_no_result(world: World) -> None:
     def execute(goal_handle: Any) -> Any:
-        goal_handle.succeed(Fibonacci.Result(sequence=[1]))
-        sleep(1)
-        return Fibonacci.Result(sequence=[2])
+        goal_handle.succeed(Fibonacci.Result())
 
-    log = run(world, server(execute, threads=True), client(world))
-    assert log == [(0.0, 'accepted'), (0.0, (GoalStatus.STATUS_SUCCEEDED, [1]))]
+    assert run(world, server(execute), client(world))[-1] == (0.0, (GoalStatus.STATUS_ABORTED, []))
+    assert world.tracer.logs[0][2] == (
+        'Error raised in execute callback: ServerGoalHandle.succeed() takes 1 positional argument but 2 were given')
+
+
+def test_a_status_is_published_when_a_goal_is_accepted(world: World) -> None:
+    def client() -> None:
+        rclpy.init()
+        node = Node('client')
+        client = ActionClient(node, Fibonacci, 'fibonacci')
+        client.wait_for_server()
+        future = client.send_goal_async(Fibonacci.Goal(order=3))
+        future.add_done_callback(lambda done: world.say(done.result().status))
+        rclpy.spin_until_future_complete(node, future)
+        rclpy.spin_once(node, timeout_sec=0.1)
+
+    world.start(server(handle_accepted_callback=lambda goal_handle: None), name='server')
+    world.start(client)
+    assert [what for _, _, what in world.run(2)] == [GoalStatus.STATUS_ACCEPTED]
+
+
+def test_the_graph_of_actions_has_errors_of_its_own(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        with pytest.raises(RCLError, match='^Failed to get action server names and type: error not set$'):
+            get_action_server_names_and_types_by_node(node, 'nobody', '/')
+        rclpy.shutdown()
+        with pytest.raises(RCLError, match="^Failed to get action names and type: rcl node's context is invalid$"):
+            get_action_names_and_types(node)
+        world.say('asked')
+
+    assert ros(body) == ['asked']
 
 
 def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
@@ -290,3 +318,14 @@ def test_registering_what_cannot_be_called_names_the_callback(ros: Ros, world: W
         world.say(server.action_type is Fibonacci)
 
     assert ros(program) == [True]
+
+
+def test_feedback_after_a_shutdown_ends_the_execute_callback(world: World) -> None:
+    def stubborn(goal_handle: Any) -> Any:
+        rclpy.shutdown()
+        goal_handle.publish_feedback(Fibonacci.Feedback())
+        world.say('not reached')
+
+    assert 'not reached' not in [what for _, what in run(world, server(stubborn), client(world))]
+    assert world.tracer.logs[0][2].startswith(
+        "Error raised in execute callback: Failed to publish feedback with an action server: publisher's context is invalid")

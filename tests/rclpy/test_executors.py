@@ -1,6 +1,7 @@
 """rclpy.executors: order, spinning, groups, threads."""
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 import rclpy
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor, await_or_execute
+from rclpy.experimental import EventsExecutor
 from rclpy.node import Node
 from rclpy.task import Future
 from std_msgs.msg import String
@@ -50,6 +52,28 @@ def test_one_wait_executes_by_category(ros: Ros, world: World) -> None:
             rclpy.spin_once(node)
 
     assert ros(body) == [('n', category) for category in ORDER]
+
+
+def test_an_events_executor_goes_by_the_order_of_arrival(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with EventsExecutor() as executor:
+            executor.add_node(everything_ready(world, 'n', 't'))
+            for number in (1, 2):
+                executor.create_task(world.say, ('n', f'task {number}'))
+            for _ in range(6):
+                executor.spin_once()
+
+    assert ros(body) == [('n', what) for what in ('task 1', 'task 2', 'service', 'guard', 'subscription', 'timer')]
+
+
+def test_an_events_executor_spins_until_ros_is_shut_down(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.create_timer(0.5, lambda: world.say('tick') or rclpy.shutdown())
+        rclpy.spin(node, EventsExecutor())
+        world.say('over')
+
+    assert ros(body) == ['tick', 'over']
 
 
 def test_one_wait_executes_node_by_node(ros: Ros, world: World) -> None:
@@ -168,25 +192,50 @@ def test_spin_until_future_complete_ends_with_the_future_or_its_timeout(world: W
     assert world.run(1) == [(200.0, 'main', False), (300.0, 'main', 'done')]
 
 
-def test_spinning_a_node_inside_its_callback_leaves_it_without_executor(world: World) -> None:
-    """rclpy.spin_until_future_complete removes the node at its end, also from the spin around it."""
+def test_a_node_that_is_spun_inside_its_callback_stays_in_its_executor(world: World) -> None:
+    """rclpy.spin_until_future_complete removes the node at its end only if it has brought it."""
     def program() -> None:
         rclpy.init()
         node = Node('n')
-        future = Future()
-        other = MutuallyExclusiveCallbackGroup()
-        node.create_timer(0.2, lambda: future.set_result(None), other)
 
         def nested() -> None:
-            rclpy.spin_until_future_complete(node, future)
+            timer.cancel()
+            rclpy.spin_until_future_complete(node, Future(), timeout_sec=0.15)
             world.say('nested spin is over')
 
-        node.create_timer(0.1, nested)
+        timer = node.create_timer(0.1, nested)
+        node.create_timer(0.4, lambda: world.say('tick') or rclpy.shutdown())
         rclpy.spin(node)
 
     world.start(program)
-    assert world.run(5) == [(200.0, 'main', 'nested spin is over')]
-    assert [kind for kind, _ in world.tracer.notes] == ['nested spin']
+    assert world.run(5) == [(250.0, 'main', 'nested spin is over'), (400.0, 'main', 'tick')]
+
+
+def test_a_node_that_another_executor_takes_in_a_callback_is_lost(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(0.1, lambda: world.say('tick') or rclpy.spin_once(node, timeout_sec=0))
+        executor = SingleThreadedExecutor()
+        executor.add_node(node)
+        executor.spin()
+
+    world.start(program)
+    assert world.run(5) == [(100.0, 'main', 'tick')]
+    assert [kind for kind, text in world.tracer.notes if 'takes the node out of the executor' in text] == ['nested spin']
+
+
+def test_rclpy_spin_once_leaves_a_node_where_it_was(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node, executor = Node('n'), SingleThreadedExecutor()
+        executor.add_node(node)
+        rclpy.spin_once(node, executor=executor, timeout_sec=0)
+        rclpy.spin_until_future_complete(node, Future(), executor, 0)
+        world.say(executor.get_nodes() == [node])
+        rclpy.spin_once(node, timeout_sec=0)
+        world.say(executor.get_nodes() + rclpy.get_global_executor().get_nodes())
+
+    assert ros(body) == [True, []]
 
 
 def test_callbacks_of_the_default_group_do_not_run_in_a_nested_spin(world: World) -> None:
@@ -203,7 +252,7 @@ def test_callbacks_of_the_default_group_do_not_run_in_a_nested_spin(world: World
         rclpy.spin(node)
 
     world.start(program)
-    assert world.run(1) == [(300.0, 'main', 'other group')]
+    assert world.run(0.44) == [(300.0, 'main', 'other group')]
 
 
 def test_async_callbacks_await_futures(world: World) -> None:
@@ -307,11 +356,19 @@ def test_one_thread_is_warned_of(ros: Ros, world: World) -> None:
     assert ros(body) == ['warned']
 
 
-def test_an_exception_in_a_thread_comes_out_at_the_next_callback(world: World) -> None:
+@pytest.mark.parametrize(('blocks', 'milliseconds'), [(False, 100.0), (True, 200.0)])
+def test_an_exception_in_a_thread_comes_out_at_once_or_after_blocking_at_the_next_callback(
+        world: World, blocks: bool, milliseconds: float) -> None:
     def program() -> None:
         rclpy.init()
         node = Node('n')
-        node.create_timer(0.1, lambda: 1 // 0)
+
+        def fail() -> None:
+            if blocks:
+                sleep(0.01)
+            raise ZeroDivisionError
+
+        node.create_timer(0.1, fail)
         executor = MultiThreadedExecutor()
         executor.add_node(node)
         with pytest.raises(ZeroDivisionError):
@@ -319,7 +376,26 @@ def test_an_exception_in_a_thread_comes_out_at_the_next_callback(world: World) -
         world.say('raised')
 
     world.start(program)
-    assert world.run(1) == [(200.0, 'main', 'raised')]
+    assert world.run(1) == [(milliseconds, 'main', 'raised')]
+
+
+def test_a_program_ends_when_its_callbacks_have_ended_and_then_says_no_more(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        executor = MultiThreadedExecutor(2)
+        executor.add_node(node)
+
+        def work() -> None:
+            timer.cancel()
+            world.say('begins')
+            sleep(2.0)
+            world.say('ends')
+
+        timer = node.create_timer(0.5, work)
+        executor.spin_once()
+        sleep(0.1)
+
+    assert ros(body) == ['begins', 'ends']
 
 
 def test_two_threads_cannot_spin_one_executor(world: World) -> None:
@@ -477,3 +553,91 @@ def test_a_callback_may_be_awaited_or_executed(world: World) -> None:
     with pytest.raises(StopIteration) as ended:
         coroutine.send(None)
     assert ended.value.value == [6, 4]
+
+
+NO_CONTEXT = "'NoneType' object does not support the context manager protocol"
+INVALID = 'the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
+
+
+def test_an_executor_needs_init(world: World) -> None:
+    def program() -> None:
+        for act in (SingleThreadedExecutor, rclpy.get_global_executor, rclpy.init, rclpy.shutdown, MultiThreadedExecutor):
+            world.say(raised(act))
+
+    assert world.run_program(program) == [f'TypeError: {NO_CONTEXT}', f'TypeError: {NO_CONTEXT}', None, None, f'TypeError: {NO_CONTEXT}']
+
+
+def test_spinning_after_a_signal_is_told_in_the_words_of_rcl(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node, executor = Node('n'), SingleThreadedExecutor()
+        current_process().send_signal(signal.SIGTERM)
+        sleep(0.1)
+        world.say(raised(lambda: rclpy.spin(node)))
+        world.say(raised(lambda: executor.spin_once(timeout_sec=0.1)))
+        world.say(raised(executor.spin_once))
+        world.say(raised(executor.spin))
+
+    assert world.run_program(program) == [f'RCLError: failed to {what}: {INVALID}' for what in (
+        'create guard_condition', 'create timer', 'initialize wait set')] + [None]
+
+
+def test_what_cannot_be_spun_is_told_in_the_words_of_rclpy(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        for spin in (lambda: rclpy.spin(None), lambda: rclpy.spin(Node), lambda: rclpy.spin(node, 5),
+                     lambda: rclpy.spin_until_future_complete(node, Future(), 1.0),
+                     lambda: rclpy.spin_until_future_complete(node, None)):
+            world.say(raised(spin))
+
+    assert ros(body) == [
+        "AttributeError: 'NoneType' object has no attribute 'executor'", "TypeError: 'property' object is not iterable",
+        "AttributeError: 'int' object has no attribute 'remove_node'", "AttributeError: 'float' object has no attribute 'add_node'",
+        "AttributeError: 'NoneType' object has no attribute 'add_done_callback'"]
+
+
+def test_an_executor_that_was_shut_down_takes_nothing_more(ros: Ros, world: World) -> None:
+    def body() -> None:
+        executor = SingleThreadedExecutor()
+        executor.shutdown()
+        world.say(raised(lambda: executor.add_node(Node('n'))))
+        world.say(raised(lambda: executor.create_task(print)))
+
+    assert ros(body) == ["AttributeError: 'NoneType' object has no attribute 'trigger'"] * 2
+
+
+@pytest.mark.parametrize('executor_class', [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_a_stop_iteration_in_a_callback_becomes_a_runtime_error(ros: Ros, world: World, executor_class: Any) -> None:
+    def body() -> None:
+        node, nothing = Node('n'), iter(())
+        node.create_timer(0.1, lambda: next(nothing))
+        world.say(raised(lambda: rclpy.spin(node, executor_class())))
+        world.say(raised(lambda: rclpy.spin_once(node)))
+
+    assert ros(body) == ['RuntimeError: coroutine raised StopIteration'] * 2
+
+
+def test_a_cancelled_task_is_not_run_and_nobody_waits_for_it(ros: Ros, world: World) -> None:
+    def body() -> None:
+        executor, future = SingleThreadedExecutor(), Future()
+        task = executor.create_task(lambda: world.say('never'))
+        task.cancel()
+        executor.spin_until_future_complete(task)
+
+        async def wait() -> None:
+            world.say(('resumed', await future))
+
+        waiting = executor.create_task(wait)
+        executor.create_task(future.cancel)
+        executor.spin_until_future_complete(waiting)
+        world.say((task.done(), task.cancelled()))
+
+    assert ros(body) == [('resumed', None), (False, True)]
+
+
+def raised(act: Callable[[], Any]) -> str | None:
+    try:
+        act()
+    except Exception as error:
+        return f'{type(error).__name__}: {error}'
+    return None

@@ -10,9 +10,11 @@ from typing import Any
 import pytest
 import rclpy
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.context import Context
 from rclpy.exceptions import NotInitializedException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
 
 from .conftest import World
 
@@ -59,10 +61,10 @@ def test_a_node_needs_init(world: World) -> None:
 
 @pytest.mark.parametrize(('arguments', 'error', 'text'), [
     (['--foo', '-x'], UnknownROSArgsError, "['--foo', '-x']"),
-    (['-r', 'x'], RCLInvalidROSArgsError, "Couldn't parse remap rule: '-r x'. Error: "),
-    (['-p', 'x'], RCLInvalidROSArgsError, "Couldn't parse parameter override rule: '-p x'. Error: "),
-    (['-r'], RCLInvalidROSArgsError, "Couldn't parse trailing -r flag. No remap rule found."),
-    (['--params-file', '/no'], RCLInvalidROSArgsError, "Couldn't parse params file: '--params-file /no'. Error: "),
+    (['-r', 'x'], RCLError, "failed to initialize rcl: Couldn't parse remap rule: '-r x'. Error: "),
+    (['-p', 'x'], RCLError, "failed to initialize rcl: Couldn't parse parameter override rule: '-p x'. Error: "),
+    (['-r'], RCLError, "failed to initialize rcl: Couldn't parse trailing -r flag. No remap rule found."),
+    (['--params-file', '/no'], RCLError, "failed to initialize rcl: Couldn't parse params file: '--params-file /no'. Error: "),
 ])
 def test_bad_ros_arguments_end_init(world: World, arguments: list[str], error: type[Exception], text: str) -> None:
     def program() -> None:
@@ -71,6 +73,47 @@ def test_bad_ros_arguments_end_init(world: World, arguments: list[str], error: t
         world.say(text in str(caught.value))
 
     assert world.run_program(program, '--ros-args', *arguments) == [True]
+
+
+def test_bad_arguments_of_a_node_are_another_error(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        with pytest.raises(RCLInvalidROSArgsError, match="Failed to parse ROS arguments: Couldn't parse trailing -r flag"):
+            Node('n', cli_args=['--ros-args', '-r'])
+        world.say(remove_ros_args(['x', 'a:=b', '--ros-args', '-r', 'c:=d', '--', 'y']))
+
+    assert world.run_program(program) == [['x', 'y']]
+
+
+def test_a_remap_rule_without_flag_is_used_with_a_warning(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        world.say(Node('n').resolve_topic_name('a'))
+
+    assert world.run_program(program, 'a:=b') == ['/b']
+    assert (30, 'rcl', "Found remap rule 'a:=b'. This syntax is deprecated. Use '--ros-args --remap a:=b' instead."
+            ) in world.tracer.logs
+
+
+def test_arguments_are_a_list_of_texts(world: World) -> None:
+    def program() -> None:
+        for arguments in (('--ros-args',), [3]):
+            with pytest.raises(TypeError, match='incompatible constructor arguments|bad argument type'):
+                rclpy.init(args=arguments)   # type: ignore[arg-type]
+        world.say(rclpy.ok())
+
+    assert world.run_program(program) == [False]
+
+
+def test_a_node_that_outlives_its_context_does_not_keep_its_name(world: World) -> None:
+    def program() -> None:
+        for _ in range(2):
+            rclpy.init()
+            world.say(Node('n').get_name())
+            rclpy.shutdown()
+
+    assert world.run_program(program) == ['n', 'n']
+    assert world.tracer.logs == []
 
 
 @pytest.mark.parametrize(('text', 'number'), [('', 0), (' 7', 7), ('42nd', 42)])
@@ -218,3 +261,20 @@ def test_the_options_of_signal_handlers_are_flags() -> None:
     from rclpy.signals import SignalHandlerOptions
     assert [option.value for option in (SignalHandlerOptions.NO, SignalHandlerOptions.SIGINT, SignalHandlerOptions.SIGTERM,
                                         SignalHandlerOptions.ALL)] == [0, 1, 2, 3]
+
+
+def test_on_shutdown_of_a_context_that_has_ended_calls_at_once(world: World) -> None:
+    def program() -> None:
+        context = Context()
+        context.init()
+        context.shutdown()
+        context.on_shutdown(lambda: world.say('called'))
+        with pytest.raises(TypeError) as caught:
+            context.on_shutdown(5)  # type: ignore[arg-type]
+        world.say(str(caught.value))
+
+    assert world.run_program(program) == ['called', "('callback should be a callable, got {}', <class 'int'>)"]
+
+
+def test_the_options_of_signal_handlers_print_with_their_class() -> None:
+    assert str(rclpy.signals.SignalHandlerOptions.SIGINT) == 'SignalHandlerOptions.SIGINT'

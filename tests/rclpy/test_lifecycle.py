@@ -6,11 +6,12 @@ from typing import Any
 
 import pytest
 import rclpy
-from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.msg import Transition, TransitionEvent
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.lifecycle import LifecycleNode, LifecycleNodeMixin, State, TransitionCallbackReturn
+from rclpy.lifecycle.state_machine import all_transitions
 from rclpy.node import Node
 from std_msgs.msg import String
 
@@ -87,13 +88,31 @@ def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
         world.say((node.trigger_configure(), node._rclpy.life.state.label))
 
     assert ros(body) == [(TransitionCallbackReturn.ERROR, 'finalized')]
-    assert world.tracer.logs == [(40, 'n', 'Exception in on_configure: ValueError: broken on purpose')]
+    assert world.tracer.logs == []   # ROS 2 says nothing
+    assert world.tracer.notes == [
+        ('mistake', "on_configure() of node '/n' raised ValueError: broken on purpose; rclpy takes that for ERROR")]
+
+
+def test_a_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> None:
+    class Forgetful(LifecycleNode):
+        def on_configure(self, state: State) -> TransitionCallbackReturn:   # type: ignore[return]
+            pass
+
+    def body() -> None:
+        world.say(Forgetful('n').trigger_configure().name)
+
+    assert ros(body) == ['ERROR']
+    assert 'returned None, not a TransitionCallbackReturn' in world.tracer.notes[0][1]
 
 
 def test_transitions_that_do_not_start_here_are_refused(ros: Ros, world: World) -> None:
     def body() -> None:
-        with pytest.raises(RCLError, match="no transition matching 'activate' found for current state unconfigured"):
-            LifecycleNode('n').trigger_activate()
+        node = LifecycleNode('n')
+        with pytest.raises(RCLError, match=r'^Failed to trigger lifecycle state machine transition: Transition is not registered\.$'):
+            node.trigger_activate()
+        node.trigger_shutdown()
+        with pytest.raises(RCLError, match='^Shutdown transtion not possible$'):
+            node.trigger_shutdown()
         world.say('refused')
 
     assert ros(body) == ['refused']
@@ -105,7 +124,7 @@ def test_a_refused_transition_is_logged_by_rcls_state_machine(ros: Ros, world: W
             LifecycleNode('n').trigger_activate()
 
     ros(body)
-    assert world.tracer.logs == [(30, 'rcl_lifecycle', 'No transition matching activate found for current state unconfigured')]
+    assert world.tracer.logs == [(30, 'rcl_lifecycle', 'No transition matching 3 found for current state unconfigured')]
 
 
 def test_a_node_of_ones_own_is_managed_by_the_mixin(ros: Ros, world: World) -> None:
@@ -152,6 +171,50 @@ def test_others_steer_a_managed_node_by_its_services(world: World) -> None:
     assert [what for _, _, what in world.run(2)] == [
         (True, 'inactive', ['cleanup', 'activate', 'shutdown']), (True, 'unconfigured', ['configure', 'shutdown']),
         (True, 'finalized', []), (False, 'finalized', [])]
+
+
+def test_a_number_that_does_not_suit_ends_the_managed_node(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        client = Node('n').create_client(ChangeState, 'managed/change_state')
+        client.call_async(ChangeState.Request(transition=Transition(id=Transition.TRANSITION_ACTIVATE)))
+
+    def managed() -> None:
+        rclpy.init()
+        with pytest.raises(RCLError, match='Transition is not registered') as refused:
+            rclpy.spin(LifecycleNode('managed'))
+        world.say(refused.value.edulaunch_hint)
+
+    world.start(managed, name='managed')
+    world.start(program)
+    assert world.run(1) == [
+        (0.0, 'managed', "node '/managed' is unconfigured; from there it can go: 1 (configure), 5 (shutdown)")]
+
+
+def test_transitions_are_told_with_those_that_end_them() -> None:
+    numbers = [number for number, *_ in all_transitions()]
+    assert numbers == [1, 10, 11, 12, 2, 20, 21, 22, 3, 30, 31, 32, 4, 40, 41, 42, 5, 6, 7, 50, 51, 52, 60, 61, 62]
+
+
+def test_events_tell_the_states_only(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = LifecycleNode('n')
+        node.create_subscription(TransitionEvent, '~/transition_event', lambda event: world.say(
+            (event.timestamp, event.transition.id, event.start_state.label, event.goal_state.label)), 10)
+        node.trigger_configure()
+        for _ in range(2):
+            rclpy.spin_once(node, timeout_sec=0.1)
+
+    assert ros(body) == [(0, 0, 'unconfigured', 'configuring'), (0, 0, 'configuring', 'inactive')]
+
+
+def test_only_managed_entities_follow_a_node(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.raises(TypeError, match=r'^Expected a rclpy\.lifecycle\.ManagedEntity instance\.$'):
+            LifecycleNode('n').add_managed_entity(5)   # type: ignore[arg-type]
+        world.say(repr(TransitionCallbackReturn.SUCCESS))
+
+    assert ros(body) == ['<TransitionCallbackReturnType.SUCCESS: 97>']
 
 
 def test_the_services_can_be_left_out(ros: Ros, world: World) -> None:

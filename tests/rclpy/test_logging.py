@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -55,7 +56,7 @@ def test_levels_come_from_the_command_line(world: World, level: str, count: int)
     ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{severity} {name}: {message} {nonsense} {'}, 'INFO n: text {nonsense} {'),
     ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{time_as_nanoseconds} {date_time_with_ms}'},
      '1700000000000000000 2023-11-14 22:13:20.000'),
-    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{function_name}', 'RCUTILS_COLORIZED_OUTPUT': '1'}, '<lambda>'),
+    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{function_name}', 'RCUTILS_COLORIZED_OUTPUT': '1'}, '\033[0m<lambda>\033[0m'),
 ])
 def test_the_format_comes_from_the_environment(world: World, env: dict[str, str], line: str) -> None:
     assert output(world, lambda: Node('n').get_logger().info('text'), env=env) == [line]
@@ -63,7 +64,8 @@ def test_the_format_comes_from_the_environment(world: World, env: dict[str, str]
 
 def test_colours_are_for_the_whole_line(world: World) -> None:
     lines = output(world, lambda: every_severity(Node('n')), env={'RCUTILS_COLORIZED_OUTPUT': '1'})
-    assert [line.startswith('\033[') for line in lines] == [False, True, True, True]
+    assert [line[:line.index('m') + 1] for line in lines] == ['\033[0m', '\033[33m', '\033[31m', '\033[31m']
+    assert all(line.endswith('\033[0m') for line in lines)
 
 
 def test_children_inherit_levels_and_may_have_their_own(ros: Ros, world: World) -> None:
@@ -152,3 +154,25 @@ def test_programs_have_levels_of_their_own(world: World) -> None:
 
     world.start(quiet, name='quiet')
     assert len(output(world, lambda: Node('quiet').get_logger().info('x'))) == 1
+
+
+@pytest.mark.parametrize(('message', 'text'), [(None, '(null)'), (b'bytes', 'bytes')])
+def test_none_and_bytes_are_messages_too(world: World, message: Any, text: str) -> None:
+    assert output(world, lambda: Node('n').get_logger().info(message))[0].endswith(f' [n]: {text}')
+
+
+def test_a_throttle_goes_by_a_clock_only(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        log = Node('n').get_logger()
+        with pytest.raises(ValueError, match='Received throttle_time_source_type of "STEADY_TIME" is not a clock instance'):
+            log.info('x', throttle_duration_sec=1.0, throttle_time_source_type='STEADY_TIME')
+        with pytest.raises(TypeError, match="'throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 'once'"):
+            log.info('x', foo=1)
+        world.say('refused')
+
+    assert world.run_program(program) == ['refused']
+
+
+def test_the_directory_of_log_files_is_a_path(world: World) -> None:
+    assert world.run_program(lambda: world.say(rclpy.logging.get_logging_directory()), env={'ROS_LOG_DIR': '/x'}) == [Path('/x')]

@@ -19,9 +19,10 @@ def noted(world: World, body: Callable[[Node], Any]) -> list[tuple[str, str]]:
 
     def program() -> None:
         rclpy.init()
-        node = Node('node')
-        node.create_service(Empty, '/spawn', lambda request, response: response)
-        body(node)
+        elsewhere = rclpy.Context()
+        rclpy.init(context=elsewhere)
+        Node('server', context=elsewhere).create_service(Empty, '/spawn', lambda request, response: response)
+        body(Node('node'))
 
     world.start(program)
     world.run(60)

@@ -15,16 +15,12 @@ from rcl_interfaces.msg import (
     SetParametersResult,
 )
 from rcl_interfaces.srv import GetParameters, ListParameters
-from rclpy import exceptions
 from rclpy.node import Node
 from rclpy.parameter import (
     Parameter,
-    get_parameter_value,
-    parameter_dict_from_yaml_file,
     parameter_value_to_python,
 )
 from rclpy.parameter_client import AsyncParameterClient
-from rclpy.parameter_event_handler import ParameterEventHandler
 
 from .conftest import World
 
@@ -81,7 +77,7 @@ def test_misuse_has_the_texts_of_rclpy(ros: Ros, world: World) -> None:
     assert ros(body) == [
         ('ParameterNotDeclaredException', 'Invalid access to undeclared parameter(s): q'),
         ('ParameterAlreadyDeclaredException', "Parameter(s) already declared: ['p']"),
-        ('ParameterUninitializedException', "The parameter 'typed' is not initialized"),
+        ('ParameterUninitializedException', "The parameter 'typed' is not initialized: typed"),
         ('ParameterImmutableException', 'Attempted to modify read-only parameter: fixed'),
         ('ParameterNotDeclaredException', 'Invalid access to undeclared parameter(s): []'),
         ('ValueError', 'Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET'),
@@ -105,7 +101,7 @@ def test_types_are_static(ros: Ros, world: World) -> None:
         node.declare_parameter('p', 1.0)
         world.say(results(node, 5, None, 5.0))
 
-    assert ros(body) == [["Wrong parameter type, expected 'Parameter.Type.DOUBLE' got 'Parameter.Type.INTEGER'",
+    assert ros(body) == [["Wrong parameter type, expected 'Type.DOUBLE' got 'Type.INTEGER'",
                           'Static parameter cannot be undeclared', '']]
 
 
@@ -181,16 +177,6 @@ def test_the_newest_set_callback_is_asked_first_and_the_first_refusal_counts(ros
         world.say(results(node, 3))
 
     assert ros(body) == [('newer', 2), ['no'], ('older', 3), ['']]
-
-
-def test_a_set_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> None:
-    def body() -> None:
-        node = Node('n')
-        node.declare_parameter('p', 1)
-        node.add_on_set_parameters_callback(lambda parameters: None)  # type: ignore[arg-type, return-value]
-        world.say(raised(results, node, 2)[0])
-
-    assert ros(body) == ['AttributeError']
 
 
 def test_pre_and_post_callbacks(ros: Ros, world: World) -> None:
@@ -277,26 +263,6 @@ def test_other_programs_read_and_change_parameters(world: World) -> None:
         ['use_sim_time', 'start_type_description_service', 'p'], 2]
 
 
-def test_an_event_handler_hears_of_other_nodes(world: World) -> None:
-    def owner() -> None:
-        rclpy.init()
-        node = Node('owner')
-        node.declare_parameter('p', 1)
-        node.create_timer(0.5, lambda: results(node, 2))
-        rclpy.spin(node)
-
-    def program() -> None:
-        rclpy.init()
-        node = Node('n')
-        handler = ParameterEventHandler(node)
-        handler.add_parameter_callback('p', 'owner', lambda parameter: world.say(parameter_value_to_python(parameter.value)))
-        rclpy.spin(node)
-
-    world.start(owner, name='owner')
-    world.start(program)
-    assert world.run(0.6) == [(500.0, 'main', 2)]
-
-
 def test_services_can_be_left_out(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n', start_parameter_services=False)
@@ -318,29 +284,6 @@ def test_listing_by_prefix_and_depth(ros: Ros, world: World, prefixes: list[str]
     assert GetParameters.Request(names=['a']).names == ['a']
 
 
-@pytest.mark.parametrize(('text', 'value'), [('off', False), ('5', 5), ('[1.0]', [1.0]), ('a: b: c', 'a: b: c'), ('!!str 5', '5')])
-def test_texts_become_values_as_in_ros2_param_set(text: str, value: Any) -> None:
-    read = parameter_value_to_python(get_parameter_value(text))
-    assert (list(read) if isinstance(value, list) else read) == value
-
-
-def test_a_parameter_file_becomes_messages(tmp_path: Path) -> None:
-    file = tmp_path / 'f.yaml'
-    file.write_text('/n:\n  ros__parameters:\n    a:\n      b: 1\n/**:\n  ros__parameters:\n    c: x\n')
-    found = parameter_dict_from_yaml_file(str(file), use_wildcard=True, target_nodes=['/n'])
-    assert {name: parameter_value_to_python(message.value) for name, message in found.items()} == {'c': 'x', 'a.b': 1}
-
-
-def test_type_and_value_must_agree() -> None:
-    assert raised(Parameter, 'p', Parameter.Type.INTEGER, 1.0) == (
-        'ValueError', "Type 'Parameter.Type.INTEGER' and value '1.0' do not agree")
-
-
-def test_a_parameter_survives_its_message() -> None:
-    for value in (True, 5, 1.5, 'x', [True], ['a', 'b']):
-        assert Parameter.from_parameter_msg(Parameter('p', value=value).to_parameter_msg()).value == value
-
-
 def test_the_alternative_of_get_parameter_or(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')
@@ -349,22 +292,76 @@ def test_the_alternative_of_get_parameter_or(ros: Ros, world: World) -> None:
     assert ros(body) == [(4, None)]
 
 
-def test_every_exception_is_in_the_exceptions_module() -> None:
-    assert {name for name in exceptions.__all__ if not isinstance(getattr(exceptions, name), type)} == set()
+@pytest.mark.parametrize('answer', [None, True, 'yes'])
+def test_a_callback_that_forgets_its_result_refuses_the_change(ros: Ros, world: World, answer: Any) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', 1)
+        node.add_on_set_parameters_callback(lambda parameters: answer)
+        with pytest.warns(UserWarning, match='Callback returned an invalid type, it should return SetParameterResult'):
+            world.say((results(node, 2), node.get_parameter('p').value))
+
+    assert ros(body) == [(['Callback returned an invalid type'], 1)]
 
 
-@pytest.mark.parametrize(('text', 'nodes', 'words'), [
-    ('/a:\n  ros__parameters:\n    x: 1\n', ['/b'], r"Param file does not contain parameters for /b,only for nodes: \['/a'\] "),
-    ('/**:\n  ros__parameters:\n    x: 1\n', None, 'Param file does not contain selected parameters'),
-    ('/a:\n  ros__parameters: {}\n', None, 'Param file does not contain any valid parameters'),
-    ('/a:\n  x: 1\n', None, 'YAML file is not a valid ROS parameter file for node /a')])
-def test_a_file_without_the_wanted_parameters_is_refused(tmp_path: Path, text: str, nodes: list[str] | None, words: str) -> None:
-    file = tmp_path / 'p.yaml'
-    file.write_text(text)
-    with pytest.raises(RuntimeError, match=words):
-        parameter_dict_from_yaml_file(str(file), target_nodes=nodes)
+def test_a_pre_callback_cannot_bring_in_an_undeclared_parameter(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', 1)
+        node.add_pre_set_parameters_callback(lambda parameters: [Parameter('q', value=1)])
+        world.say((raised(results, node, 2), node.has_parameter('q')))
+
+    assert ros(body) == [(('ParameterNotDeclaredException', 'Invalid access to undeclared parameter(s): []'), False)]
 
 
-def test_the_type_goes_by_its_name_in_ros2() -> None:
-    assert repr(Parameter.Type.DOUBLE) == '<Type.DOUBLE: 3>'
-    assert raised(Parameter, 'p', 'int', 1) == ('TypeError', "type must be an instance of '<enum 'Type'>'")
+def test_something_that_is_no_parameter_cannot_be_set(ros: Ros, world: World) -> None:
+    ros(lambda: world.say(raised(Node('n').set_parameters, [('p', 1)])))
+    assert world.log[0][2] == ('TypeError', "parameter must be instance of type '<class 'rclpy.parameter.Parameter'>'")
+
+
+def test_a_typed_parameter_without_value_has_no_type_and_gives_the_alternative(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', Parameter.Type.INTEGER)
+        world.say((node.get_parameter_type('p'), node.get_parameter_or('p', Parameter('other', value=3)).value))
+
+    assert ros(body) == [(0, 3)]
+
+
+def test_a_descriptor_is_not_copied(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        descriptor = ParameterDescriptor()
+        node.declare_parameter('p', 1, descriptor)
+        node.declare_parameter('q', 'text', descriptor)
+        world.say((node.describe_parameter('p').name, results(node, 2)))
+
+    assert ros(body) == [('q', ["Wrong parameter type, expected 'Type.STRING' got 'Type.INTEGER'"])]
+
+
+@pytest.mark.parametrize(('prefixes', 'depth', 'error'), [
+    ([1], 0, ('TypeError', 'All prefixes must be instances of type str')),
+    ([], 1.0, ('TypeError', 'The depth must be instance of type int')),
+    ([], -1, ('ValueError', 'The depth must be greater than or equal to zero'))])
+def test_prefixes_are_texts_and_the_depth_is_an_integer(ros: Ros, world: World, prefixes: Any, depth: Any, error: Any) -> None:
+    ros(lambda: world.say(raised(Node('n').list_parameters, prefixes, depth)))
+    assert world.log[0][2] == error
+
+
+def test_an_undeclared_parameter_has_an_empty_descriptor_where_it_is_allowed(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n', allow_undeclared_parameters=True)
+        node.set_parameters([Parameter('p', value=1)])
+        descriptor = node.describe_parameter('p')
+        world.say((descriptor.name, descriptor.type, descriptor.dynamic_typing, node.get_parameter_type('q')))
+
+    assert ros(body) == [('', 0, True, Parameter.Type.NOT_SET)]
+
+
+def test_an_empty_list_from_outside_leaves_a_parameter_without_value(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n', cli_args=['--ros-args', '-p', 'p:=[]'])
+        world.say(node.declare_parameter('p', [1.0]).value)
+        world.say(raised(node.get_parameter, 'p')[0])
+
+    assert ros(body) == [None, 'ParameterUninitializedException']

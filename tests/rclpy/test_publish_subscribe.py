@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 import rclpy
 from geometry_msgs.msg import Twist
-from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+from rclpy._rclpy_pybind11 import InvalidHandle, RCLError, RMWError
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 from rclpy.serialization import deserialize_message, serialize_message
-from std_msgs.msg import String
+from std_msgs.msg import Bool, String
 from std_srvs.srv import Empty
 
 from edulaunch.sim.sync import sleep
@@ -149,7 +149,7 @@ def test_what_a_callback_takes_is_found_out(callback: Any, count: str) -> None:
 @pytest.mark.parametrize('callback', [lambda: None, lambda a, b, c: None])
 def test_other_callbacks_are_refused(callback: Any) -> None:
     from rclpy.subscription import callback_type
-    with pytest.raises(RuntimeError, match='Callback should be either be callable with one argument'):
+    with pytest.raises(RuntimeError, match='callback should be either be callable with one argument'):
         callback_type(callback)
 
 
@@ -178,9 +178,9 @@ def test_incompatible_quality_of_service_is_warned_of_on_both_sides(world: World
     world.start(speaking, name='talker')
     world.run(1)
     assert sorted(world.tracer.logs) == [
-        (30, 'listener', "New publisher discovered on topic '/chatter', offering incompatible QoS. No messages will be received "
+        (30, 'listener', "New publisher discovered on topic 'chatter', offering incompatible QoS. No messages will be received "
                          'from it. Last incompatible policy: RELIABILITY'),
-        (30, 'talker', "New subscription discovered on topic '/chatter', requesting incompatible QoS. No messages will be sent "
+        (30, 'talker', "New subscription discovered on topic 'chatter', requesting incompatible QoS. No messages will be sent "
                        'to it. Last incompatible policy: RELIABILITY')]
 
 
@@ -236,3 +236,17 @@ def test_best_effort_publishers_reach_best_effort_subscriptions(world: World) ->
     world.start(listener(world, qos=profile), name='listener')
     world.start(talker('a', qos=profile), name='talker')
     assert [what for _, _, what in world.run(1)] == ['a']
+
+
+def test_serialized_messages_of_one_size_fill_multiples_of_four_bytes() -> None:
+    assert [len(serialize_message(message)) for message in (Bool(), Twist(), String(data='abcd'))] == [8, 52, 13]
+    assert deserialize_message(serialize_message(Bool(data=True)), Bool).data is True
+
+
+def test_bytes_of_another_type_are_refused_in_the_words_of_fast_dds() -> None:
+    with pytest.raises(RMWError) as caught:
+        deserialize_message(b'abcd', String)
+    assert str(caught.value) == ('failed to deserialize ROS message: Fast CDR exception deserializing message of type '
+                                 'std_msgs::msg::dds_::String_.')
+    with pytest.raises(TypeError, match='incompatible function arguments'):
+        deserialize_message('text', String)

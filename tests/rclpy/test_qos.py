@@ -42,7 +42,9 @@ def test_presets_are_found_by_their_short_key() -> None:
 
 
 def test_policies_are_found_by_their_short_key() -> None:
-    assert qos.ReliabilityPolicy.get_from_short_key('best_effort') is qos.QoSReliabilityPolicy.BEST_EFFORT
+    assert qos.ReliabilityPolicy.get_from_short_key('best_effort') == qos.QoSReliabilityPolicy.BEST_EFFORT
+    assert [policy.short_key for policy in qos.HistoryPolicy] == ['system_default', 'keep_last', 'keep_all', 'unknown']
+    assert qos.LivelinessPolicy.short_keys() == ['system_default', 'automatic', 'manual_by_topic', 'unknown', 'best_available']
 
 
 @pytest.mark.parametrize(('offered', 'requested', 'reason'), [
@@ -57,5 +59,27 @@ def test_incompatible_profiles_are_explained(offered: dict[str, object], request
     assert check == (qos.QoSCompatibility.ERROR, reason)
 
 
+@pytest.mark.parametrize(('offered', 'requested', 'reason'), [
+    ({'reliability': 0}, {'reliability': 1}, 'Reliable subscription, but publisher is system_default'),
+    ({'reliability': 2}, {'reliability': 3}, 'Best effort publisher, but subscription is unknown'),
+    ({'durability': 0}, {'durability': 0}, 'Publisher durabilty is system_default and subscription durability is system_default'),
+    ({'liveliness': 1}, {'liveliness': 0}, "Publisher's liveliness is automatic, but subscription's is system_default")])
+def test_open_policies_make_warnings(offered: dict[str, object], requested: dict[str, object], reason: str) -> None:
+    automatic = {'depth': 1, 'liveliness': 1}
+    check = qos.qos_check_compatible(qos.QoSProfile(**automatic | offered), qos.QoSProfile(**automatic | requested))
+    assert (str(check.compatibility), check.reason) == ('QoSCompatibility.WARNING', f'WARNING: {reason};')
+
+
+def test_a_flag_of_a_profile_is_a_bool() -> None:
+    with pytest.raises(AssertionError):
+        qos.QoSProfile(depth=1, avoid_ros_namespace_conventions=1)
+
+
 def test_a_profile_is_shown_alike_on_every_python() -> None:
     assert str(qos.QoSProfile(depth=3)).startswith('QoSProfile(history=1, depth=3, reliability=1, durability=2, ')
+
+
+def test_system_defaults_are_those_of_fast_dds() -> None:
+    writer, reader = (qos.engine_qos(qos.qos_profile_system_default, side) for side in ('publisher', 'subscription'))
+    assert writer[:3] == (1, 'reliable', 'transient_local')
+    assert reader[:3] == (1, 'best_effort', 'volatile')

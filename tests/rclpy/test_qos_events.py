@@ -71,9 +71,12 @@ def test_other_publishers_are_alive_while_they_exist(world: World) -> None:
     def program() -> None:
         rclpy.init()
         node = Node('n')
-        node.create_subscription(String, 't', lambda _: None, 1, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
+        lease = QoSProfile(depth=1, liveliness_lease_duration=Duration(seconds=1))
+        for qos in (lease, 1):   # without a lease nothing is told
+            node.create_subscription(
+                String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
         spin(node, 0.1)
-        publishers = [node.create_publisher(String, 't', 1) for _ in range(2)]
+        publishers = [node.create_publisher(String, 't', lease) for _ in range(2)]
         spin(node, 0.1)
         node.destroy_publisher(publishers[0])
         spin(node, 0.1)

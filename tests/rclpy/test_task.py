@@ -89,3 +89,25 @@ def test_coroutine_functions_are_seen_through_methods_and_partials() -> None:
 
     assert is_coroutine_function(partial(Node().callback, 1))
     assert not is_coroutine_function(print)
+
+
+def test_a_callback_added_twice_is_removed_once_at_a_time() -> None:
+    future = Future()
+    future.add_done_callback(print)
+    future.add_done_callback(print)
+    assert [future.remove_done_callback(print) for _ in range(3)] == [True, True, False]
+
+
+def test_a_callback_of_a_cancelled_future_is_called_at_once() -> None:
+    future, called = Future(), []
+    future.cancel()
+    future.add_done_callback(called.append)
+    future.set_result(1)
+    assert called == [future]
+
+
+def test_a_cancelled_task_runs_no_more() -> None:
+    task = Task(lambda: 5)
+    task.cancel()
+    task()
+    assert (task.done(), task.cancelled(), task.result()) == (False, True, None)

@@ -206,3 +206,16 @@ def test_rates_must_be_positive(ros: Callable[..., list[Any]], world: World) -> 
         world.say('refused')
 
     assert ros(body) == ['refused']
+
+
+def test_a_rate_that_is_destroyed_wakes_and_sleeps_no_more(ros: Callable[..., list[Any]], world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        rate = node.create_rate(1)
+        node.create_timer(0.2, lambda: node.destroy_rate(rate))
+        current_process().start_thread(lambda: rclpy.spin(node), 'spin', True)
+        world.say(rate.sleep())
+        with pytest.raises(RuntimeError, match='Rate cannot sleep because it has been destroyed'):
+            rate.sleep()
+
+    assert ros(body) == [None]

@@ -14,7 +14,9 @@ from tf2_msgs.msg import TFMessage
 rclpy.init()
 node = rclpy.create_node('odd')
 tf = node.create_publisher(TFMessage, '/tf', 10)
-node.create_publisher(String, '/tf', 10).publish(String(data='no transform'))
+elsewhere = rclpy.Context()
+rclpy.init(context=elsewhere)   # ROS 2 refuses a second type of one topic in one context
+rclpy.create_node('other', context=elsewhere).create_publisher(String, '/tf', 10).publish(String(data='no transform'))
 for second, x in ((5, 1.0), (3, 2.0)):
     stamped = TransformStamped()
     stamped.header.frame_id, stamped.child_frame_id = 'world', 'box'

@@ -48,6 +48,16 @@ def test_messages_come_with_their_time(recording: Recording) -> None:
     assert recording.messages('/nothing') == []
 
 
+def test_a_topic_that_was_not_there_is_empty_and_its_first_message_names_the_nearest(recording: Recording) -> None:
+    for none in (recording.messages('/turtle1/poze'), recording.series('/turtle1/poze', 'x')):
+        assert (none, list(none), none[:1]) == ([], [], [])
+        for which in (0, -1):
+            with pytest.raises(KeyError, match=r"no topic '/turtle1/poze' in this recording; there are: (?s:.*)did you mean '/turtle1/pose'"):
+                none[which]
+
+
+
+
 def test_a_trajectory_is_arrays(recording: Recording) -> None:
     track = recording.trajectory('turtle1')
     assert (track.t.tolist(), track.x.tolist(), track.theta.shape) == ([0.0, 0.5, 1.0, 1.5, 2.0], [1.0, 2.0, 3.0, 4.0, 5.0], (5,))

@@ -301,3 +301,13 @@ def test_view_frames_names_its_files_after_the_simulated_date(stage, tmp_path: P
     stage.until(1000)
     (file,) = tmp_path.glob('frames_2023-11-*.gv')
     assert file.read_text() == 'digraph G { "No tf data received" }'
+
+
+def test_a_program_of_ours_that_ctrl_c_ends_shows_no_frames_of_ours(stage, tmp_path: Path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    process, output = run(stage, 'tf2_tools', 'view_frames')
+    stage.until(1000)
+    process.send_signal(2)
+    stage.until(1100)
+    assert text_of(output, 'stderr').splitlines()[-1] == 'KeyboardInterrupt'
+    assert 'Traceback' not in text_of(output, 'stderr')

@@ -158,6 +158,64 @@ def test_a_lookup_with_a_timeout_blocks_its_executor_to_the_end(stage, program):
     ]
 
 
+@pytest.mark.parametrize('timeout', [1.0, 1, Duration(seconds=1.0).to_msg()])
+def test_a_timeout_is_an_rclpy_duration(timeout):
+    with pytest.raises(TypeError, match=r"unsupported operand type\(s\) for \+: 'Time' and '(float|int|Duration)'") as caught:
+        tf2_ros.Buffer().lookup_transform('world', 'a', Time(), timeout=timeout)
+    assert 'Duration(seconds=1.0)' in caught.value.edulaunch_hint
+
+
+def test_with_threads_to_spare_a_lookup_in_a_callback_gets_its_data(stage, program):
+    log: list[tuple[float, float]] = []
+
+    def body() -> None:
+        rclpy.init()
+        node, buffer = Node('patient'), tf2_ros.Buffer()
+        node.keep = tf2_ros.TransformListener(buffer, node)
+
+        def look() -> None:
+            timer.cancel()
+            found = buffer.lookup_transform('world', 'late', Time(), timeout=Duration(seconds=1.0))
+            log.append((stage.tape.now_ms(), found.transform.translation.x))
+
+        timer = node.create_timer(0.1, look)
+        executor = rclpy.executors.MultiThreadedExecutor(num_threads=2)
+        executor.add_node(node)
+        executor.spin()
+
+    program(body)
+    stage.until(301)
+    stage.publish('/tf', TFMessage(transforms=[stamped('world', 'late', 1.0, 7.0)]))
+    stage.until(2000)
+    assert log == [(320.0, 7.0)]
+
+
+def test_a_listener_may_have_callbacks_of_its_own(stage, program):
+    heard: list[str] = []
+
+    class Curious(tf2_ros.TransformListener):
+        def callback(self, data: TFMessage) -> None:
+            heard.append('moving')
+            super().callback(data)
+
+        def static_callback(self, data: TFMessage) -> None:
+            heard.append('static')
+            super().static_callback(data)
+
+    def use(node: Node, buffer: tf2_ros.Buffer) -> None:
+        node.keep = Curious(buffer, node)
+        node.create_timer(0.15, lambda: heard.append(buffer.all_frames_as_string()))
+
+    listening(stage, program, use)
+    hand = stage.graph.add_node(None, 'early', '/')
+    latched = stage.graph.create_publisher(hand, '/tf_static', TFMessage, QoS(durability=TRANSIENT_LOCAL))
+    stage.until(100)
+    stage.publish('/tf', TFMessage(transforms=[stamped('world', 'a', 1.0, 1.0)]))
+    latched.publish(TFMessage.to_wire(TFMessage(transforms=[stamped('world', 'b', 0.0, 1.0)])))
+    stage.until(200)
+    assert heard == ['moving', 'static', 'Frame a exists with parent world.\nFrame b exists with parent world.\n']
+
+
 def test_with_a_thread_of_its_own_the_wait_ends_when_the_data_comes(stage, program):
     log: list[tuple[float, float]] = []
 

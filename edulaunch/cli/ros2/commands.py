@@ -31,6 +31,15 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
         },
     ),
     'launch': ('Run a launch file', {}),
+    'lifecycle': (
+        'Various lifecycle related sub-commands',
+        {
+            'get': 'Get lifecycle state for one or more nodes',
+            'list': 'Output a list of available transitions',
+            'nodes': 'Output a list of nodes with lifecycle',
+            'set': 'Trigger lifecycle state transition',
+        },
+    ),
     'node': (
         'Various node related sub-commands',
         {

@@ -22,7 +22,7 @@ VIEWS = {
     'datetime': 'datetime_view.make',
     'fcntl': 'keyboard_view.make_fcntl',
     'importlib': 'importlib_view.make',
-    'importlib.metadata': 'importlib_view.make_metadata',
+    'importlib.metadata': 'metadata_view.make',
     'importlib.resources': 'importlib_view.make_resources',
     'importlib.util': 'importlib_view.make_util',
     'io': 'files_view.make_io',

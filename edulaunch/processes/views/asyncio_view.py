@@ -2,24 +2,44 @@
 from __future__ import annotations
 
 import asyncio as real
-from collections.abc import Callable, Coroutine
+import re
+from collections.abc import Callable, Coroutine, Iterator
+from itertools import count
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
 from edulaunch.sim.aio import SimulatedEventLoop
+from edulaunch.sim.loops import cancel_all_tasks
 from edulaunch.sim.task import Task, current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
+OUR_CALLBACK = re.compile(r' cb=\[make\.[^]]*\]')
+"""In what a task looks like: that somebody in another thread waits for it, which asyncio itself would do by other means."""
+
 
 class ProcessEventLoop(SimulatedEventLoop):
-    """A simulated loop whose executor threads are threads of the program."""
+    """A simulated loop: its executor threads are threads of the program, its tasks are counted with the program's."""
 
     def __init__(self, process: Process, task: Task) -> None:
         super().__init__(task)
         self._process = process
+        self._numbers: Iterator[int] = process.state.setdefault('asyncio tasks', count(1))
+        process.at_exit.append(self._tell_what_is_pending)
+
+    def create_task(self, coro: Any, *, name: object = None, **options: Any) -> Any:
+        """As asyncio's; without a name it is `Task-N`."""
+        return super().create_task(coro, name=f'Task-{next(self._numbers)}' if name is None else str(name), **options)
+
+    def _tell_what_is_pending(self) -> None:
+        """The program ends: say now what Python says when it clears up. One that is killed says nothing."""
+        for task in sorted(real.all_tasks(self), key=lambda task: task.get_name()):
+            task._log_destroy_pending = False  # type: ignore[attr-defined]  # or Python says so later, as if it were ours
+            if (self._process.returncode or 0) >= 0:
+                shown = OUR_CALLBACK.sub('', repr(task))
+                self._process.write('stderr', f'Task was destroyed but it is pending!\ntask: {shown}\n')
 
     def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:  # type: ignore[override]
         """Run a blocking function beside the loop; an asyncio future of its result."""
@@ -45,7 +65,6 @@ class ProcessEventLoop(SimulatedEventLoop):
             executor.submit(func, *args).add_done_callback(
                 lambda future: give(future.exception(), None if future.exception() else future.result()))
         return answer
-
 
     def add_signal_handler(self, sig: int, callback: Callable[..., object], *args: Any) -> None:  # type: ignore[override]
         """Call `callback` on the loop when the program gets the signal."""
@@ -143,11 +162,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
 def _close(loop: Any) -> None:
     """As `asyncio.run` leaves a loop: what still runs on it is cancelled and waited for."""
-    waiting = real.all_tasks(loop)
-    for task in waiting:
-        task.cancel()
-    if waiting:
-        loop.run_until_complete(real.gather(*waiting, return_exceptions=True))
+    cancel_all_tasks(loop)
     loop.run_until_complete(loop.shutdown_asyncgens())
     loop.close()
 

@@ -73,36 +73,6 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
     return view
 
 
-def make_metadata(view: ModuleType, process: Process) -> ModuleType:
-    """`importlib.metadata`: a package of the workspace has the version of its package.xml, as if it were built."""
-    import importlib.metadata as real_metadata
-
-    class PackageDistribution(real_metadata.Distribution):
-        """Of a ROS package; its name and version are all that it knows."""
-
-        def __init__(self, name: str, version: str) -> None:
-            self._text = f'Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n'
-
-        def read_text(self, filename: str) -> str | None:
-            return self._text if filename == 'METADATA' else None
-
-        def locate_file(self, path: Any) -> Any:
-            return path
-
-    def distribution(distribution_name: str) -> real_metadata.Distribution:
-        share = process.index.share(distribution_name.replace('-', '_'))
-        file = os.path.join(share or '', 'package.xml')
-        if share is None or not os.path.isfile(file):
-            return real_metadata.distribution(distribution_name)
-        from xml.etree import ElementTree
-        return PackageDistribution(distribution_name, (ElementTree.parse(file).findtext('version') or '0.0.0').strip())
-
-    view.__dict__.update(distribution=distribution, metadata=lambda distribution_name: distribution(distribution_name).metadata,
-                         version=lambda distribution_name: distribution(distribution_name).version)
-    copy_names(view, real_metadata)
-    return view
-
-
 def make_util(view: ModuleType, process: Process) -> ModuleType:
     """`importlib.util`: finds the program's own modules; one that is made from a spec runs as the program's own."""
     import importlib.util as real_util

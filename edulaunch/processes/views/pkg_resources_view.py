@@ -69,7 +69,7 @@ class Resources:
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:
-    """What nodes use of it: resources, `get_distribution`, `require` and `iter_entry_points`."""
+    """What nodes use of it: resources, `get_distribution`, `require`, `iter_entry_points` and `load_entry_point`."""
     own_metadata: Any = process.loader.import_module('importlib.metadata')
 
     def get_distribution(dist: Any) -> Distribution:
@@ -86,8 +86,13 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         wanted = {'group': group} if name is None else {'group': group, 'name': name}
         yield from own_metadata.entry_points(**wanted)
 
+    def load_entry_point(dist: str, group: str, name: str) -> Any:
+        for entry_point in own_metadata.distribution(dist).entry_points.select(group=group, name=name):
+            return entry_point.load()
+        raise ImportError(f'Entry point {(group, name)!r} not found')
+
     resources = Resources(process)
     view.__dict__.update({name: getattr(resources, name) for name in dir(resources) if name.startswith('resource_')})
     view.__dict__.update(Distribution=Distribution, DistributionNotFound=DistributionNotFound, get_distribution=get_distribution,
-                         require=require, iter_entry_points=iter_entry_points)
+                         require=require, iter_entry_points=iter_entry_points, load_entry_point=load_entry_point)
     return view

@@ -1,9 +1,12 @@
 """`signal` of a simulated program: handlers run where the program waits."""
 from __future__ import annotations
 
+import errno
 import math
+import os
 import signal as real
-from types import ModuleType
+import sys
+from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
@@ -12,20 +15,25 @@ from edulaunch.sim.task import current_task
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
+ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
+
 
 def make(view: ModuleType, process: Process) -> ModuleType:
-    """`signal.signal` installs a handler for this process; it is called as handler(signum, None)."""
+    """`signal.signal` installs a handler for this process; it is called as handler(signum, frame)."""
     installed: dict[int, Any] = {}
 
     def install(signum: int, handler: Any) -> Any:
+        _check(process, signum, handler)
         before = installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL)
         installed[signum] = handler
-        if handler is real.SIG_DFL or handler is real.default_int_handler:
+        if handler is real.SIG_DFL and signum == real.SIGINT:
+            process.signal_handlers[signum] = process.die_at_once  # not Python's own handler, which raises KeyboardInterrupt
+        elif handler is real.SIG_DFL or handler is real.default_int_handler:
             process.signal_handlers.pop(signum, None)
         elif handler is real.SIG_IGN:
             process.signal_handlers[signum] = lambda number: None
         else:
-            process.signal_handlers[signum] = lambda number: handler(number, None)
+            process.signal_handlers[signum] = lambda number: handler(number, _interrupted_frame())
         return before
 
     def pause() -> None:
@@ -58,3 +66,21 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         getsignal=lambda signum: installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL))
     copy_names(view, real)
     return view
+
+
+def _check(process: Process, signum: int, handler: Any) -> None:
+    """Raise what Python raises for a handler that cannot be installed."""
+    if not (callable(handler) or handler in (real.SIG_DFL, real.SIG_IGN)):
+        raise TypeError('signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object')
+    if current_task() is not process.task:
+        raise ValueError('signal only works in main thread of the main interpreter')
+    if signum in (real.SIGKILL, real.SIGSTOP):
+        raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
+
+
+def _interrupted_frame() -> FrameType | None:
+    """Where the program stood: its innermost frame that is none of the engine's."""
+    frame: FrameType | None = sys._getframe()
+    while frame is not None and frame.f_code.co_filename.startswith(ENGINE):
+        frame = frame.f_back
+    return frame

@@ -141,7 +141,7 @@ class BagRecorder:
                 self._listen(topic)
 
     def _is_wanted(self, topic: str) -> bool:
-        chosen, graph = self._arguments, self._node.handle.process.graph
+        chosen, graph = self._arguments, self._node._rclpy.graph
         if topic not in graph.publishers or (
             names.is_hidden(topic) and not chosen.include_hidden_topics and topic not in self._wanted
         ):
@@ -151,8 +151,8 @@ class BagRecorder:
         return topic in self._wanted or chosen.all or chosen.all_topics or bool(chosen.regex and re.search(chosen.regex, topic))
 
     def _listen(self, topic: str) -> None:
-        graph = self._node.handle.process.graph
-        self.topics[topic] = BagTopic(self._node.handle, graph.publishers[topic], self.messages)
+        graph = self._node._rclpy.graph
+        self.topics[topic] = BagTopic(self._node._rclpy.entry, graph.publishers[topic], self.messages)
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str, storage: str) -> None:

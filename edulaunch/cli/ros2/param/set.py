@@ -17,12 +17,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(arguments: argparse.Namespace) -> None:
     """Set it and print how that went; status 0 either way, as in ROS 2."""
+    import yaml
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value
 
     name = arguments.parameter_name
+    try:
+        value = get_parameter_value(arguments.value)
+    except yaml.YAMLError as error:
+        help = f"""to mean text, put it into quotation marks twice: '"{arguments.value}"'"""
+        raise RuntimeError(with_help(str(error), help)) from None
     with node_parameters.parameters_of(arguments) as parameters:
-        result = parameters.set([Parameter(name=name, value=get_parameter_value(arguments.value))])[0]
+        result = parameters.set([Parameter(name=name, value=value)])[0]
         reason = f': {result.reason}' if result.reason else ''
         if result.successful:
             say(f'Set parameter successful{reason}')

@@ -8,6 +8,7 @@ import re
 
 from edulaunch.processes import current_process
 
+from ._index import index_in_force
 from .search_paths import get_search_paths
 
 _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
@@ -30,7 +31,7 @@ def get_package_prefix(package_name: str) -> str:
     """
     if not _NAME.fullmatch(package_name):
         raise ValueError(f"'{package_name}' is not a valid package name")
-    prefix = current_process().index.prefix(package_name)
+    prefix = index_in_force().prefix(package_name) or _left_out_by_launch(package_name)
     if prefix is None:
         raise _not_found(package_name)
     return prefix
@@ -42,29 +43,45 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
     :raises ValueError: when this cannot be a package name.
     :raises PackageNotFoundError: when there is no such package.
     """
-    path = os.path.join(get_package_prefix(package_name), 'share', package_name)
-    if print_warning and not os.path.exists(path):
-        import warnings
-
-        warnings.warn(f'Share directory for {package_name} ({path}) does not exist.', stacklevel=2)
-    return path
+    return _share(package_name, 'directory' if print_warning else None)
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> real_pathlib.Path:
     """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
     pathlib = current_process().loader.modules.get('pathlib', real_pathlib)
-    path: real_pathlib.Path = pathlib.Path(get_package_share_directory(package_name, print_warning=print_warning))
+    path: real_pathlib.Path = pathlib.Path(_share(package_name, 'path' if print_warning else None))
     return path
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
     """All packages: name -> prefix."""
-    return current_process().index.packages()
+    get_search_paths()
+    return index_in_force().packages()
+
+
+def _share(package_name: str, called: str | None) -> str:
+    """The share folder; unless it is `called` nothing, a warning says that it is missing."""
+    path = os.path.join(get_package_prefix(package_name), 'share', package_name)
+    if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
+        import warnings
+
+        warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)
+    return path
+
+
+def _left_out_by_launch(package_name: str) -> str | None:
+    """Where a well-known package would be that is not here: a launch file goes on without it, a program gets the error."""
+    process = current_process()
+    if 'launch.process_counter' not in process.state:
+        return None
+    from launch._engine import absent_package
+
+    return process.index.absent_prefix if absent_package(package_name) is not None else None
 
 
 def _not_found(package_name: str) -> PackageNotFoundError:
     from edulaunch.workspace.hints import package_hint
 
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
-    error.edulaunch_hint = package_hint(current_process().index, package_name)
+    error.edulaunch_hint = package_hint(index_in_force(), package_name)
     return error

@@ -6,8 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import Literal
 
-from edulaunch.processes import current_process
-
+from ._index import index_in_force
 from .constants import RESOURCE_INDEX_SUBFOLDER
 from .search_paths import get_search_paths
 
@@ -52,7 +51,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
     _check(resource_type, None)
     found: dict[str, str] = {}
     if resource_type == 'packages':
-        found.update(current_process().index.packages())
+        found.update(index_in_force().packages())
     for prefix in _prefixes():
         for entry in _entries(os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER, resource_type)):
             if not entry.is_dir() and not entry.name.startswith('.'):
@@ -75,14 +74,14 @@ def _check(resource_type: str, resource_name: str | None) -> None:
     assert resource_type, 'The resource type must not be empty'
     assert resource_name is None or resource_name, 'The resource name must not be empty'
     if name_is_invalid(resource_type):
-        raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' has an invalid name")
+        raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' is invalid")
     if resource_name is not None and name_is_invalid(resource_name):
-        raise InvalidResourceNameError(f"Resource '{resource_name}' has an invalid name")
+        raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
 
 
 def _prefixes() -> list[str]:
     """The search path, with the marker files of all source packages in place."""
-    index = current_process().index
+    index = index_in_force()
     for package in index.packages():
         index.prefix(package)
     return get_search_paths()

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from edulaunch.processes import current_process
-
+from ._index import existing, index_in_force, own_path
 from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
@@ -11,11 +10,12 @@ def get_search_paths() -> list[str]:
     """The prefixes that are searched, overlays first and the built-in underlay last.
 
     In ROS these come from AMENT_PREFIX_PATH alone. Here a simulation brings its own list (workspaces and
-    prefixes of the session); code outside any simulation gets AMENT_PREFIX_PATH and the underlay.
+    prefixes of the session), until the program itself changes the variable.
 
-    :raises EnvironmentError: when there is nothing to search.
+    :raises EnvironmentError: when the variable is empty.
     """
-    paths = current_process().index.search_paths()
-    if not paths:
+    path = own_path()
+    paths = index_in_force().search_paths() if path is None else existing(path)
+    if not (paths or path):
         raise OSError(f"Environment variable '{AMENT_PREFIX_PATH_ENV_VAR}' is not set or empty")
     return paths

@@ -92,6 +92,15 @@ def assumptions() -> Any:
     return running_process().state.get('launch.assumptions')
 
 
+def absent_package(package: str) -> str | None:
+    """What a well-known package that is not here belongs to ('Gazebo'), where launch is to go on without it; else None.
+
+    A dry run does not go on: it is to find what is missing.
+    """
+    process = running_process()
+    return None if 'launch.assumptions' in process.state else process.index.absent(package)
+
+
 def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
     """Run a command to its end; returns its exit code, standard output and standard error.
 

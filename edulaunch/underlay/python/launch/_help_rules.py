@@ -7,7 +7,10 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from edulaunch.packages.nearest import nearest
+from edulaunch.processes.not_here import KINDS
 
+from ._absent_packages import absent_file
+from ._engine import running_process
 from ._help import frames_of, launch_origin, local_of
 from ._known_names import class_named, home_of, import_line, keywords_of, names_in, nearest_anywhere
 from .launch_description_entity import LaunchDescriptionEntity
@@ -76,8 +79,14 @@ def _missing_module(error: BaseException, text: str) -> str | None:
     place = launch_origin(error)
     if place is not None and os.path.isfile(os.path.join(os.path.dirname(place[0]), f'{found[1]}.py')):
         return f"the launch file's own folder is not searched: move {found[1]}.py into your Python package"
+    top = found[1].partition('.')[0]
+    kind = next((kind for kind, modules in KINDS.items() if top in modules), None)
+    if kind is not None:
+        return f'the module {top!r} ({kind}) is not here'
     near = nearest(found[1], MODULES)
-    return f"did you mean 'from {near} import ...'?" if near is not None and near != found[1] else None
+    if near is not None and near != found[1]:
+        return f"did you mean 'from {near} import ...'?"
+    return f'if {top!r} is a package of yours, name its workspace: --workspace DIR; if it is not, try: pip install {top}'
 
 
 def _unknown_name(error: BaseException, text: str) -> str | None:
@@ -153,13 +162,16 @@ def _missing_keyword(error: BaseException, text: str) -> str | None:
     import linecache
     text = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + 8))
     calls = re.split(rf'\b{found[1]}\(', text, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
-    near = nearest(found[2], re.findall(r'(\w+)\s*=', calls[1])) if len(calls) > 1 else None
+    cls = class_named(found[1])
+    known = keywords_of(cls) if cls is not None else ()
+    given = [name for name in re.findall(r'(\w+)\s*=', calls[1]) if name not in known] if len(calls) > 1 else []
+    near = nearest(found[2], given)
     return f'{found[1]} needs {found[2]}=...' + (f'; did you mean that by {near}=?' if near is not None else '')
 
 
 def _not_a_text(error: BaseException, text: str) -> str | None:
-    """A number or boolean where texts and substitutions are expected."""
-    if _match(r"'(int|float|bool)' object is not iterable", text):
+    """A number, boolean or path where texts and substitutions are expected."""
+    if _match(r"'(int|float|bool|PosixPath|WindowsPath)' object is not iterable", text):
         value = local_of(error, 'subs')
     elif text.startswith('Failed to normalize given item of type'):
         value = local_of(error, 'item')
@@ -169,6 +181,8 @@ def _not_a_text(error: BaseException, text: str) -> str | None:
     if isinstance(value, (int, float)):
         shown = str(value).lower()
         return f"{keyword}{value!r} must be a text: write {keyword}'{shown}'"
+    if isinstance(value, os.PathLike):
+        return f'a path must be a text here: write {keyword}str(...)'
     if isinstance(value, (list, tuple)):
         return 'a list inside a list of substitutions: take the inner brackets away'
     return f'only texts and substitutions can stand here, not {type(value).__name__}'
@@ -188,7 +202,7 @@ def _wrong_type(error: BaseException, text: str) -> str | None:
     if found is None:
         return None
     name, expected, value, actual = found.groups()
-    if expected == "<class 'list'>":
+    if expected in ("<class 'list'>", "<class 'collections.abc.Iterable'>"):
         return f'put it into a list: {name}=[...]'
     if actual == 'int' and 'float' in expected:
         return f'write {name}={value}.0'
@@ -233,6 +247,8 @@ def _not_an_entity(error: BaseException, text: str) -> str | None:
     if attribute.startswith('get_launch_arguments'):
         return (f'generate_launch_description() returned a {kind}: '
                 'end it with "return LaunchDescription([...])"')
+    if attribute == 'evaluate':
+        return f'a condition is expected: put IfCondition(...) or UnlessCondition(...) around the {kind}'
     if attribute in ('visit', 'describe_sub_entities'):
         return f'among the entities is a {kind}: a list of actions holds only actions and launch descriptions'
     return None
@@ -261,6 +277,9 @@ def _missing_configuration(error: BaseException, text: str) -> str | None:
     near = nearest(found[1], context.launch_configurations) if context is not None else None
     if near is not None:
         return f"did you mean '{near}'?"
+    if any(argument.name == found[1] for argument in running_process().state.get('launch.declared', ())):
+        return (f"'{found[1]}' was set inside a GroupAction that is over by now (events and timers come later): "
+                'give the group scoped=False, or take the value in an OpaqueFunction inside it')
     return f"put DeclareLaunchArgument('{found[1]}', default_value='...') before its use"
 
 
@@ -282,6 +301,18 @@ def _missing_environment(error: BaseException, text: str) -> str | None:
     near = nearest(found[1], context.environment) if context is not None else None
     start = f"did you mean '{near}'? Or " if near is not None else ''
     return f"{start}give it a default: EnvironmentVariable('{found[1]}', default_value='...')"
+
+
+def _no_actions(error: BaseException, text: str) -> str | None:
+    if not text.startswith("expected all items in 'on_event' iterable"):
+        return None
+    return 'what is to happen then is an action, or a list of actions, such as Shutdown()'
+
+
+def _bad_namespace(error: BaseException, text: str) -> str | None:
+    if not text.startswith('The resulting namespace is invalid'):
+        return None
+    return "a namespace has letters, digits, '_' and '/' only, and no part of it begins with a digit"
 
 
 def _executed_twice(error: BaseException, text: str) -> str | None:
@@ -316,6 +347,9 @@ def _missing_file(error: BaseException, text: str) -> str | None:
     if not_installed is not None:
         return not_installed
     folder = os.path.dirname(path) or '.'
+    absent = absent_file(path)
+    if absent is not None:
+        return absent
     if not os.path.isdir(folder):
         return f'there is no folder {folder}'
     near = nearest(os.path.basename(path), os.listdir(folder))
@@ -337,6 +371,8 @@ RULES = (
     Rule((TypeError, ValueError), _no_pairs),
     Rule(TypeError, _not_a_list),
     Rule(TypeError, _missing_comma),
+    Rule(TypeError, _no_actions),
+    Rule(RuntimeError, _bad_namespace),
     Rule(RecursionError, _too_deep),
     Rule(RuntimeError, _missing_configuration),
     Rule(RuntimeError, _missing_argument),

@@ -28,11 +28,13 @@ class Include(NamedTuple):
 def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> None:
     """Note that `file` is visited from now on, until the walk leaves the action that includes it.
 
-    A file may include itself as long as this comes to an end: under a condition, say, with an argument that
-    counts down.
+    Outside a walk nothing is noted, as nobody says when a file is left. A file may include itself as long as this comes
+    to an end: under a condition, say, with an argument that counts down.
 
     :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
     """
+    if context._includes is None:
+        return
     entered = Include(file, origin, dict(context.launch_configurations))
     before = [number for number, include in enumerate(context._includes) if include.file == file]
     if before and (len(before) >= DEEPEST or context._includes[before[-1]].configurations == entered.configurations):

@@ -42,8 +42,8 @@ class LaunchContext:
         self.__environment_stack: list[dict[str, str]] = []
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
-        self._includes: list[Include] = []
-        """The launch files that are visited just now, outermost first."""
+        self._includes: list[Include] | None = None
+        """The launch files that are visited just now, outermost first; None outside any walk."""
         self._names_read = names_read()
         self._state = running_process().state
         self._process_counter = process_state('launch.process_counter', lambda: [0])

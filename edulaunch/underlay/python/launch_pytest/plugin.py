@@ -8,8 +8,6 @@ from typing import Any
 
 import pytest
 
-from edulaunch.test_machine import TestMachine
-
 from ._items import (
     LaunchTestWarning,
     complaint_about,
@@ -24,42 +22,12 @@ from ._launched_test import run_launched_test
 from .fixture import OPTIONS, finalize_launch_service
 
 __all__ = ['LaunchTestWarning', 'has_shutdown_kwarg', 'is_launch_test']
-MACHINE = pytest.StashKey[TestMachine]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Open the machine, and make the mark known."""
+    """Make the mark known."""
     config.addinivalue_line('markers', 'launch(fixture, shutdown=False): a test of what the launch fixture describes, run beside '
                                        'it, or after its shutdown (edulaunch)')
-    option = config.getoption
-    machine = config.stash[MACHINE] = TestMachine(option('--launch-seed', 0), option('--launch-workspace', None))
-    machine.open()
-    config.add_cleanup(machine.close)
-
-
-@pytest.hookimpl(wrapper=True)
-def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
-    """A file that is imported sees the packages around it."""
-    if isinstance(collector, pytest.Module):
-        collector.config.stash[MACHINE].enter(collector.path)
-    return (yield)
-
-
-@pytest.hookimpl(wrapper=True, tryfirst=True)
-def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
-    """So does a test."""
-    item.config.stash[MACHINE].enter(item.path)
-    return (yield)
-
-
-def pytest_enter_pdb(config: pytest.Config) -> None:
-    """Nobody is stopped for taking long while a person looks."""
-    config.stash[MACHINE].let_debug(True)
-
-
-def pytest_leave_pdb(config: pytest.Config) -> None:
-    """From now on they are again."""
-    config.stash[MACHINE].let_debug(False)
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)

@@ -35,6 +35,7 @@ class ParameterArguments:
 
     def __init__(self, number: int, node_name: str, node_key: str) -> None:
         self.items: list[tuple[str, bool]] = []
+        self.missing_files: list[str] = []
         self._full_name = node_name.replace('<', '').replace('>', '')
         self._owner = f'{number} {node_name} {node_key}'
         self._node_key = node_key
@@ -55,6 +56,7 @@ class ParameterArguments:
                 path = os.path.abspath(entry)
                 assumed = assumptions()
                 if assumed is not None and assumed.lacks_file(path):
+                    self.missing_files.append(path)
                     continue
                 assert os.path.isfile(path), f'{path} is not a file'
                 self.items.append((path, True))
@@ -90,6 +92,7 @@ class ParameterArguments:
             return
         import launch.logging
 
+        self.missing_files.append(str(path))
         launch.logging.get_logger('launch_ros.actions.node').warning(
             f'Parameter file path is not a file: {path}'
         )

@@ -157,14 +157,14 @@ class ParameterFile:
         path = Path(perform_substitutions(context, self.__param_file))
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:
-            path = self.__write(context, path, _substituted(context, path))
+            path = self.__write(context, _substituted(context, path))
         self.__evaluated = path
         return path
 
-    def __write(self, context: LaunchContext, source: Path, text: str) -> Path:
+    def __write(self, context: LaunchContext, text: str) -> Path:
         from pathlib import Path
 
-        path = temporary_path(f'{source}\n{text}', state_of(context))
+        path = temporary_path(text, state_of(context))  # the source may be a temporary file, never called the same
         self.__files.write(path, text)
         return Path(path)
 

@@ -21,7 +21,10 @@ SomeParameterValue = Any
 SomeParametersDict = Mapping[Any, Any]
 SomeParameters = Sequence[Any]
 
+ParameterFile = Sequence[Substitution]
 ParameterName = tuple[Substitution, ...]
+ParameterValue = Any
+"""A literal, a uniform tuple of literals, substitutions, or a tuple of substitutions for each item."""
 ParametersDict = dict[ParameterName, Any]
 Parameters = Sequence[Any]
 """Of ParameterFile, ParametersDict and Parameter."""

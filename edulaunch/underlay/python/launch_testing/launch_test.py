@@ -1,6 +1,7 @@
 """The command `launch_test FILE [name:=value ...]`: runs a launch test file.
 
-As `python -m launch_testing.launch_test` it opens a simulation of its own (see `edulaunch/launch_test_session.py`).
+The installed command `launch_test` opens a simulation of its own (see `edulaunch/launch_test_session.py`); so does
+`python -m launch_testing.launch_test` where the faces are on the path.
 """
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ class Entity(BaseEntity):
     :param parent: the element around it.
     """
 
-    __slots__ = ('_element', '_attributes', '_parent', '_children_asked')
+    __slots__ = ('_element', '_attributes', '_parent', '_children_asked', '_asked_tags')
 
     def __init__(self, xml_element: Any, *, parent: Entity | None = None) -> None:
         self._element = xml_element
@@ -30,6 +30,7 @@ class Entity(BaseEntity):
         self._parent = parent
         self._children_asked = False
         self.asked: set[str] = set()
+        self._asked_tags: Collection[str] = ()
 
     @property
     def type_name(self) -> str:
@@ -55,14 +56,14 @@ class Entity(BaseEntity):
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
                  can_be_str: bool = True) -> Any:
         """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
-        self.asked.add(name)
-        if data_type is str and name in self._attributes:
-            return self._attributes[name]
-        if data_type is not Entities and (data_type is None or not check_is_list_entity(data_type)):
+        if data_type is not Entities and (data_type is str or data_type is None or not check_is_list_entity(data_type)):
+            self.asked.add(name)
             text = self._attributes.get(name)
             if text is not None:
                 return text if data_type is str else self._typed(name, text, data_type, can_be_str)
         else:
+            if name not in self._asked_tags:
+                self._asked_tags = {*self._asked_tags, name}
             found = [Entity(child, parent=self) for child in self._element if child.tag == name]
             if found:
                 return found
@@ -88,13 +89,19 @@ class Entity(BaseEntity):
             found.append((attributes[first], typed(value, None, True) if is_typed else value, getattr(child, 'line', 0)))
         return found or None
 
-    def given(self, names: Collection[str]) -> list[str]:
-        """Those of `names` that are there, attributes before child elements, in the order of the file."""
-        self.asked.update(names)
-        found = [name for name in self._attributes if name in names]
-        if self._element:
-            found += dict.fromkeys([child.tag for child in self._element if child.tag in names])
+    def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
+        """Those that are there, attributes before child elements, in the order of the file."""
+        self.asked.update(attributes)
+        found = [name for name in self._attributes if name in attributes]
+        if children:
+            self._asked_tags = {*self._asked_tags, *children} if self._asked_tags else children
+            if self._element:
+                found += dict.fromkeys([child.tag for child in self._element if child.tag in children])
         return found
+
+    @property
+    def _known(self) -> Collection[str]:
+        return {*self.asked, *self._asked_tags}
 
     @property
     def _names(self) -> Collection[str]:
@@ -116,11 +123,13 @@ class Entity(BaseEntity):
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError for child elements, then for attributes, that nobody asked for."""
-        asked = self.asked
-        if not self._children_asked:
-            tags = [child.tag for child in self._element if child.tag not in asked]
+        asked, asked_tags = self.asked, self._asked_tags
+        if self._element and not self._children_asked:
+            tags = list(dict.fromkeys([child.tag for child in self._element if child.tag not in asked_tags]))
             if tags:
-                raise self._unexpected('nested tag(s)', list(dict.fromkeys(tags)))
-        for name in self._attributes:
-            if name not in asked:
-                raise self._unexpected('attribute(s)', [one for one in self._attributes if one not in asked])
+                instead = f'is an attribute of {self.shown}' if tags[0] in asked else None
+                raise self._unexpected('nested tag(s)', tags, instead)
+        if not asked.issuperset(self._attributes):
+            names = [name for name in self._attributes if name not in asked]
+            instead = f'is an element inside {self.shown}' if names[0] in asked_tags else None
+            raise self._unexpected('attribute(s)', names, instead)

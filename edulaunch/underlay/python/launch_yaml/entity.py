@@ -7,6 +7,7 @@ from typing import Any
 from launch.frontend import hints
 from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
+from launch.frontend.expose import action_parse_methods
 from launch.frontend.type_utils import check_is_list_entity
 from launch.utilities.type_utils import is_instance_of
 
@@ -57,9 +58,10 @@ class Entity(BaseEntity):
         children = self._element
         if isinstance(children, dict):
             if 'children' not in children:
-                raise ValueError(
+                error = ValueError(
                     f'Expected entity `{self._type_name}` to have children entities. '
                     'That can be a list of subentities or a dictionary with a `children` list element')
+                raise hints.at(error, self, self._hint_of_children(children))
             self.asked.add('children')
             children = children['children']
         if not isinstance(children, list):
@@ -67,6 +69,13 @@ class Entity(BaseEntity):
                 TypeError(f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'"),
                 self, f"put a list below '{self._type_name}', each item with a dash: - node: ...")
         return children
+
+    def _hint_of_children(self, element: dict[Any, Any]) -> str:
+        """For keys of which none is `children`: elements without their dash, or other keys."""
+        elements = [key for key in element if key in action_parse_methods]
+        if elements:
+            return f"begin each element in '{self._type_name}' with a dash: - {elements[0]}: ..."
+        return f"put the actions of '{self._type_name}' into a list below 'children:'"
 
     def _child(self, item: Any) -> Entity:
         if not isinstance(item, dict) or len(item) != 1:
@@ -93,9 +102,12 @@ class Entity(BaseEntity):
         if not isinstance(element, dict) or name not in element:
             if optional:
                 return None
-            raise self._missing(
-                AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'"),
-                f"the key '{name}'")
+            missing = AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'")
+            if isinstance(element, list):
+                raise hints.at(missing, self, f"the keys of '{self._type_name}' have no dashes: {name}: ...")
+            if isinstance(element, (str, int, float)):
+                raise hints.at(missing, self, f"write {self._type_name}: {{{name}: '{element}'}}")
+            raise self._missing(missing, f"the key '{name}'")
         value = element[name]
         if type(value) is data_type or (data_type is None and type(value) in _SCALARS):
             return value
@@ -105,8 +117,7 @@ class Entity(BaseEntity):
             error = TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
                 f"got '{_type_of(value)}'")
-            quoted = data_type is str and isinstance(value, (int, float))
-            raise hints.at(error, self, f"write the value of '{name}' in quotes" if quoted else None)
+            raise hints.at(error, self, _about_type(name, value, data_type))
         return value
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
@@ -126,11 +137,11 @@ class Entity(BaseEntity):
         self.asked.add(tag)
         return found
 
-    def given(self, names: Collection[str]) -> list[str]:
-        """Those of `names` that are keys, in the order of the file."""
-        self.asked.update(names)
+    def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
+        """Those that are keys, in the order of the file."""
+        self.asked.update(attributes, children)
         element = self._element
-        return [name for name in element if name in names] if isinstance(element, dict) else []
+        return [name for name in element if name in attributes or name in children] if isinstance(element, dict) else []
 
     @property
     def _names(self) -> Collection[str]:
@@ -145,14 +156,33 @@ class Entity(BaseEntity):
         return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError for keys, or for a list of child elements, that nobody asked for."""
+        """Raise ValueError for keys, or for a list of child elements, that nobody asked for.
+
+        :raises TypeError: Python's own text, as upstream, when there is nothing at all, not even an empty mapping.
+        """
         element = self._element
+        if element is None:
+            hint = f'write {self._type_name}: {{}} when it has no keys'
+            raise hints.at(TypeError("argument of type 'NoneType' is not iterable"), self, hint)
         if isinstance(element, dict):
             keys = [key for key in element if key not in self.asked]
             if keys:
                 raise self._unexpected('key(s)', keys)
         elif element and not self._children_asked:
             raise ValueError(f'Unexpected nested entity(ies) found in `{self._type_name}`: {element}')
+
+
+def _about_type(name: str, value: Any, data_type: Any) -> str | None:
+    """For a value that is not of the type."""
+    if data_type is str and isinstance(value, (int, float)):
+        return f"write the value of '{name}' in quotes"
+    if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):
+        return f"write '{name}' as one text: {name}: '{' '.join(value)}'"
+    if data_type is float and type(value) is int:
+        return f'write {name}: {value}.0'
+    if data_type is bool:
+        return f'write {name}: true, or {name}: false'
+    return None
 
 
 def _type_of(value: Any) -> type:

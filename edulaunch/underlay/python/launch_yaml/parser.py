@@ -22,11 +22,12 @@ class Parser(BaseParser):
         :raises yaml.YAMLError: when the text is not YAML.
         :raises RuntimeError: when there is more than one root.
         """
-        return cls.load_with(file, cls._root_of)
+        name = str(file) if isinstance(file, (str, os.PathLike)) else getattr(file, 'name', '<file>')
+        return cls.load_with(file, lambda text: cls._root_of(text, name))
 
     @staticmethod
-    def _root_of(text: str) -> Entity:
-        tree = _read(text)
+    def _root_of(text: str, name: str) -> Entity:
+        tree = _read(text, name)
         try:
             if len(tree) != 1:
                 raise RuntimeError('Expected only one root')
@@ -42,12 +43,12 @@ class Parser(BaseParser):
         return {'launch.yaml', 'launch.yml', 'yaml', 'yml', 'launch'}
 
 
-def _read(text: str) -> Any:
+def _read(text: str, name: str) -> Any:
     try:
         return read_plain(text)
     except NotPlain:
-        from .reader import read
-        return read(text)
+        from .reader import read_file
+        return read_file(text, name)
 
 
 def _about_root(tree: Any) -> str:

@@ -1,12 +1,15 @@
 """A node as rclcpp makes it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.subscription import Subscription
 
 from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
 from rclcpp_like.parameter_rules import range_refusal, type_refusal
@@ -32,6 +35,16 @@ class CppNode(Node):
         qos = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._parameter_events = self.create_subscription(
             ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
+
+    def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
+        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        return super().create_publisher(msg_type, self._rclpy.resolve(topic, 'topic', only_expand=True), qos_profile, **options)
+
+    def create_subscription(self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int,
+                            **options: Any) -> Subscription:
+        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        name = self._rclpy.resolve(topic, 'topic', only_expand=True)
+        return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
         """Called for every parameter event of every node; the plain node has no use for it."""

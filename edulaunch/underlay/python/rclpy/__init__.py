@@ -100,11 +100,12 @@ def create_node(node_name: str, *, context: Context | None = None, cli_args: lis
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Execute one callback of the node, or wait until `timeout_sec` is over (None: for ever; 0: do not wait)."""
     executor = _spinning_executor(executor, node, 'spin_once')
+    added = executor.add_node(node)
     try:
-        executor.add_node(node)
         executor.spin_once(timeout_sec=timeout_sec)
     finally:
-        executor.remove_node(node)
+        if added:
+            executor.remove_node(node)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:
@@ -114,8 +115,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     :raises rclpy.executors.ExternalShutdownException: when ROS 2 is shut down by a signal while nothing is executed.
     """
     executor = _spinning_executor(executor, node, 'spin')
+    executor.add_node(node)
     try:
-        executor.add_node(node)
         executor.spin()
     finally:
         executor.remove_node(node)
@@ -125,30 +126,41 @@ def spin_until_future_complete(node: Node, future: Future, executor: Executor | 
                                timeout_sec: float | None = None) -> None:
     """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
+    added = executor.add_node(node)
     try:
-        executor.add_node(node)
-        if timeout_sec is None and future._source is not None and future._source._ready_list.executor is None:
+        source = getattr(future, '_source', None)
+        if timeout_sec is None and source is not None and source._ready_list.executor is None:
             from rclpy.execution.deadlocks import note_foreign_future
-            note_foreign_future(node, future._source)
+            note_foreign_future(node, source)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
-        executor.remove_node(node)
+        if added:
+            executor.remove_node(node)
 
 
 def _spinning_executor(executor: Executor | None, node: Node, function: str, future: Future | None = None) -> Executor:
-    """The executor to spin; says so (once) when that happens inside one of its own callbacks.
+    """The executor to spin; says so (once) when that happens inside a callback of it, or of another one that has the node.
 
     :param future: what is waited for without a timeout.
     """
     if executor is None:
         executor = get_global_executor()
+    elif not hasattr(executor, '_spinner'):
+        from rclpy.execution.unfit import check_executor
+        check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor._spinner is not None and executor._note_nested_spin():
         from rclpy.execution.deadlocks import note_future_wait, note_spin
-        source = None if future is None or future._done else future._source
+        source = None if future is None or future._done else getattr(future, '_source', None)
         if source is not None and not source.callback_group.can_execute(source):
             note_future_wait(f'rclpy.{function}()', source)
         else:
             note_spin(f'rclpy.{function}', node, executor)
+    elif executor._spinner is None:
+        core = getattr(node, '_rclpy', None)
+        other = None if core is None else core.executor
+        if other is not None and other is not executor and other._spinner is not None and other._note_nested_spin():
+            from rclpy.execution.deadlocks import note_lost_node
+            note_lost_node(f'rclpy.{function}', node, other)
     return executor
 
 

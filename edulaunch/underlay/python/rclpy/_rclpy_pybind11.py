@@ -14,6 +14,10 @@ class UnknownROSArgsError(RuntimeError):
     """There are arguments after `--ros-args` that mean nothing; the text is the Python list of them."""
 
 
+class RMWError(RuntimeError):
+    """Any failure reported by the middleware."""
+
+
 class InvalidHandle(RuntimeError):
     """Something was used after it was destroyed."""
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
@@ -47,8 +48,8 @@ class Client(Entity):
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
 
+        :param timeout_sec: give up after this many simulated seconds and return None, as Jazzy does.
         :raises TypeError: for a request of another class.
-        :raises TimeoutError: when `timeout_sec` simulated seconds are over.
         """
         self._check_request(request)
         if timeout_sec is None:
@@ -60,7 +61,7 @@ class Client(Entity):
         while not future._done:
             if not task.park(deadline) and not future._done:
                 self.remove_pending_request(future)
-                raise TimeoutError()
+                return None
         return future.result()
 
     def _note_deadlock(self) -> None:
@@ -126,12 +127,14 @@ class Client(Entity):
                 break
 
     def service_is_ready(self) -> bool:
-        """Whether a server is there now."""
+        """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        check_endpoint(self._impl, self.context, 'failed to check service availability: rcl node')
         current_task().poll()
         return self._impl.server_is_ready()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
+        check_alive(self._impl)
         left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
         task = current_task()
         while self.context._ok and not self._impl.server_is_ready() and left > 0.0:
@@ -149,13 +152,14 @@ class Client(Entity):
 
     @property
     def service_name(self) -> str:
-        """The service's absolute name, after remapping."""
+        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self._impl)
         return self._impl.service_name
 
     @property
-    def handle(self) -> ServiceClient:
-        """The endpoint in the graph."""
-        return self._impl
+    def handle(self) -> Handle:
+        """What holds the endpoint in the graph."""
+        return handle_of(self._impl)
 
     def configure_introspection(self, clock: Clock, service_event_qos_profile: QoSProfile,
                                 introspection_state: ServiceIntrospectionState) -> None:

@@ -9,6 +9,7 @@ from edulaunch.sim.task import current_task
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.handle import Handle
 from rclpy.impl.passed_on import passed_on
 from rclpy.time import Time, time_of_clock
 
@@ -34,13 +35,15 @@ class JumpThreshold:
     :param min_forward: smallest forward jump (a positive Duration), or None.
     :param min_backward: smallest backward jump (a negative Duration), or None.
     :param on_clock_change: whether a change of the time source counts.
-    :raises ValueError: for a duration of the wrong sign.
+    :raises ValueError: for a duration of the wrong sign, or when nothing is left that counts.
     """
 
     def __init__(self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True) -> None:
         self.min_forward = min_forward
         self.min_backward = min_backward
         self.on_clock_change = on_clock_change
+        if min_forward is None and min_backward is None and not on_clock_change:
+            raise ValueError('At least one jump threshold must be enabled')
         if min_forward is not None and min_forward.nanoseconds <= 0:
             raise ValueError('min_forward must be a positive non-zero duration')
         if min_backward is not None and min_backward.nanoseconds >= 0:
@@ -59,6 +62,8 @@ class TimeJump:
     """A time jump as a callback is told of it."""
 
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
+        if not isinstance(clock_change, ClockChange):
+            raise TypeError('clock_change must be an instance of rclpy.clock.ClockChange')
         self._clock_change = clock_change
         self._delta = delta
 
@@ -130,9 +135,9 @@ class Clock:
         return self._clock_type
 
     @property
-    def handle(self) -> Clock:
-        """The thing that counts; here the clock itself."""
-        return self
+    def handle(self) -> Handle:
+        """What holds the clock."""
+        return Handle(self)
 
     def __repr__(self) -> str:
         return f'Clock(clock_type={self._clock_type.name})'
@@ -210,7 +215,8 @@ class ROSClock(Clock):
 
     def _jump(self, change: ClockChange, override_ns: int | None) -> None:
         before = self._now_ns()
-        delta = (self._sim.now_ns if override_ns is None else override_ns) - before
+        # As in rcl a change of the source is told without how far time jumped.
+        delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
         handles = [handle for handle in self._jump_handles if handle.threshold.reached(change, delta)]
         for handle in handles:
             if handle.pre_callback is not None:

@@ -1,12 +1,13 @@
 """The life of ROS 2 in a program: between init and shutdown."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 from edulaunch.sim.task import Task, current_task
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from rclpy.impl.handle import Handle
 from rclpy.impl.hints import hinted
 from rclpy.process_state import process_state
 
@@ -24,6 +25,7 @@ class Context:
     def __init__(self) -> None:
         self._ok = False
         self._used = False
+        self._ended_by_signal = False
         self._domain_id = 0
         self._arguments = RosArguments()
         self._callbacks: list[Callable[[], object]] = []
@@ -32,9 +34,9 @@ class Context:
         self._nodes: list[Node] = []
 
     @property
-    def handle(self) -> Context:
-        """The thing that counts as initialised; here the context itself."""
-        return self
+    def handle(self) -> Handle:
+        """What holds the context."""
+        return Handle(self)
 
     def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
         """Begin, reading `args` (None: the program's own command line).
@@ -47,7 +49,7 @@ class Context:
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
         state = process_state()
-        self._arguments = parse_or_raise(state.process.argv if args is None else args)
+        self._arguments = _global_arguments(list(state.process.argv) if args is None else args)
         self._domain_id = _default_domain_id(state.process.env.get('ROS_DOMAIN_ID', '')) if domain_id is None else domain_id
         self._ok = self._used = True
         state.contexts.append(self)
@@ -68,6 +70,7 @@ class Context:
         """
         if not self._used:
             raise RuntimeError('Context must be initialized before it can be shutdown')
+        self._ended_by_signal = False
         if not self._ok:
             raise hinted(RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
                          'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead')
@@ -75,7 +78,14 @@ class Context:
 
     def try_shutdown(self) -> None:
         """End if not ended yet; never raises."""
+        self._ended_by_signal = False
         if self._ok:
+            self._end()
+
+    def end_by_signal(self) -> None:
+        """End as Ctrl-C does it: what needs a context fails from now on with other words than after `shutdown()`."""
+        if self._ok:
+            self._ended_by_signal = True
             self._end()
 
     def _end(self) -> None:
@@ -83,6 +93,9 @@ class Context:
         contexts = process_state().contexts
         if self in contexts:
             contexts.remove(self)
+        if not contexts:   # as rcl ends its logging then: a later node of the same name begins anew
+            from rclpy.impl.logging_state import logging_state
+            logging_state().rosout.clear()
         callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
             callback()
@@ -92,10 +105,13 @@ class Context:
             task.wake()
 
     def on_shutdown(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when the context ends. Raises TypeError when it is not callable."""
+        """Call `callback()` when the context ends, at once when it has ended. Raises TypeError when it is not callable."""
         if not callable(callback):
-            raise TypeError(f'callback should be a callable, got {type(callback)}')
-        self._callbacks.append(callback)
+            raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's text has its hole, too
+        if self._used and not self._ok:
+            callback()
+        else:
+            self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
         """The domain. Raises RuntimeError before init."""
@@ -133,15 +149,40 @@ class Context:
         self.try_shutdown()
 
 
-def parse_or_raise(arguments: list[str]) -> RosArguments:
-    """Read command-line arguments, raising the C layer's errors for what cannot be understood."""
+def _global_arguments(arguments: list[str]) -> RosArguments:
+    """The arguments of a whole program. Raises RCLError, after a line of the log, for what cannot be understood."""
+    if not isinstance(arguments, list):
+        raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
     try:
-        parsed = parse_ros_arguments([str(argument) for argument in arguments])
+        return parse_or_raise(arguments)
+    except RCLInvalidROSArgsError as error:
+        _log(40, 'Failed to parse global arguments')
+        reason = str(error).removeprefix(_REFUSED)
+        raise hinted(RCLError(f'failed to initialize rcl: {reason}'), getattr(error, 'edulaunch_hint', None)) from None
+
+
+_REFUSED = 'Failed to parse ROS arguments: '
+
+
+def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
+    """Read command-line arguments, raising the C layer's errors for what cannot be understood."""
+    given = list(arguments)
+    if not all(isinstance(argument, str) for argument in given):
+        raise TypeError('bad argument type for built-in operation')
+    try:
+        parsed = parse_ros_arguments(given)
     except RosArgumentsError as error:
-        raise hinted(RCLInvalidROSArgsError(f'Failed to parse ROS arguments: {error.message}'), error.help) from None
+        raise hinted(RCLInvalidROSArgsError(_REFUSED + error.message), error.help) from None
+    for rule in parsed.deprecated:
+        _log(30, f"Found remap rule '{rule}'. This syntax is deprecated. Use '--ros-args --remap {rule}' instead.")
     if parsed.unknown:
         raise UnknownROSArgsError(repr(parsed.unknown))
     return parsed
+
+
+def _log(severity: int, words: str) -> None:
+    from rclpy.impl.logging_state import logging_state
+    logging_state().output(severity, 'rcl', words)
 
 
 def _default_domain_id(text: str) -> int:

@@ -35,7 +35,7 @@ class Duration:
         return f'Duration(nanoseconds={self._nanoseconds})'
 
     def __str__(self) -> str:
-        return f'{self._nanoseconds} nanoseconds'
+        return 'Infinite' if self._nanoseconds == _INT64[-1] else f'{self._nanoseconds} nanoseconds'
 
     def __eq__(self, other: object) -> bool:
         return self._nanoseconds == other._nanoseconds if isinstance(other, Duration) else NotImplemented
@@ -76,7 +76,7 @@ class Duration:
         return self._nanoseconds
 
 
-Infinite = Duration(nanoseconds=(1 << 63) - 1)
+Infinite = Duration(nanoseconds=_INT64[-1])
 
 
 __getattr__ = passed_on(__name__, {

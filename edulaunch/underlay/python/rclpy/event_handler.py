@@ -201,7 +201,7 @@ class _EventCallbacks:
             def callback(info: Any) -> None:
                 from rclpy.qos_presets import qos_policy_name_from_kind
                 policy = qos_policy_name_from_kind(info.last_policy_kind)
-                node.get_logger().warning(self._warning.format(impl.topic_name, policy))
+                node.get_logger().warning(self._warning.format(entity.topic, policy))
         if callback is not None:
             self._watch_incompatible(node, entity, impl, group, callback)
         if self.matched is not None:
@@ -288,7 +288,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     """Callbacks of a subscription, each called with one of the infos of this module.
 
     :param deadline: nothing was heard for as long as the subscription's deadline, counted from the first message on.
-    :param liveliness: a publisher came to life or ended, or did not show itself for the lease.
+    :param liveliness: a publisher came to life or ended, or did not show itself for the lease; never without a lease.
     :param incompatible_qos: a publisher offers less; by default a warning is logged.
     :param message_lost: never called, since nothing gets lost here.
     :param matched: a publisher came or went.
@@ -308,6 +308,8 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         self.message_lost = message_lost
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
+        if not impl.qos.lease_ns:
+            return   # Fast DDS does not follow the liveliness of publishers that need not show it
         watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
         handler = _added(node, entity, EventHandler(group, callback, watch.take))
         counted = impl.on_matched

@@ -9,8 +9,9 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
 
     :raises ValueError: when one of the three breaks its rules.
     """
-    for what, problem in (('node name', node_name_problem(node_name)), ('node namespace', namespace_problem(node_namespace)),
-                          ('topic name', topic_name_problem(topic_name))):
-        if problem is not None:
-            raise ValueError(f'{what} is invalid: {problem[0]}')
+    for what, name, problem in (('topic name', topic_name, topic_name_problem), ('node name', node_name, node_name_problem),
+                                ('node namespace', node_namespace, namespace_problem)):
+        found = problem(name)
+        if found is not None:
+            raise ValueError(f"{what} '{name}' is invalid: {found[0]}")
     return expand_name(topic_name, node_name, node_namespace)

@@ -4,6 +4,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy.impl.handle import Handle
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import GUARD, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -25,10 +27,16 @@ class GuardCondition(Entity):
         self.callback = callback
         self.is_async = is_coroutine_function(callback)
 
+    @property
+    def handle(self) -> Handle:
+        """What holds the guard condition."""
+        return Handle(self, lambda: self._destroyed)
+
     def trigger(self) -> None:
-        """Let the callback be called. Triggering twice before that is triggering once."""
-        if not self._destroyed:
-            self._signal()
+        """Let the callback be called. Triggering twice before that is triggering once. Raises InvalidHandle after destroy."""
+        if self._destroyed:
+            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        self._signal()
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False
@@ -37,6 +45,12 @@ class GuardCondition(Entity):
     def destroy(self) -> None:
         """Trigger no more."""
         self._destroyed = True
+
+    def __enter__(self) -> GuardCondition:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy()
 
 
 __getattr__ = passed_on(__name__, {

@@ -1,9 +1,15 @@
 """Loggers and their levels."""
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+from rclpy.impl.hints import hinted
 from rclpy.impl.logging_severity import LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = [
     'LoggingSeverity', 'clear_config', 'get_logger', 'get_logger_effective_level', 'get_logger_level',
@@ -56,10 +62,12 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:
-        raise RuntimeError(f'Failed to get logging severity from string: {log_severity}') from None
+        raise hinted(RuntimeError('Failed to get severity name'),
+                     'the names are UNSET, DEBUG, INFO, WARN, ERROR and FATAL') from None
 
 
-def get_logging_directory() -> str:
+def get_logging_directory() -> Path:
     """Where log files would be written."""
     env: dict[str, str] = logging_state().process.env
-    return env.get('ROS_LOG_DIR') or (env.get('ROS_HOME') or env.get('HOME', '~') + '/.ros') + '/log'
+    from pathlib import Path
+    return Path(env.get('ROS_LOG_DIR') or (env.get('ROS_HOME') or env.get('HOME', '~') + '/.ros') + '/log')

@@ -9,6 +9,7 @@ from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.handle import Handle
 from rclpy.impl.hints import hinted
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.passed_on import passed_on
@@ -107,9 +108,11 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             return
         if current is not None:
             current.remove_node(self)
-        core.executor = new_executor
+        core.executor = None
         if new_executor is not None:
-            new_executor.add_node(self)
+            add_node = new_executor.add_node
+            core.executor = new_executor
+            add_node(self)
 
     @property
     def context(self) -> Context:
@@ -122,9 +125,9 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         return self._rclpy.default_callback_group
 
     @property
-    def handle(self) -> Any:
-        """The node in the graph."""
-        return self._rclpy.entry
+    def handle(self) -> Handle:
+        """What holds the node in the graph."""
+        return Handle(self._rclpy.entry, lambda: self._rclpy.destroyed)
 
     def get_clock(self) -> ROSClock:
         """The node's clock."""
@@ -151,8 +154,11 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.graph.remove_node(core.entry)
         core.ready_list.notify()
 
-    def __repr__(self) -> str:
-        return f'<{type(self).__name__} {self._rclpy.full_name}>'
+    def __enter__(self) -> Node:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy_node()
 
 
 def _refuse_setting(name: str, made: property) -> property:
@@ -180,11 +186,11 @@ def _start_services(node: Node, parameters: bool, logger: bool) -> None:
     if parameters:
         from rclpy.parameter_service import ParameterService
         ParameterService(node)
-    from rclpy.type_description_service import TypeDescriptionService
-    TypeDescriptionService(node)
     if logger:
         from rclpy.logging_service import LoggingService
         LoggingService(node)
+    from rclpy.type_description_service import TypeDescriptionService
+    TypeDescriptionService(node)
 
 
 def _create_rosout(core: NodeCore) -> None:

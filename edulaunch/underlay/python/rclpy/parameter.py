@@ -31,9 +31,6 @@ class ParameterType(Enum):
     DOUBLE_ARRAY = rules.DOUBLE_ARRAY
     STRING_ARRAY = rules.STRING_ARRAY
 
-    def __str__(self) -> str:
-        return f'Parameter.Type.{self.name}'
-
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
         """The type that a value has: bool before int; an empty list is a BYTE_ARRAY.
@@ -77,7 +74,8 @@ class Parameter:
     @classmethod
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
         """From rcl_interfaces/Parameter."""
-        return cls(param_msg.name, ParameterType(param_msg.value.type), parameter_value_to_python(param_msg.value))
+        value = param_msg.value
+        return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
     @property
     def name(self) -> str:
@@ -93,15 +91,6 @@ class Parameter:
     def value(self) -> Any:
         """The value; None when not set."""
         return self._value
-
-    def __repr__(self) -> str:
-        return f'Parameter(name={self._name!r}, type_={self._type_}, value={self._value!r})'
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Parameter) and (
-            self._name, self._type_, self._value) == (other._name, other._type_, other._value)
-
-    __hash__ = None  # type: ignore[assignment]
 
     def get_parameter_value(self) -> ParameterValue:
         """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
@@ -121,22 +110,30 @@ class Parameter:
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """The Python value of rcl_interfaces/ParameterValue. Raises RuntimeError for an unknown type."""
+    """The Python value of rcl_interfaces/ParameterValue, arrays of numbers as lists. Raises RuntimeError for an unknown type."""
     number = parameter_value.type
     if number == rules.NOT_SET:
         return None
     if number >= len(_VALUE_FIELDS):
         raise RuntimeError(f'unexpected parameter type {number}')
-    return getattr(parameter_value, _VALUE_FIELDS[number])
+    value = getattr(parameter_value, _VALUE_FIELDS[number])
+    return list(value) if number >= rules.BYTE_ARRAY else value
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """What a text means as YAML 1.1 (`off` is a bool, `5` an integer): what `ros2 param set` does with its value."""
+    """What a text means as YAML 1.1 (`off` is a bool, `5` an integer): what `ros2 param set` does with its value.
+
+    An empty list is one of bools; what YAML cannot parse or no parameter can hold stays text.
+
+    :raises yaml.scanner.ScannerError: when the text has no YAML tokens (`@`), as in ROS 2.
+    """
     import yaml
     try:
         value = yaml.safe_load(string_value)
-    except yaml.YAMLError:
+    except yaml.parser.ParserError:
         value = string_value
+    if value == []:
+        return Parameter('', ParameterType.BOOL_ARRAY, []).get_parameter_value()
     try:
         parameter = Parameter('', value=value)
     except TypeError:

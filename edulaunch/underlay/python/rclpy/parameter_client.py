@@ -8,14 +8,17 @@ from edulaunch.sim.task import current_task
 from rclpy.client import POLL_NS
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
-from rclpy.qos import QoSProfile, qos_profile_services_default
+from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from rclpy.task import Future
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import Parameter as ParameterMsg
 
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
+    from rclpy.qos_overriding_options import QoSOverridingOptions
+    from rclpy.subscription import Subscription
 
 Done = Callable[[Future], None]
 
@@ -96,6 +99,16 @@ class AsyncParameterClient:
         """Take values back, where the other node allows that."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
+    def on_parameter_event(self, callback: Callable[[Any], object], qos_profile: QoSProfile = qos_profile_parameter_events, *,
+                           callback_group: CallbackGroup | None = None,
+                           event_callbacks: SubscriptionEventCallbacks | None = None,
+                           qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> Subscription:
+        """Call `callback(event)` at each rcl_interfaces/ParameterEvent of any node; gives the subscription."""
+        from rcl_interfaces.msg import ParameterEvent
+        return self.node.create_subscription(
+            ParameterEvent, '/parameter_events', callback, qos_profile, callback_group=callback_group,
+            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
+
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
         """Set the parameters that a file gives for the other node."""
         found = self._read(parameter_file, use_wildcard)
@@ -129,5 +142,5 @@ __getattr__ = passed_on(__name__, {
         'ListParameters SetParameters SetParametersAtomically',
     'typing': 'List Optional Union', 'rclpy.node': 'Node', 'rcl_interfaces.msg': 'ParameterEvent ParameterMsg=Parameter',
     'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.subscription': 'Subscription',
-    'rclpy.event_handler': 'SubscriptionEventCallbacks', 'rclpy.qos': 'qos_profile_parameter_events',
+    'rclpy.event_handler': 'SubscriptionEventCallbacks',
 })

@@ -1,7 +1,7 @@
 """Being told when parameters of any node change."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rclpy.impl.passed_on import passed_on
@@ -9,7 +9,9 @@ from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
+    from rclpy.qos_overriding_options import QoSOverridingOptions
 
 
 class ParameterCallbackHandle:
@@ -29,26 +31,32 @@ class ParameterEventCallbackHandle:
 
 
 class ParameterEventHandler:
-    """Listens to /parameter_events. The newest callbacks are called first."""
+    """Listens to /parameter_events.
+
+    Parameters are looked at in the order in which they got their first callback; of several callbacks the newest is called first.
+    """
 
     def __init__(self, node: Node, qos_profile: QoSProfile = qos_profile_parameter_events,
-                 callback_group: CallbackGroup | None = None) -> None:
+                 callback_group: CallbackGroup | None = None, event_callbacks: SubscriptionEventCallbacks | None = None,
+                 qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> None:
         from rcl_interfaces.msg import ParameterEvent
         self.node = node
-        self._parameter_callbacks: list[ParameterCallbackHandle] = []
+        self.qos_profile = qos_profile
+        self._parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
         self._event_callbacks: list[ParameterEventCallbackHandle] = []
         self.parameter_event_subscription = node.create_subscription(
-            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group)
+            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group,
+            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
 
     def destroy(self) -> None:
         """Listen no more."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     def _on_event(self, event: Any) -> None:
-        for handle in list(self._parameter_callbacks):
-            if handle.node_name == event.node:
-                parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
-                if parameter is not None:
+        for (parameter_name, node_name), handles in list(self._parameter_callbacks.items()):
+            parameter = self.get_parameter_from_event(event, parameter_name, node_name)
+            if parameter is not None:
+                for handle in list(handles):
                     handle.callback(parameter)
         for event_handle in list(self._event_callbacks):
             event_handle.callback(event)
@@ -62,9 +70,10 @@ class ParameterEventHandler:
                      if parameter.name == parameter_name), None)
 
     @staticmethod
-    def get_parameters_from_event(event: Any) -> list[Any]:
+    def get_parameters_from_event(event: Any) -> Iterator[Any]:
         """All new and changed parameters of an event."""
-        return [*event.new_parameters, *event.changed_parameters]
+        yield from event.new_parameters
+        yield from event.changed_parameters
 
     def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
         """Call `callback(event)` at each event of any node."""
@@ -72,26 +81,34 @@ class ParameterEventHandler:
         self._event_callbacks.insert(0, handle)
         return handle
 
-    def remove_parameter_event_callback(self, callback_handle: ParameterEventCallbackHandle) -> None:
-        """Undo `add_parameter_event_callback`. Raises ValueError when it is not there."""
-        self._event_callbacks.remove(callback_handle)
+    def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
+        """Undo `add_parameter_event_callback`. Raises RuntimeError when it is not there."""
+        _remove(self._event_callbacks, handle)
 
     def add_parameter_callback(self, parameter_name: str, node_name: str,
                                callback: Callable[[Any], None]) -> ParameterCallbackHandle:
         """Call `callback(parameter)` when that parameter of that node changes; a relative node name is resolved here."""
         handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
-        self._parameter_callbacks.insert(0, handle)
+        self._parameter_callbacks.setdefault((parameter_name, handle.node_name), []).insert(0, handle)
         return handle
 
-    def remove_parameter_callback(self, callback_handle: ParameterCallbackHandle) -> None:
-        """Undo `add_parameter_callback`. Raises ValueError when it is not there."""
-        self._parameter_callbacks.remove(callback_handle)
-
+    def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
+        """Undo `add_parameter_callback`. Raises RuntimeError when it is not there."""
+        key = handle.parameter_name, handle.node_name
+        _remove(self._parameter_callbacks.get(key, []), handle)
+        if not self._parameter_callbacks[key]:
+            del self._parameter_callbacks[key]
 
     def _resolved(self, node_name: str) -> str:
         if not node_name:
             return self.node.get_fully_qualified_name()
         return self.node.resolve_topic_name(node_name, only_expand=True)
+
+
+def _remove(handles: list[Any], handle: Any) -> None:
+    if handle not in handles:
+        raise RuntimeError("Callback doesn't exist")
+    handles.remove(handle)
 
 
 __getattr__ = passed_on(__name__, {

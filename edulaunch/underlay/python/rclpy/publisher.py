@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
+from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of
+from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
@@ -46,9 +48,7 @@ class Publisher:
         if self._impl.destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         if not self._context._ok:
-            from rclpy.impl.hints import hinted
-            raise hinted(RCLError("Failed to publish: publisher's context is invalid"),
-                         'ROS 2 has been shut down already (by rclpy.shutdown() or Ctrl-C)')
+            raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
             self._send(decode(self.msg_type, msg))
@@ -56,28 +56,35 @@ class Publisher:
             self._send(self._to_wire(msg))
 
     def get_subscription_count(self) -> int:
-        """How many subscriptions get the messages."""
+        """How many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        check_endpoint(self._impl, self._context, 'failed to get subscription count: publisher')
         current_task().poll()
         return self._impl.subscription_count
 
     @property
     def topic_name(self) -> str:
-        """The topic's absolute name, after remapping."""
+        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self._impl)
         return self._impl.topic_name
 
     @property
-    def handle(self) -> GraphPublisher:
-        """The endpoint in the graph."""
-        return self._impl
+    def handle(self) -> Handle:
+        """What holds the endpoint in the graph."""
+        return handle_of(self._impl)
 
     def assert_liveliness(self) -> None:
-        """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish."""
+        """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish.
+
+        :raises RCLError: after shutdown.
+        """
+        check_endpoint(self._impl, self._context, 'Failed to assert liveliness on the Publisher: publisher')
         show_life = getattr(self._impl, 'show_life', None)
         if show_life is not None:
             show_life()
 
     def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:
-        """Whether all messages were received: delivery takes no time, so always True."""
+        """Whether all messages were received: delivery takes no time, so always True. Raises RCLError after shutdown."""
+        check_endpoint(self._impl, self._context, 'Failed to wait for all acknowledgements: publisher')
         return True
 
     def destroy(self) -> None:

@@ -8,6 +8,7 @@ from warnings import warn
 
 from edulaunch.graph import qos as engine
 from rclpy.duration import Duration
+from rclpy.impl.student_place import student_level
 
 if TYPE_CHECKING:
     from edulaunch.graph.qos import QoS
@@ -32,18 +33,16 @@ class QoSPolicyEnum(IntEnum):
     @classmethod
     def short_keys(cls) -> list[str]:
         """All short keys."""
-        return [name.lower() for name in cls.__members__ if name != 'UNKNOWN' and not name.startswith('RMW_')]
+        return [name.lower() for name in cls.__members__]
 
     @classmethod
-    def get_from_short_key(cls, name: str) -> QoSPolicyEnum:
-        """The value of a short key. Raises KeyError for an unknown one."""
-        return cls[name.upper()]
+    def get_from_short_key(cls, name: str) -> int:
+        """The number of a short key's value. Raises KeyError for an unknown one."""
+        return cls[name.upper()].value
 
     @property
     def short_key(self) -> str:
-        """The short key of this value. Raises AttributeError for UNKNOWN."""
-        if self.name == 'UNKNOWN':
-            raise AttributeError(f'failed to find value {self.value} in {self.__class__.__name__}')
+        """The short key of this value."""
         return self.name.lower()
 
 
@@ -134,8 +133,8 @@ class QoSProfile:
         for name, default in _DEFAULTS.items():
             setattr(self, name, kwargs.get(name, default))
         if kwargs.get('depth') == 0 and self.history == HistoryPolicy.KEEP_LAST:
-            warn("A zero depth with KEEP_LAST doesn't make sense; no data could be stored.\n"
-                 'This will be interpreted as SYSTEM_DEFAULT', stacklevel=2)
+            warn("A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                 'This will be interpreted as SYSTEM_DEFAULT', stacklevel=student_level())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
@@ -146,8 +145,6 @@ class QoSProfile:
 
     def __str__(self) -> str:
         return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
-
-    __repr__ = __str__
 
     def get_c_qos_profile(self) -> QoS:
         """The profile as the graph wants it."""
@@ -168,7 +165,7 @@ def _property(name: str) -> property:
         elif name in _DURATIONS:
             assert isinstance(value, Duration)
         else:
-            assert isinstance(value, int)
+            assert isinstance(value, bool if name == 'avoid_ros_namespace_conventions' else int)
         setattr(self, slot, value)
 
     return property(getter, setter)
@@ -178,12 +175,18 @@ for _name in _DEFAULTS:
     setattr(QoSProfile, _name, _property(_name))
 
 
-def engine_qos(profile: QoSProfile) -> QoS:
-    """The resolved profile that the graph works with: system defaults become reliable, volatile, depth 10."""
+def engine_qos(profile: QoSProfile, side: str = 'publisher') -> QoS:
+    """The resolved profile that the graph works with. System defaults are Fast DDS's: depth 1; publishers are reliable and
+    transient local, subscriptions best effort and volatile.
+    """
     history: Any
     history, depth, reliability, durability, lifespan, deadline, liveliness, lease, _ = _values_of(profile)
+    if side == 'subscription' and reliability is ReliabilityPolicy.SYSTEM_DEFAULT:
+        reliability = ReliabilityPolicy.BEST_EFFORT
+    if side == 'publisher' and durability is DurabilityPolicy.SYSTEM_DEFAULT:
+        durability = DurabilityPolicy.TRANSIENT_LOCAL
     return engine.QoS(
-        depth or (1 if history is HistoryPolicy.KEEP_LAST else 10),
+        depth or 1,
         engine.BEST_EFFORT if reliability is ReliabilityPolicy.BEST_EFFORT else engine.RELIABLE,
         engine.TRANSIENT_LOCAL if durability is DurabilityPolicy.TRANSIENT_LOCAL else engine.VOLATILE,
         engine.KEEP_ALL if history is HistoryPolicy.KEEP_ALL else engine.KEEP_LAST,
@@ -200,12 +203,14 @@ def _finite_ns(duration: Duration) -> int:
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:
-    """The profile of an endpoint of the graph, as graph queries show it: unlimited durations are infinite."""
+    """The profile of an endpoint of the graph, as graph queries show it: unlimited durations are infinite, and the history,
+    which DDS does not tell others, is unknown.
+    """
     def duration(nanoseconds: int) -> Duration:
         return Duration(nanoseconds=nanoseconds) if nanoseconds else DURATION_INFINITE
 
     return QoSProfile(
-        history=HistoryPolicy[qos.history.upper()], depth=qos.depth, reliability=ReliabilityPolicy[qos.reliability.upper()],
+        history=HistoryPolicy.UNKNOWN, depth=0, reliability=ReliabilityPolicy[qos.reliability.upper()],
         durability=DurabilityPolicy[qos.durability.upper()], lifespan=duration(qos.lifespan_ns),
         deadline=duration(qos.deadline_ns), liveliness=LivelinessPolicy[qos.liveliness.upper()],
         liveliness_lease_duration=duration(qos.lease_ns))

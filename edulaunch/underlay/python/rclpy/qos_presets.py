@@ -2,12 +2,13 @@
 from __future__ import annotations
 
 from enum import Enum, IntEnum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from edulaunch.graph import qos as engine
 from rclpy.qos import (
+    DurabilityPolicy,
+    LivelinessPolicy,
     QoSProfile,
-    engine_qos,
+    ReliabilityPolicy,
     qos_profile_action_status_default,
     qos_profile_best_available,
     qos_profile_default,
@@ -18,9 +19,6 @@ from rclpy.qos import (
     qos_profile_system_default,
     qos_profile_unknown,
 )
-
-if TYPE_CHECKING:
-    from edulaunch.graph.qos import QoS
 
 
 class QoSPolicyKind(IntEnum):
@@ -53,13 +51,13 @@ class QoSPresetProfiles(Enum):
     SERVICES_DEFAULT = qos_profile_services_default
     PARAMETERS = qos_profile_parameters
     PARAMETER_EVENTS = qos_profile_parameter_events
-    BEST_AVAILABLE = qos_profile_best_available
     ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+    BEST_AVAILABLE = qos_profile_best_available
 
     @classmethod
     def short_keys(cls) -> list[str]:
         """All short keys, such as 'sensor_data'."""
-        return [name.lower() for name in cls.__members__ if name != 'UNKNOWN']
+        return [name.lower() for name in cls.__members__]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
@@ -75,6 +73,9 @@ class QoSCompatibility(IntEnum):
     WARNING = 1
     ERROR = 2
 
+    def __str__(self) -> str:
+        return f'{type(self).__name__}.{self.name}'
+
 
 class QoSCheck(NamedTuple):
     """What :func:`qos_check_compatible` found."""
@@ -83,31 +84,62 @@ class QoSCheck(NamedTuple):
     reason: str
 
 
+# For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value that a
+# subscription asks for, the laxest that a publisher offers, and the sentence about each beside a side that leaves it open.
+_OPEN_POLICIES = (
+    ('reliability', 'reliability', ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT,
+     'Reliable subscription, but publisher is {}', 'Best effort publisher, but subscription is {}'),
+    ('durability', 'durabilty', DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE,
+     'Transient local subscription, but publisher is {}', 'Volatile publisher, but subscription is {}'),
+    ('liveliness', 'liveliness', LivelinessPolicy.MANUAL_BY_TOPIC, LivelinessPolicy.AUTOMATIC,
+     "Subscription's liveliness is manual by topic, but publisher's is {}",
+     "Publisher's liveliness is automatic, but subscription's is {}"),
+)
+_OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
+
+
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> QoSCheck:
-    """Whether a publisher and a subscription with these profiles can talk, and the reasons why not."""
-    errors = list(_clashes(engine_qos(publisher_qos), engine_qos(subscription_qos)))
+    """Whether a publisher and a subscription with these profiles can talk, and the reasons why not.
+
+    A policy that one side leaves open (system default, unknown) makes a warning where the choice matters.
+    """
+    errors = _clashes(publisher_qos, subscription_qos)
     if errors:
         return QoSCheck(QoSCompatibility.ERROR, ''.join(f'ERROR: {reason};' for reason in errors))
-    doubts = [name.capitalize() for name in ('reliability', 'durability', 'liveliness')
-              if 'SYSTEM_DEFAULT' in (getattr(publisher_qos, name).name, getattr(subscription_qos, name).name)
-              and getattr(publisher_qos, name) != getattr(subscription_qos, name) and name != 'liveliness']
+    doubts = _doubts(publisher_qos, subscription_qos)
     if doubts:
-        reason = ''.join(f'WARNING: {name} of one side is the system default;' for name in doubts)
-        return QoSCheck(QoSCompatibility.WARNING, reason)
+        return QoSCheck(QoSCompatibility.WARNING, ''.join(f'WARNING: {reason};' for reason in doubts))
     return QoSCheck(QoSCompatibility.OK, '')
 
 
-def _clashes(offered: QoS, requested: QoS) -> list[str]:
-    same = offered._replace(depth=requested.depth)
+def _doubts(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str]:
     found = []
-    for fields, reason in (
-            (('reliability',), 'Best effort publisher and reliable subscription'),
-            (('durability',), 'Volatile publisher and transient local subscription'),
-            (('deadline_ns',), 'Subscription has a deadline, but publisher does not' if not offered.deadline_ns
-             else 'Subscription deadline is less than publisher deadline'),
-            (('liveliness',), "Publisher's liveliness is automatic and subscription's is manual by topic"),
-            (('lease_ns',), 'Subscription has a liveliness lease duration, but publisher does not' if not offered.lease_ns
-             else "Subscription's liveliness lease duration is less than publisher's")):
-        if engine.incompatible_policy(offered, same._replace(**{field: getattr(requested, field) for field in fields})):
-            found.append(reason)
+    for name, spelling, strict, lax, subscription_words, publisher_words in _OPEN_POLICIES:
+        offered, requested = getattr(publisher_qos, name), getattr(subscription_qos, name)
+        if offered.name in _OPEN and requested.name in _OPEN:
+            found.append(f'Publisher {spelling} is {offered.short_key} and subscription {name} is {requested.short_key}')
+        elif offered.name in _OPEN and requested is strict:
+            found.append(subscription_words.format(offered.short_key))
+        elif offered is lax and requested.name in _OPEN:
+            found.append(publisher_words.format(requested.short_key))
+    return found
+
+
+def _clashes(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str]:
+    offered, requested = publisher_qos.get_c_qos_profile(), subscription_qos.get_c_qos_profile()
+    found = []
+    if (publisher_qos.reliability, subscription_qos.reliability) == (ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE):
+        found.append('Best effort publisher and reliable subscription')
+    if (publisher_qos.durability, subscription_qos.durability) == (DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL):
+        found.append('Volatile publisher and transient local subscription')
+    if requested.deadline_ns and not offered.deadline_ns:
+        found.append('Subscription has a deadline, but publisher does not')
+    elif requested.deadline_ns and requested.deadline_ns < offered.deadline_ns:
+        found.append('Subscription deadline is less than publisher deadline')
+    if (publisher_qos.liveliness, subscription_qos.liveliness) == (LivelinessPolicy.AUTOMATIC, LivelinessPolicy.MANUAL_BY_TOPIC):
+        found.append("Publisher's liveliness is automatic and subscription's is manual by topic")
+    if requested.lease_ns and not offered.lease_ns:
+        found.append('Subscription has a liveliness lease duration, but publisher does not')
+    elif requested.lease_ns and requested.lease_ns < offered.lease_ns:
+        found.append('Subscription liveliness lease duration is less than publisher')
     return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.handle import Handle, check_alive, handle_of
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SERVICE, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -65,7 +66,7 @@ class Service(Entity):
         if not isinstance(response, response_type):
             from rclpy.impl.hints import hinted
             returned = 'None' if response is None else f'a {type(response).__name__}'
-            raise hinted(TypeError(), f"the callback of service '{self.service_name}' must end with `return response`; "
+            raise hinted(TypeError(), f"the callback of service '{self._impl.service_name}' must end with `return response`; "
                                       f'it returned {returned}')
         self._impl.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
@@ -73,13 +74,14 @@ class Service(Entity):
 
     @property
     def service_name(self) -> str:
-        """The service's absolute name, after remapping."""
+        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self._impl)
         return self._impl.service_name
 
     @property
-    def handle(self) -> ServiceServer:
-        """The endpoint in the graph."""
-        return self._impl
+    def handle(self) -> Handle:
+        """What holds the endpoint in the graph."""
+        return handle_of(self._impl)
 
     def configure_introspection(self, clock: Clock, service_event_qos_profile: QoSProfile,
                                 introspection_state: ServiceIntrospectionState) -> None:

@@ -20,12 +20,15 @@ class ServiceIntrospectionState(IntEnum):
     METADATA = 1
     CONTENTS = 2
 
+    def __str__(self) -> str:
+        return f'ServiceIntrospectionState.{self.name}'
+
 
 class Introspection:
     """Publishes service events of one service or client on `<service>/_service_event`."""
 
     def __init__(self, end: Any, clock: Clock, qos: QoSProfile, contents: bool) -> None:
-        impl = end.handle
+        impl = end._impl
         self._client = impl
         self._clock = clock
         self._contents = contents

@@ -8,6 +8,11 @@ from enum import IntEnum
 from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
+__all__ = [
+    'SignalHandlerGuardCondition', 'SignalHandlerOptions', 'get_current_signal_handlers_options', 'install_signal_handlers',
+    'uninstall_signal_handlers',
+]
+
 
 class SignalHandlerOptions(IntEnum):
     """Which signals rclpy handles."""
@@ -16,6 +21,9 @@ class SignalHandlerOptions(IntEnum):
     SIGINT = 1
     SIGTERM = 2
     ALL = 3
+
+    def __str__(self) -> str:
+        return f'SignalHandlerOptions.{self.name}'
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
@@ -36,11 +44,13 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
     if number in state.previous_handlers:
         return
     before = handlers.get(number)
+    if before == state.process.die_at_once:
+        default = None  # rclpy calls the handler that was there before, but never a default action
 
     def handler(signum: int) -> None:
         for context in list(state.contexts):
-            context.try_shutdown()
-        following = before or default
+            context.end_by_signal()
+        following = default if before is None or before == state.process.die_at_once else before
         if following is not None:
             following(signum)
 

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.handle import Handle, check_alive, handle_of
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -88,18 +89,20 @@ class Subscription(Entity):
         return encode(self.msg_type, wire)
 
     def get_publisher_count(self) -> int:
-        """How many publishers are heard."""
+        """How many publishers are heard. Raises InvalidHandle when destroyed."""
+        check_alive(self._impl)
         return self._impl.publisher_count
 
     @property
     def topic_name(self) -> str:
-        """The topic's absolute name, after remapping."""
+        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        check_alive(self._impl)
         return self._impl.topic_name
 
     @property
-    def handle(self) -> GraphSubscription:
-        """The endpoint in the graph."""
-        return self._impl
+    def handle(self) -> Handle:
+        """What holds the endpoint in the graph."""
+        return handle_of(self._impl)
 
     def destroy(self) -> None:
         """Leave the topic. `Node.destroy_subscription` is the better way."""
@@ -126,7 +129,7 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
         return Subscription.CallbackType.WithMessageInfo
     from rclpy.impl.hints import hinted
     raise hinted(
-        RuntimeError('Subscription.__init__(): Callback should be either be callable with one argument'
+        RuntimeError('Subscription.__init__(): callback should be either be callable with one argument'
                      '(to get only the message) or two (to get message and message info)'),
         'None was given; give the function itself, without brackets: self.heard, not self.heard()' if callback is None
         else 'the callback of a subscription takes the message: def heard(self, msg)')

@@ -55,15 +55,15 @@ class Future:
             self._executor = executor
 
     def __await__(self) -> Generator[Any, None, Any]:
-        while not self._done:
+        while not (self._done or self._cancelled):
             yield self
         return self.result()
 
     def cancel(self) -> None:
-        """Ask to stop, if it is not done. Does not make it done."""
+        """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
         if not self._done:
             self._cancelled = True
-            self._call_back()
+            self._over()
 
     def cancelled(self) -> bool:
         """Whether it was cancelled."""
@@ -122,6 +122,9 @@ class Future:
     def _end(self) -> None:
         self._done = True
         self._cancelled = False
+        self._over()
+
+    def _over(self) -> None:
         if self._callbacks:
             self._call_back()
         if self._awaiting:
@@ -153,8 +156,8 @@ class Future:
         self._executor = executor
 
     def add_done_callback(self, callback: Callable[[Any], object]) -> None:
-        """Call `callback(future)` when it is done, or soon if it is done already."""
-        if not self._done:
+        """Call `callback(future)` when it is done or cancelled, or soon if it is that already."""
+        if not (self._done or self._cancelled):
             self._callbacks.append(callback)
         elif self._executor is not None:
             self._executor.create_task(callback, self)
@@ -162,10 +165,11 @@ class Future:
             callback(self)
 
     def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
-        """Do not call `callback`; whether it was there."""
-        count = len(self._callbacks)
-        self._callbacks = [other for other in self._callbacks if other != callback]
-        return len(self._callbacks) < count
+        """Do not call `callback`, or once less if it was added more than once; whether it was there."""
+        if callback not in self._callbacks:
+            return False
+        self._callbacks.remove(callback)
+        return True
 
 
 class Task(Future):
@@ -191,7 +195,7 @@ class Task(Future):
 
     def __call__(self) -> None:
         """Run it, or run it on."""
-        if self._done or self._executing:
+        if self._done or self._cancelled or self._executing:
             return
         self._executing = True
         try:

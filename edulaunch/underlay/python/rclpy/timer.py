@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import ROSInterruptException
+from rclpy.impl.handle import Handle
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -51,13 +52,14 @@ class Timer(Entity):
         return self._clock
 
     @property
-    def handle(self) -> Timer:
-        """The thing that counts; here the timer itself."""
-        return self
+    def handle(self) -> Handle:
+        """What holds the timer."""
+        return Handle(self, lambda: self._destroyed)
 
     @property
     def timer_period_ns(self) -> int:
         """The period in nanoseconds. A new one counts from the next call on."""
+        self._check()
         return self._period_ns
 
     @timer_period_ns.setter
@@ -151,6 +153,12 @@ class Timer(Entity):
             self._ready_list.timers.remove(self)
             self._ready_list.plan()
 
+    def __enter__(self) -> Timer:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy()
+
 
 class Rate:
     """`sleep()` waits for the next call of a timer, so some other thread must spin. Made by `Node.create_rate`."""
@@ -177,7 +185,8 @@ class Rate:
     def sleep(self) -> None:
         """Wait for the next call of the timer.
 
-        :raises ROSInterruptException: when ROS 2 is shut down, or the rate destroyed, before that.
+        :raises ROSInterruptException: when ROS 2 is shut down before that.
+        :raises RuntimeError: when the rate was destroyed before; one that is destroyed meanwhile only wakes.
         """
         self._check()
         called = self._called
@@ -187,10 +196,15 @@ class Rate:
             note_rate(self._timer)
         while self._called == called and self._context._ok and not self._is_destroyed:
             self._context.park()
-        self._check()
+        self._check_context()
 
     def _check(self) -> None:
-        if not self._context._ok or self._is_destroyed:
+        self._check_context()
+        if self._is_destroyed:
+            raise RuntimeError('Rate cannot sleep because it has been destroyed')
+
+    def _check_context(self) -> None:
+        if not self._context._ok:
             raise ROSInterruptException()
 
 

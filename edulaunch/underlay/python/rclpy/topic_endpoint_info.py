@@ -77,7 +77,7 @@ class TopicEndpointInfo:
 
 
 def _profile_lines(profile: QoSProfile) -> list[str]:
-    depth = '' if profile.history == QoSHistoryPolicy.KEEP_ALL else f' ({profile.depth})'
+    depth = f' ({profile.depth})' if profile.history == QoSHistoryPolicy.KEEP_LAST else ''
 
     def duration(value: Any) -> str:
         return 'Infinite' if value.nanoseconds == (1 << 63) - 1 else f'{value.nanoseconds} nanoseconds'

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from rclpy.constants import S_TO_NS
-from rclpy.context import Context
+from rclpy.context import Context, parse_or_raise
 from rclpy.process_state import process_state
 
 
@@ -43,9 +43,11 @@ def get_available_rmw_implementations() -> set[str]:
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """A command line (None: the program's own) without its `--ros-args` sections."""
-    from edulaunch.graph.ros_arguments import without_ros_arguments
-    return without_ros_arguments(process_state().process.argv if args is None else args)
+    """A command line (None: the program's own) without its `--ros-args` sections and remap rules.
+
+    :raises RCLInvalidROSArgsError, UnknownROSArgsError: for arguments after `--ros-args` that cannot be understood.
+    """
+    return parse_or_raise(process_state().process.argv if args is None else args).others
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:

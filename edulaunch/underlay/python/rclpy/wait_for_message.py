@@ -21,7 +21,7 @@ def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSP
     core = node._rclpy
     task = current_task()
     impl = core.graph.create_subscription(core.entry, core.resolve(topic, 'topic'), msg_type,
-                                          engine_qos(validate_qos(qos_profile)), task.wake)
+                                          engine_qos(validate_qos(qos_profile), 'subscription'), task.wake)
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
         while not impl.queue and core.context._ok and (deadline is None or task.sim.now_ns < deadline):

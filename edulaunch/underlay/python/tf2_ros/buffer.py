@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 POLL_S = 0.02
+NO_DURATION = 'the timeout of a lookup is an rclpy.duration.Duration, such as Duration(seconds=1.0)'
 
 
 class Buffer(BufferCore, BufferInterface):
@@ -156,9 +157,16 @@ class Buffer(BufferCore, BufferInterface):
         )
         return answer if return_debug_tuple else answer[0]
 
-    def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
-        """Ask every 20 ms of simulated time until the answer is yes or the timeout is over."""
-        timeout_ns = nanoseconds(timeout, 'duration')
+    def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: object) -> tuple[int, str]:
+        """Ask every 20 ms of simulated time until the answer is yes or the timeout is over.
+
+        :raises TypeError: the timeout is no rclpy Duration, which ROS 2 notices when it adds it to the time.
+        """
+        if not isinstance(timeout, Duration):
+            error = TypeError(f"unsupported operand type(s) for +: 'Time' and '{type(timeout).__name__}'")
+            error.edulaunch_hint = NO_DURATION  # type: ignore[attr-defined]
+            raise error
+        timeout_ns = timeout.nanoseconds
         answer = check()
         if timeout_ns > 0 and not answer[0]:
             sim = current_task().sim

@@ -23,6 +23,8 @@ _provided: dict[str, dict[Key, Callable[..., Any]]] = {
 class TypeException(Exception):
     """Raised when an object of a type that nothing was registered for is to be transformed or converted."""
 
+    __module__ = 'tf2_ros.buffer_interface'  # where ROS 2 has it: tracebacks show the module
+
 
 def provide(table: str, key: Key, function: Callable[..., Any]) -> None:
     """Register for all processes; for packages of the underlay only."""

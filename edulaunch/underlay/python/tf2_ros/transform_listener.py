@@ -49,22 +49,32 @@ class TransformListener:
         self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
-        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it.
+        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it; those of a subclass hold it.
+        own = type(self).callback is not TransformListener.callback
+        own_static = type(self).static_callback is not TransformListener.static_callback
         self.tf_sub: Any = node.create_subscription(
-            TFMessage, '/tf', _receiver(buffer.set_transform), qos, callback_group=self.group
+            TFMessage, '/tf', self.callback if own else _receiver(buffer.set_transform), qos, callback_group=self.group
         )
         self.tf_static_sub: Any = node.create_subscription(
             TFMessage,
             '/tf_static',
-            _receiver(buffer.set_transform_static),
+            self.static_callback if own_static else _receiver(buffer.set_transform_static),
             static_qos,
             callback_group=self.group,
         )
-        if fills_directly(buffer):
+        if fills_directly(buffer) and not own:
             self.tf_sub._take_wires(_wire_receiver(buffer))
         self.executor: Any = None
         if spin_thread:
             self._start_thread()
+
+    def callback(self, data: TFMessage) -> None:
+        """Put a message of /tf into the buffer. A subclass may do something else with it."""
+        _receiver(self.buffer.set_transform)(data)
+
+    def static_callback(self, data: TFMessage) -> None:
+        """Put a message of /tf_static into the buffer. A subclass may do something else with it."""
+        _receiver(self.buffer.set_transform_static)(data)
 
     def _start_thread(self) -> None:
         from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor

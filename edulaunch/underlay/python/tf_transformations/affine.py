@@ -8,6 +8,8 @@ from typing import Any
 
 from tf_transformations.eulers import euler_from_matrix, euler_matrix
 from tf_transformations.matrices import identity_matrix, translation_matrix
+from tf_transformations.projections import columns_and_rows
+from tf_transformations.quaternions import unit_vector
 
 EPSILON = 1e-9
 
@@ -20,7 +22,7 @@ def scale_matrix(factor: float, origin: Sequence[float] | None = None, direction
     if direction is None:
         matrix[:3, :3] *= factor
     else:
-        axis = _unit(direction)
+        axis = unit_vector(direction[:3])
         matrix[:3, :3] -= (1.0 - factor) * numpy.outer(axis, axis)
     return _about(matrix, origin)
 
@@ -28,6 +30,44 @@ def scale_matrix(factor: float, origin: Sequence[float] | None = None, direction
 def reflection_matrix(point: Sequence[float], normal: Sequence[float]) -> Any:
     """The mirror image in the plane through a point."""
     return scale_matrix(-1.0, point, normal)
+
+
+def reflection_from_matrix(matrix: Any) -> tuple[Any, Any]:
+    """(a point of the mirror, homogeneous; its normal) of a matrix that mirrors in a plane.
+
+    :raises ValueError: for a matrix that does not.
+    """
+    import numpy
+
+    given = numpy.array(matrix, dtype=float)[:3, :3]
+    if not numpy.allclose(given @ given, numpy.identity(3)) or abs(numpy.trace(given) - 1.0) > 1e-6:
+        raise ValueError('no unit eigenvector corresponding to eigenvalue -1')
+    _, point, normal = scale_from_matrix(matrix)
+    return point, normal
+
+
+def scale_from_matrix(matrix: Any) -> tuple[float, Any, Any]:
+    """(factor, origin, direction) of a matrix that scales; the origin is homogeneous, the direction None for all directions.
+
+    :raises ValueError: for a matrix that does more than that.
+    """
+    import numpy
+
+    given = numpy.array(matrix, dtype=float)
+    lost, shift = numpy.identity(3) - given[:3, :3], given[:3, 3]
+    same = float(numpy.trace(lost)) / 3.0
+    if numpy.allclose(lost, same * numpy.identity(3)):
+        factor, direction, moved = 1.0 - same, None, shift
+    else:
+        factor = 1.0 - 3.0 * same
+        direction, _ = columns_and_rows(lost)
+        moved = (shift @ direction) * direction
+        if not numpy.allclose(lost, (1.0 - factor) * numpy.outer(direction, direction)):
+            raise ValueError('no eigenvector corresponding to eigenvalue 1')
+    if not numpy.allclose(shift, moved) or (abs(factor - 1.0) < EPSILON and numpy.linalg.norm(shift) > EPSILON):
+        raise ValueError('no eigenvector corresponding to eigenvalue 1')
+    origin = shift / (1.0 - factor) if abs(factor - 1.0) >= EPSILON else numpy.zeros(3)
+    return factor, numpy.append(origin, 1.0), direction
 
 
 def rotation_from_matrix(matrix: Any) -> tuple[float, Any, Any]:
@@ -101,13 +141,6 @@ def is_same_transform(matrix0: Any, matrix1: Any) -> bool:
 
     one, other = (numpy.array(matrix, dtype=float) / numpy.array(matrix, dtype=float)[3, 3] for matrix in (matrix0, matrix1))
     return bool(numpy.allclose(one, other))
-
-
-def _unit(direction: Sequence[float]) -> Any:
-    import numpy
-
-    axis = numpy.array(direction[:3], dtype=float)
-    return axis / numpy.linalg.norm(axis)
 
 
 def _about(matrix: Any, origin: Sequence[float] | None) -> Any:

@@ -9,10 +9,11 @@ from typing import Any
 from edulaunch.tf.quaternions import IDENTITY, Quaternion, Vector, multiply
 from tf_transformations.quaternions import homogeneous, rotation_rows
 
+Axes = str | tuple[int, int, int, int]
 FLAT = 1e-12  # below this a sine or cosine is taken as zero
 
 
-def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = 'sxyz') -> Quaternion:
+def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = 'sxyz') -> Quaternion:
     """The rotation (x, y, z, w) of three angles in radians; with the default axes: roll, pitch, yaw."""
     frame, letters = _parse(axes)
     turns = [_about(axis, angle) for axis, angle in zip(letters, (ai, aj, ak), strict=True)]
@@ -22,27 +23,39 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = 'sxyz') -
     return result
 
 
-def euler_from_quaternion(quaternion: Sequence[float], axes: str = 'sxyz') -> Vector:
+def euler_from_quaternion(quaternion: Sequence[float], axes: Axes = 'sxyz') -> Vector:
     """The three angles of a rotation (x, y, z, w); with the default axes: roll, pitch, yaw."""
     return _angles(rotation_rows(quaternion), axes)
 
 
-def euler_matrix(ai: float, aj: float, ak: float, axes: str = 'sxyz') -> Any:
+def euler_matrix(ai: float, aj: float, ak: float, axes: Axes = 'sxyz') -> Any:
     """The 4x4 homogeneous matrix of three angles."""
     return homogeneous(rotation_rows(quaternion_from_euler(ai, aj, ak, axes)))
 
 
-def euler_from_matrix(matrix: Any, axes: str = 'sxyz') -> Vector:
+def euler_from_matrix(matrix: Any, axes: Axes = 'sxyz') -> Vector:
     """The three angles of a 3x3 or 4x4 matrix."""
     return _angles([[float(matrix[i][j]) for j in range(3)] for i in range(3)], axes)
 
 
-def _parse(axes: str) -> tuple[str, tuple[int, int, int]]:
-    frame, letters = axes[:1], tuple('xyz'.find(letter) for letter in axes[1:])
+def _parse(axes: Axes) -> tuple[str, tuple[int, int, int]]:
+    if not isinstance(axes, str):
+        return _named_by_numbers(axes)
+    frame, letters = axes[:1].lower(), tuple('xyz'.find(letter) for letter in axes[1:].lower())
     named = frame in ('s', 'r') and len(letters) == 3 and -1 not in letters
     if not named or letters[1] in (letters[0], letters[2]):
         raise KeyError(axes)
     return frame, (letters[0], letters[1], letters[2])
+
+
+def _named_by_numbers(axes: tuple[int, int, int, int]) -> tuple[str, tuple[int, int, int]]:
+    """(first axis, 1 for an odd order, 1 when it comes again, 1 for turning axes), which reverses the order."""
+    first, odd, again, turning = axes
+    if first not in (0, 1, 2) or any(flag not in (0, 1) for flag in (odd, again, turning)):
+        raise KeyError(axes)
+    second, third = (first + 1 + odd) % 3, (first + 2 - odd) % 3
+    letters = (first, second, first if again else third)
+    return ('r', letters[::-1]) if turning else ('s', letters)
 
 
 def _about(axis: int, angle: float) -> Quaternion:
@@ -51,7 +64,7 @@ def _about(axis: int, angle: float) -> Quaternion:
     return (values[0], values[1], values[2], values[3])
 
 
-def _angles(rows: Sequence[Sequence[float]], axes: str) -> Vector:
+def _angles(rows: Sequence[Sequence[float]], axes: Axes) -> Vector:
     """Turns about fixed axes are turns about moving axes in reverse order, so only those are solved."""
     frame, letters = _parse(axes)
     i, j, k = letters if frame == 'r' else letters[::-1]

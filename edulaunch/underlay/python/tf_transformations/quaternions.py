@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, sin, sqrt
+from math import acos, cos, pi, sin, sqrt
 from typing import Any
 
 from edulaunch.tf import quaternions as maths
 from edulaunch.tf.quaternions import Matrix, Quaternion
+
+SAME = 1e-15  # quaternions whose product is this near to 1 are taken as one rotation
 
 
 def quaternion_multiply(quaternion1: Sequence[float], quaternion0: Sequence[float]) -> Quaternion:
@@ -36,9 +38,22 @@ def quaternion_about_axis(angle: float, axis: Sequence[float]) -> Quaternion:
     return (float(x * scale), float(y * scale), float(z * scale), cos(angle / 2.0))
 
 
-def quaternion_slerp(quat0: Sequence[float], quat1: Sequence[float], fraction: float) -> Quaternion:
-    """The rotation a fraction (0 to 1) of the way from one to the other, the shorter way round."""
-    return maths.slerp(maths.canonical(_four(quat0)), maths.canonical(_four(quat1)), fraction)
+def quaternion_slerp(quat0: Sequence[float], quat1: Sequence[float], fraction: float,
+                     spin: int = 0, shortestpath: bool = True) -> Quaternion:
+    """The rotation a fraction (0 to 1) of the way from one to the other.
+
+    :param spin: so many half turns more on the way.
+    :param shortestpath: go the shorter way round.
+    """
+    start, end = _unit(quat0), _unit(quat1)
+    cosine = sum(a * b for a, b in zip(start, end, strict=True))
+    if fraction in (0.0, 1.0) or abs(cosine) >= 1.0 - SAME:
+        return end if fraction == 1.0 else start
+    turned = -1.0 if shortestpath and cosine < 0.0 else 1.0
+    angle = acos(turned * cosine) + spin * pi
+    first, second = sin((1.0 - fraction) * angle) / sin(angle), turned * sin(fraction * angle) / sin(angle)
+    x, y, z, w = (first * a + second * b for a, b in zip(start, end, strict=True))
+    return (x, y, z, w)
 
 
 def quaternion_matrix(quaternion: Sequence[float]) -> Any:
@@ -53,19 +68,27 @@ def quaternion_from_matrix(matrix: Any) -> Quaternion:
     return (-x, -y, -z, -w) if w < 0.0 else (x, y, z, w)
 
 
-def vector_norm(data: Any, axis: int | None = None) -> Any:
-    """The length of a vector, or of the vectors along an axis."""
+def vector_norm(data: Any, axis: int | None = None, out: Any = None) -> Any:
+    """The length of a vector, or of the vectors along an axis; with `out`, stored there and None returned."""
     import numpy
 
-    return numpy.linalg.norm(data, axis=axis)
+    length = numpy.linalg.norm(numpy.asarray(data, dtype=float), axis=axis)
+    if out is None:
+        return length
+    out[...] = length
+    return None
 
 
-def unit_vector(data: Any) -> Any:
-    """The vector of length 1 in the same direction."""
+def unit_vector(data: Any, axis: int | None = None, out: Any = None) -> Any:
+    """The vector (or the vectors along an axis) of length 1 in the same direction; with `out`, stored there and None returned."""
     import numpy
 
     values = numpy.array(data, dtype=float)
-    return values / numpy.linalg.norm(values)
+    values /= numpy.linalg.norm(values, axis=axis, keepdims=axis is not None)
+    if out is None:
+        return values
+    out[...] = values
+    return None
 
 
 def rotation_rows(quaternion: Sequence[float]) -> Matrix:
@@ -81,6 +104,12 @@ def homogeneous(rows: Matrix) -> Any:
     matrix = numpy.identity(4)
     matrix[:3, :3] = rows
     return matrix
+
+
+def _unit(quaternion: Sequence[float]) -> Quaternion:
+    x, y, z, w = _four(quaternion)
+    length = sqrt(x * x + y * y + z * z + w * w)
+    return (x / length, y / length, z / length, w / length)
 
 
 def _four(quaternion: Sequence[float]) -> Quaternion:

@@ -30,6 +30,7 @@ class WaffleSimulator(CppNode):
         x, y, yaw = (self.declare_parameter(name, 0.0).value for name in ('x_pose', 'y_pose', 'yaw'))
         self._expects_stamped = self.declare_parameter('enable_stamped_cmd_vel', True).value
         self._robot = PlanarRobot(x, y, yaw, self.get_clock().now().nanoseconds)
+        self._rclpy.takes_any_type = True
         self.create_subscription(TwistStamped, 'cmd_vel', self._on_stamped, 10)
         self.create_subscription(Twist, 'cmd_vel', self._on_plain, 10)
         self._odometry = self.create_publisher(Odometry, 'odom', 10)

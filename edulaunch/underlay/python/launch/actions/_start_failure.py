@@ -28,6 +28,8 @@ def _advice(error: Exception, details: dict[str, Any]) -> str:
     if folder and not os.path.isdir(folder):
         return f'cwd={folder!r} is no folder'
     if isinstance(error, FileNotFoundError):
+        if len(details['cmd']) > 1 and all(len(word) == 1 for word in details['cmd']):
+            return 'cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True'
         blank = '; write each argument as an item of cmd of its own, or shell=True' if ' ' in program else ''
         where = 'there is no such file' if os.sep in program else f'there is no program {program!r} on the PATH'
         return where + blank

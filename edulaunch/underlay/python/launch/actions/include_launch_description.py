@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .._absent_packages import is_left_out
 from .._help import is_students
 from .._include_ring import enter_include
 from .._parsed_by import parsed_as_action
@@ -80,11 +81,16 @@ class IncludeLaunchDescription(Action):
                 for name, _ in self.__launch_arguments]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Load it; first set the arguments, then visit it.
+        """Load it; first set the arguments, then visit it. A file of a package like Gazebo's, which is not here, is left out.
 
         :raises RuntimeError: when an argument without default is missing.
         """
-        description = self.__source.get_launch_description(context)
+        try:
+            description = self.__source.get_launch_description(context)
+        except Exception:
+            if is_left_out(self.__source.location):
+                return []
+            raise
         location = os.path.abspath(self.__source.location)
         note_include(location)
         context.extend_locals({
@@ -97,7 +103,8 @@ class IncludeLaunchDescription(Action):
                 tell_wrong_return(error)
             raise
         sets = [SetLaunchConfiguration(name, value) for name, value in self.__launch_arguments]
-        enter_include(context, location, self.origin)
+        if type(self.__source) is not LaunchDescriptionSource:  # which holds a description, and no file
+            enter_include(context, location, self.origin)
         return [*sets, description]
 
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:

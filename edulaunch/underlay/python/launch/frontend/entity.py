@@ -21,7 +21,7 @@ class Entity(ABC):
     __slots__ = ('asked',)
 
     asked: set[str]
-    """The names that a parse function asked for so far: what the element could have."""
+    """The names that a parse function asked for so far; in XML those of attributes only."""
 
     @property
     @abstractmethod
@@ -60,12 +60,12 @@ class Entity(ABC):
         :raises TypeError: when it is of another type.
         """
 
-    def given(self, names: Collection[str]) -> list[str]:
-        """Those of `names` that the element has, as attribute or child; all count as asked for.
+    def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
+        """Those of the `attributes`, then those of the `children` that the element has; all count as asked for.
 
         (edulaunch only.) Much quicker than asking for each, where the format overrides it.
         """
-        return [name for name in names if self._has(name)]
+        return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
         """(first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
@@ -77,10 +77,9 @@ class Entity(ABC):
         """
         return None
 
-    def _has(self, name: str) -> bool:
+    def _has(self, name: str, data_type: Any) -> bool:
         try:
-            return any(self.get_attr(name, data_type=data_type, optional=True) is not None
-                       for data_type in (None, Entities))
+            return self.get_attr(name, data_type=data_type, optional=True) is not None
         except (TypeError, ValueError):
             return True
 
@@ -88,17 +87,25 @@ class Entity(ABC):
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
 
-    def _unexpected(self, what: str, names: list[str]) -> ValueError:
-        """The error for names nobody asked for; formatted as Python writes a set, but in order."""
+    def _unexpected(self, what: str, names: list[str], instead: str | None = None) -> ValueError:
+        """The error for names nobody asked for; formatted as Python writes a set, but in order.
+
+        :param instead: what the first of them is, if the element knows it in another way.
+        """
         listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
         error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
-        return hints.at(error, self, hints.about_name(names[0], self))
+        return hints.at(error, self, f"'{names[0]}' {instead}" if instead else hints.about_name(names[0], self, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
         """The error for a name that is needed, with what the element has instead."""
         kind, _, wanted = name.rpartition(' ')
-        near = hints.nearest_given(wanted.strip("'"), [one for one in self._names if one not in self.asked])
+        near = hints.nearest_given(wanted.strip("'"), self, [one for one in self._names if one not in self.asked])
         return hints.at(error, self, f'{self.shown} needs {kind} {wanted}' + (f"; is '{near}' meant for it?" if near else ''))
+
+    @property
+    def _known(self) -> Collection[str]:
+        """The names that the element could have, as far as they were asked for."""
+        return self.asked
 
     @property
     def _names(self) -> Collection[str]:

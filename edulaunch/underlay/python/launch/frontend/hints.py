@@ -5,6 +5,7 @@ The errors keep ROS's types and texts. What we add hangs on them as attributes, 
 """
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .._origin import origin_of
@@ -15,14 +16,24 @@ if TYPE_CHECKING:
 
 Error = TypeVar('Error', bound=BaseException)
 
+_HOMES = {
+    # elements that stand inside others: (where, and what does it for everything that follows)
+    'param': (('node',), 'set_parameter'), 'remap': (('node',), 'set_remap'), 'env': (('node', 'executable'), 'set_env'),
+    'choice': (('arg',), None), 'keep': (('group', 'reset'), None), 'extra_arg': (('composable_node',), None),
+    'composable_node': (('node_container', 'load_composable_node'), None)}
 ROS_1_ELEMENTS = {'rosparam': 'param', 'test': 'node', 'machine': None}
-ROS_1_ATTRIBUTES = {
+INSTEAD = {
+    # (element, what people write there): what it is called; many are names of ROS 1 or of the Python classes
     ('node', 'type'): 'exec', ('node', 'ns'): 'namespace', ('node', 'required'): 'on_exit',
     ('node', 'executable'): 'exec', ('node', 'package'): 'pkg', ('node', 'parameters'): 'param',
     ('node', 'arguments'): 'args', ('node', 'remappings'): 'remap',
     ('group', 'ns'): '<push_ros_namespace namespace="..."/>',
     ('include', 'ns'): '<push_ros_namespace namespace="..."/> in a <group>',
     ('arg', 'doc'): 'description', ('arg', 'value'): 'default', ('push_ros_namespace', 'ns'): 'namespace',
+    ('include', 'param'): 'arg', ('include', 'path'): 'file', ('let', 'default'): 'value', ('param', 'file'): 'from',
+    ('remap', 'name'): 'from', ('remap', 'value'): 'to', ('set_remap', 'src'): 'from', ('set_remap', 'dst'): 'to',
+    ('timer', 'delay'): 'period', ('timer', 'actions'): 'children', ('log', 'msg'): 'message', ('log', 'text'): 'message',
+    ('executable', 'command'): 'cmd', ('set_parameters_from_file', 'file'): 'filename',
 }
 ROS_1_CALLS = {'arg': '$(var ...)', 'find': '$(find-pkg-share ...)', 'optenv': '$(env NAME DEFAULT)',
                'any': '$(or ... ...)', 'all': '$(and ... ...)'}
@@ -63,32 +74,44 @@ def about_element(entity: Entity) -> str:
         instead = ROS_1_ELEMENTS[name]
         tail = f"; '{instead}' does this in ROS 2" if instead else '; ROS 2 has nothing like it'
         return f'{entity.shown} is an element of ROS 1{tail}'
+    if name in _HOMES:
+        places, for_all = _HOMES[name]
+        inside = ' or '.join(entity.shown.replace(name, place) for place in places)
+        return f'{entity.shown} stands inside {inside}' + (
+            f'; for everything that follows there is {entity.shown.replace(name, for_all)}' if for_all else '')
     near = _nearest(name, action_parse_methods)
     meant = entity.shown.replace(name, near) if near else None
     return f'{entity.shown} is no launch element' + (f'; did you mean {meant}?' if meant else '')
 
 
-def about_name(name: str, entity: Entity) -> str:
+def about_name(name: str, entity: Entity, known: Collection[str]) -> str:
     """For an attribute or child that the element does not have."""
-    instead = ROS_1_ATTRIBUTES.get((str(entity.type_name).replace('-', '_'), name))
-    near = instead or _nearest(str(name), entity.asked)
+    instead = _instead(entity, name)
+    near = instead or _nearest(str(name), known)
     shown = near if near is None or near.startswith('<') else f"'{near}'"
     return f"{entity.shown} knows no '{name}'" + (f'; did you mean {shown}?' if shown else '')
+
+
+def _instead(entity: Entity, name: str) -> str | None:
+    return INSTEAD.get((str(entity.type_name).replace('-', '_'), name))
 
 
 def about_call(name: str) -> str | None:
     """For a `$(name ...)` that is unknown or has the wrong arguments."""
     if name in ROS_1_CALLS:
         return f'write {ROS_1_CALLS[name]} instead of $({name} ...)'
+    if name == 'eval':
+        return "put the whole expression into quotes: $(eval '...')"
     if name in substitution_parse_methods:
         return f'look at the arguments of $({name} ...): one space before each, quotes where it has spaces'
     near = _nearest(name, substitution_parse_methods)
     return f'$({name} ...) is no substitution' + (f'; did you mean $({near} ...)?' if near else '')
 
 
-def nearest_given(name: str, names: Any) -> str | None:
-    """Which of the names that an element has is probably a misspelt `name`, which it needs."""
-    return _nearest(name, [given for given in names if isinstance(given, str)])
+def nearest_given(name: str, entity: Entity, names: Any) -> str | None:
+    """Which of the `names` that an element has is probably meant for `name`, which it needs."""
+    given = [one for one in names if isinstance(one, str)]
+    return next((one for one in given if _instead(entity, one) == name), None) or _nearest(name, given)
 
 
 def _nearest(name: str, names: Any) -> str | None:

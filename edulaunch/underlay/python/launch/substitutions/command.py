@@ -4,6 +4,7 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING
 
+from .._absent_packages import is_empty_output
 from .._engine import run_command
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -56,7 +57,10 @@ class Command(Substitution):
                 "expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'"
             )
         try:
-            code, output, errors = run_command(shlex.split(command), stderr_to_stdout=on_stderr == 'capture')
+            argv = shlex.split(command)
+            if is_empty_output(argv):
+                return ''
+            code, output, errors = run_command(argv, stderr_to_stdout=on_stderr == 'capture')
         except FileNotFoundError as error:
             raise SubstitutionFailure(f'file not found: {error}') from error
         if code != 0:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from osrf_pycommon.process_utils import which
 
+from .._absent_packages import absent_program
 from .._engine import assumptions
 from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -45,6 +46,7 @@ class FindExecutable(Substitution):
         assumed = assumptions() if path is None else None
         if assumed is not None:
             path = assumed.program(name)
+        path = path or absent_program(name)
         if path is None:
             raise SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
         return path

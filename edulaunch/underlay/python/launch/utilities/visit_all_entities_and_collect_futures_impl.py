@@ -8,6 +8,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 if TYPE_CHECKING:
     import asyncio
 
+    from .._include_ring import Include
     from ..launch_context import LaunchContext
 
 EntityFuturePairs = list[tuple[LaunchDescriptionEntity, 'asyncio.Future[Any]']]
@@ -21,12 +22,16 @@ def visit_all_entities_and_collect_futures(
     :returns: each visited entity that has a future, with that future.
     """
     pairs: EntityFuturePairs = []
-    _visit(entity, context, pairs)
+    around = getattr(context, '_includes', None)
+    includes = context._includes = [] if around is None else around
+    try:
+        _visit(entity, context, includes, pairs)
+    finally:
+        context._includes = around
     return pairs
 
 
-def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, pairs: EntityFuturePairs) -> None:
-    includes = context._includes
+def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, includes: list[Include], pairs: EntityFuturePairs) -> None:
     depth = len(includes)
     sub_entities = entity.visit(context)
     future = entity.get_asyncio_future()
@@ -34,5 +39,5 @@ def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, pairs: Entit
         pairs.append((entity, future))
     if sub_entities is not None:
         for sub_entity in sub_entities:
-            _visit(sub_entity, context, pairs)
+            _visit(sub_entity, context, includes, pairs)
         del includes[depth:]

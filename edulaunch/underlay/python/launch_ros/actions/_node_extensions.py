@@ -22,6 +22,11 @@ class NodeActionExtension:
     NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
 
+    def __init__(self) -> None:
+        from ..utilities.plugin_support import satisfies_version
+
+        satisfies_version(self.EXTENSION_POINT_VERSION, '^0.1')
+
     def prepare_for_execute(
         self, context: LaunchContext, ros_specific_arguments: dict[str, Any], node_action: Node
     ) -> tuple[list[Any], dict[str, Any]]:

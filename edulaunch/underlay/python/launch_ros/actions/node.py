@@ -184,6 +184,11 @@ class Node(ExecuteProcess):
             self.process_description._add_words(words)
         return arguments
 
+    def _missing_parameter_files(self) -> list[str]:
+        """Files that were given and are not there, once the action was executed."""
+        arguments = self.__parameter_arguments
+        return [] if arguments is None else arguments.missing_files
+
     def _process_spec_details(self) -> dict[str, Any]:
         """What a checker may want to know of the node: package, executable, and where its parameter values
         were written."""

@@ -26,7 +26,7 @@ class OnStateTransition(EventHandler):
     :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive'
         ...); None: any.
     :param matcher: instead of all of these.
-    :raises RuntimeError: when `matcher` is combined with them.
+    :raises RuntimeError: when the target is no LifecycleNode, or `matcher` is combined with them.
     """
 
     def __init__(
@@ -40,6 +40,8 @@ class OnStateTransition(EventHandler):
         matcher: Callable[[Event], bool] | None = None,
         **kwargs: Any,
     ) -> None:
+        if target_lifecycle_node is not None and not _is_lifecycle_node(target_lifecycle_node):
+            raise RuntimeError("OnStateTransition requires a 'LifecycleNode' action as the target")
         narrowed = any(
             one is not None for one in (target_lifecycle_node, transition, start_state, goal_state)
         )
@@ -70,6 +72,12 @@ class OnStateTransition(EventHandler):
     def matcher_description(self) -> str:
         """Which events are handled, in words."""
         return 'event == StateTransition'
+
+
+def _is_lifecycle_node(target: Any) -> bool:
+    from ..actions.lifecycle_node import LifecycleNode
+
+    return isinstance(target, LifecycleNode)
 
 
 def _label(value: SomeSubstitutionsType) -> str:

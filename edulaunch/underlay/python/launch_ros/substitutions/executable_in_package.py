@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import state_of
+from launch._engine import absent_package, state_of
 from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -58,9 +58,11 @@ class ExecutableInPackage(FindPackagePrefix):
     def __find(self, context: LaunchContext, package: str, executable: str) -> str:
         from edulaunch.processes import current_process
 
+        index = current_process().index
+        if absent_package(package) is not None:  # it is where students have ROS 2; the program says here why it cannot run
+            return os.path.join(index.absent_prefix, 'lib', package, executable)
         prefix = super().perform(context)
         folder = os.path.join(prefix, 'lib', package)
-        index = current_process().index
         if index.find_executable(package, executable) or executable in index.native_executables(package):
             return os.path.join(folder, executable)
         if not index.executables(package) and not os.path.isdir(folder):

@@ -9,6 +9,7 @@ from action_msgs.msg import GoalStatus
 from edulaunch.sim.task import current_task
 from rclpy.action.server import await_or_execute
 from rclpy.client import POLL_NS
+from rclpy.impl.handle import check_endpoint
 from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import process_state
 from rclpy.qos import (
@@ -127,12 +128,13 @@ class ActionClient(Waitable):
     def _run(self, executor: Executor) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
-        The answer to a goal has a turn of its own: a real network brings it before the goal's first feedback.
+        The answer to a goal and its status come before the goal's first feedback, as over a real network.
         """
         self._queued = False
         sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('result', self._result_client),
                    ('feedback', self._feedback), ('status', self._status)]
-        taken = [(kind, source.take()) for kind, source in (sources[:1] if self._goal_client.queue else sources)]
+        now = (sources[0], sources[-1]) if self._goal_client.queue else sources
+        taken = [(kind, source.take()) for kind, source in now]
         if any(source.queue for _, source in sources):
             self._signal()
         return self._handle_all(taken, executor)
@@ -239,7 +241,8 @@ class ActionClient(Waitable):
         return future
 
     def server_is_ready(self) -> bool:
-        """Whether a server is there now."""
+        """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        check_endpoint(self._goal_client, self._node.context, 'Failed to check if action server is available: rcl node')
         current_task().poll()
         return self._server_is_ready()
 

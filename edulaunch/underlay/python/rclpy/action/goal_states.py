@@ -46,6 +46,6 @@ def state_after(state: GoalState, event: GoalEvent) -> GoalState:
     """The state that an event leads to. Raises RCLError when it cannot happen in this state."""
     following = _TRANSITIONS.get((state, event))
     if following is None:
-        raise RCLError('Failed to update goal state with event: goal_handle attempted invalid transition '
+        raise RCLError('Failed to update goal state: goal_handle attempted invalid transition '
                        f'from state {state.name} with event {event.name}')
     return following

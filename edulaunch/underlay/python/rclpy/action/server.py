@@ -168,6 +168,7 @@ class ActionServer(Waitable):
         goal_handle = ServerGoalHandle(self, request.goal_id, response.stamp, request.goal)
         self._goal_handles[goal_uuid] = goal_handle
         self._result_futures[goal_uuid] = Future()
+        self._publish_status()
         self._goal_service.respond(request_id, service.Response.to_wire(response))
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 

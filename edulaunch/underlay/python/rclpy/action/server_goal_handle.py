@@ -5,7 +5,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
+from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
@@ -75,34 +77,35 @@ class ServerGoalHandle:
         self._action_server.notify_execute(self, execute_callback)
 
     def publish_feedback(self, feedback: Any) -> None:
-        """Send feedback. Raises TypeError unless it is an `ActionType.Feedback`."""
+        """Send feedback.
+
+        :raises TypeError: when it is no `ActionType.Feedback`.
+        :raises RCLError: when ROS 2 is shut down, as by Ctrl-C while the goal is worked on.
+        """
         action_type = self._action_server._action_type
         if not isinstance(feedback, action_type.Feedback):
             raise wrong_class(feedback, action_type, 'Feedback')
+        if not self._action_server._node.context.ok():
+            raise hinted(RCLError("Failed to publish feedback with an action server: publisher's context is invalid"), SHUT_DOWN)
         if not self._destroyed:
             message_class = action_type.Impl.FeedbackMessage
             message = message_class(goal_id=self._goal_id, feedback=feedback)
             self._action_server._feedback.publish(message_class.to_wire(message))
 
-    def succeed(self, response: Any = None) -> None:
-        """End the goal as SUCCEEDED, with a result if one is given; else the execute callback returns it.
+    def succeed(self) -> None:
+        """End the goal as SUCCEEDED; the execute callback returns the result.
 
         :raises RCLError: in a state that does not allow it.
         """
-        self._end(GoalEvent.SUCCEED, response)
+        self._update_state(GoalEvent.SUCCEED)
 
-    def abort(self, response: Any = None) -> None:
+    def abort(self) -> None:
         """End the goal as ABORTED, as :meth:`succeed` does."""
-        self._end(GoalEvent.ABORT, response)
+        self._update_state(GoalEvent.ABORT)
 
-    def canceled(self, response: Any = None) -> None:
+    def canceled(self) -> None:
         """End the goal as CANCELED, as :meth:`succeed` does. Raises RCLError unless a request to cancel was accepted."""
-        self._end(GoalEvent.CANCELED, response)
-
-    def _end(self, event: GoalEvent, response: Any) -> None:
-        self._update_state(event)
-        if response is not None:
-            self._action_server._give_result(self, response)
+        self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
         """Forget the goal."""

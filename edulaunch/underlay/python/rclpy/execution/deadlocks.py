@@ -36,19 +36,27 @@ def note_future_wait(waiting: str, entity: Any, place: str = '') -> None:
 
 
 def note_spin(function: str, node: Node, executor: Executor) -> None:
-    """Note that a node is spun inside one of its callbacks; that hangs when all that is ready to come is shut out by it."""
+    """Note that a node is spun inside one of its callbacks; that brings nothing when all that could come is shut out by it."""
     core = node._rclpy
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
     callback = _name_of(executor._running_entity())
     start = f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()}"
     if any(entity.callback_group.can_execute(entity) for entity in others):
         current_process().note('nested spin', (
-            f'{start}: until {callback} has ended no other callback of its group can run, and afterwards the node is not spun '
-            'any more. Use add_done_callback(), or async and await.'))
+            f'{start}: until {callback} has ended no other callback of its group can run. '
+            'Use add_done_callback(), or async and await.'))
     else:
         current_process().note('deadlock', (
             f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for '
             f'its end. Return from {callback} and let the next message or timer go on.'))
+
+
+def note_lost_node(function: str, node: Node, executor: Executor) -> None:
+    """Note that a callback gives its node to another executor: the one that runs the callback will not spin it any more."""
+    callback = _name_of(executor._running_entity())
+    current_process().note('nested spin', (
+        f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()} takes the node out of the executor that "
+        f'runs {callback}, which does not spin it any more afterwards. Use add_done_callback(), or async and await.'))
 
 
 def note_foreign_future(node: Node, entity: Any) -> None:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.execution.exceptions import ConditionReachedException, ShutdownException, TimeoutException
+from rclpy.execution.unfit import check_future, check_node, stopped
 from rclpy.execution.waiting import Item, Waiting, never
+from rclpy.impl.hints import hinted
 from rclpy.readiness import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.task import Future, Task
 from rclpy.utilities import timeout_sec_to_nsec
@@ -59,9 +61,12 @@ class Executor(Waiting):
 
     def add_node(self, node: Node) -> bool:
         """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
-        if self._is_shutdown:
-            raise ShutdownException()
-        ready_list = node._rclpy.ready_list
+        self._check_open()
+        try:
+            ready_list = node._rclpy.ready_list
+        except AttributeError:
+            check_node(node)
+            raise
         if ready_list.executor is self:
             return False
         ready_list.executor = self
@@ -95,12 +100,19 @@ class Executor(Waiting):
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
         """Run a function or coroutine in the next turn."""
+        self._check_open()
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append(task)
         self._new_tasks = True
         for waiting in self._waiting:
             waiting.wake()
         return task
+
+    def _check_open(self) -> None:
+        """Raise what rclpy raises when an executor that was shut down is given something to do."""
+        if self._is_shutdown:
+            raise hinted(AttributeError("'NoneType' object has no attribute 'trigger'"),
+                         'this executor was shut down; make a new one')
 
     def _call_soon(self, callbacks: list[Callable[[Any], object]], future: Future) -> None:
         """Run the callbacks of a future that is done, in tasks."""
@@ -234,28 +246,32 @@ class Executor(Waiting):
             self._execute(take())
         except (ShutdownException, TimeoutException, ConditionReachedException):
             return
+        except StopIteration as stop:
+            raise stopped(stop) from stop
         finally:
             self._spinner = outer
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        check_future(future)
         future._wake_when_done(self)
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
 
         def over() -> bool:
-            return future._done or not self._context._ok
+            return future._done or future._cancelled or not self._context._ok
 
-        while self._context._ok and not future._done and not self._is_shutdown:
+        while not over() and not self._is_shutdown:
             self._execute_next(lambda: self._next_item(over, deadline, timeout_ns == 0, over))
             if deadline is not None and self._sim.now_ns >= deadline:
                 return
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Execute one callback, unless the future is done before."""
+        check_future(future)
         future._wake_when_done(self)
         self._execute_next(lambda: self._take_item(
-            _nanoseconds(timeout_sec), lambda: future._done or not self._context._ok))
+            _nanoseconds(timeout_sec), lambda: future._done or future._cancelled or not self._context._ok))
 
     def _spin_some(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
@@ -282,7 +298,7 @@ class Executor(Waiting):
         """Execute the pending tasks, newest first; stop when `until` is done."""
         for task in self._tasks_to_run():
             self._execute(task)
-            if not self._context._ok or (until is not None and until._done):
+            if not self._context._ok or (until is not None and (until._done or until._cancelled)):
                 return
         self._forget_tasks()
 

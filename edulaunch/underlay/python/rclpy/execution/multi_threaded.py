@@ -42,9 +42,13 @@ class MultiThreadedExecutor(Executor):
         self._running: dict[SimTask, tuple[Entity, int]] = {}
         self._begun = 0
         self._failures: list[Exception] = []
+        self._ending: SimTask | None = None
 
     def _execute(self, item: Item) -> None:
-        """Hand an item to a thread. Raises what a callback raised before (as rclpy: at the next item, not at once)."""
+        """Hand an item to a thread, and let that run until it blocks.
+
+        Raises what a callback has raised until then (as rclpy: when it blocks first, that comes out at the next item).
+        """
         if isinstance(item, Task):
             self._submit(item)
         elif item.callback_group.beginning_execution(item):
@@ -52,6 +56,7 @@ class MultiThreadedExecutor(Executor):
             self._submit(lambda: self._run_in_thread(item))
         else:
             self._put_back([item])
+        current_task().sleep_until(self._sim.now_ns)
         if self._failures:
             raise self._failures.pop(0)
 
@@ -70,8 +75,16 @@ class MultiThreadedExecutor(Executor):
         if self._idle:
             self._idle.pop(0).wake()
         elif len(self._threads) < self._num_threads:
-            name = f'executor-{len(self._threads)}'
-            self._threads.append(current_process().start_thread(self._work_off, name, True))
+            process = current_process()
+            if not self._threads:
+                process.before_join.append(self._finish)
+            self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
+
+    def _finish(self) -> None:
+        """At the end of the program: wait for the callbacks that are executed, as Python waits for the threads of its pools."""
+        self._ending = current_task()
+        while len(self._idle) < len(self._threads):
+            self._ending.park()
 
     def _work_off(self) -> None:
         """What each thread does: take jobs, park when there are none."""
@@ -86,6 +99,8 @@ class MultiThreadedExecutor(Executor):
                 except Exception as error:
                     self._failures.append(error)
             self._idle.append(thread)
+            if self._ending is not None:
+                self._ending.wake()
             while thread in self._idle:
                 thread.park()
 

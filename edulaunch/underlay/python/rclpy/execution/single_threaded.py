@@ -5,6 +5,7 @@ from edulaunch.sim.task import current_task
 from rclpy.constants import S_TO_NS
 from rclpy.execution.exceptions import ExternalShutdownException, ShutdownException
 from rclpy.execution.executor import Executor
+from rclpy.execution.unfit import check_future, stopped
 from rclpy.execution.waiting import TURNS_BEFORE_TIME_PASSES
 from rclpy.readiness import NEVER_NS, Entity, ReadyList
 from rclpy.task import Future
@@ -39,6 +40,8 @@ class SingleThreadedExecutor(Executor):
                     self._turn()
         except ShutdownException:
             return
+        except StopIteration as stop:
+            raise stopped(stop) from stop
         finally:
             self._spinner = outer
 
@@ -47,16 +50,20 @@ class SingleThreadedExecutor(Executor):
         if timeout_sec == 0 or type(self).spin_once is not Executor.spin_once:
             super().spin_until_future_complete(future, timeout_sec)
             return
+        check_future(future)
         future._wake_when_done(self)
         deadline = NEVER_NS if timeout_sec is None or timeout_sec < 0 else self._sim.now_ns + int(timeout_sec * S_TO_NS)
         if self._work is not None:
             self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
-            while self._context._ok and not future._done and not self._is_shutdown and self._sim.now_ns < deadline:
+            while self._context._ok and not (future._done or future._cancelled) and not self._is_shutdown \
+                    and self._sim.now_ns < deadline:
                 self._turn(future, deadline)
         except ShutdownException:
             return
+        except StopIteration as stop:
+            raise stopped(stop) from stop
         finally:
             self._spinner = outer
 
@@ -106,7 +113,7 @@ class SingleThreadedExecutor(Executor):
         context = self._context
         if self._tasks:
             self._run_tasks(until)
-            if not context._ok or (until is not None and until._done):
+            if not context._ok or (until is not None and (until._done or until._cancelled)):
                 return
         batch = self._collect()
         if not batch:
@@ -121,7 +128,7 @@ class SingleThreadedExecutor(Executor):
                 position += 1
                 if not entity._destroyed:
                     self._run_entity(entity)
-                if not context._ok or (until is not None and until._done):
+                if not context._ok or (until is not None and (until._done or until._cancelled)):
                     return
         finally:
             if position < len(batch):

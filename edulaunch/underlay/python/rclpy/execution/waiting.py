@@ -13,6 +13,7 @@ from rclpy.execution.exceptions import (
     ShutdownException,
     TimeoutException,
 )
+from rclpy.execution.unfit import no_context, without_context
 from rclpy.readiness import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
 from rclpy.task import Task
 from rclpy.utilities import get_default_context
@@ -43,6 +44,8 @@ class Waiting:
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
+        if not self._context._ok:
+            raise no_context(self._context)
         self._sim = current_task().sim
         self._lists: list[ReadyList] = []
         self._tasks: list[Task] = []
@@ -139,18 +142,22 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """The tasks that can go on, newest first."""
         self._new_tasks = False
-        return [task for task in reversed(self._tasks) if not task._done and not task._executing]
+        return [task for task in reversed(self._tasks) if not (task._done or task._cancelled or task._executing)]
 
     def _forget_tasks(self) -> None:
-        """Keep only the tasks that are not done."""
-        self._tasks = [task for task in self._tasks if not task._done]
+        """Keep only the tasks that are neither done nor cancelled."""
+        self._tasks = [task for task in self._tasks if not (task._done or task._cancelled)]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.
 
         :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
         :raises ConditionReachedException: when `condition()` holds.
+        :raises RCLError: when ROS 2 was shut down before.
         """
+        timed = deadline_ns is not None and not poll
+        if not self._context._ok and (timed or not self._is_shutdown):
+            raise without_context('create timer' if timed else 'initialize wait set')
         yielded = False
         while not yielded and not self._is_shutdown and not condition():
             self._let_time_pass()

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import TypeVar
 
+SHUT_DOWN = 'ROS 2 has been shut down already (by rclpy.shutdown() or Ctrl-C)'
+
 Error = TypeVar('Error', bound=BaseException)
 
 

@@ -10,21 +10,25 @@ _FILTERS: dict[str, dict[str, Any]] = {
     'throttle': {'throttle_duration_sec': None, 'throttle_time_source_type': False},
     'skip_first': {'skip_first': None},
 }
+_OPTIONS = ['throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 'once']
 
 
 def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
     """The filters that keyword arguments ask for.
 
     :raises TypeError: for an unknown keyword, or a throttle without its duration.
+    :raises ValueError: for a time source that is no clock.
     """
-    known = [name for parameters in _FILTERS.values() for name in parameters]
     wanted = tuple(name for name, parameters in _FILTERS.items() if any(options.get(parameter) for parameter in parameters))
     if 'throttle' in wanted and 'throttle_duration_sec' not in options:
         raise TypeError('required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
                         '"throttle"')
     for name in options:
-        if name not in known:
-            raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{known}"')
+        if name not in _OPTIONS:
+            raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{_OPTIONS}"')
+    source = options.get('throttle_time_source_type')
+    if 'throttle' in wanted and source is not None and not isinstance(source, Clock):
+        raise ValueError(f'Received throttle_time_source_type of "{source}" is not a clock instance')
     return wanted
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 SEVERITY_NAMES = {0: 'UNSET', 10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 DEFAULT_FORMAT = '[{severity}] [{time}] [{name}]: {message}'
-_COLORS = {10: '\033[32m', 30: '\033[33m', 40: '\033[31m', 50: '\033[31m'}
+_COLORS = {10: '\033[32m', 20: '\033[0m', 30: '\033[33m', 40: '\033[31m', 50: '\033[31m'}
 _NORMAL = '\033[0m'
 
 

@@ -111,13 +111,9 @@ class LivelinessWatch:
         if publisher.qos.liveliness != MANUAL_BY_TOPIC:
             self._set(publisher, True)
             return
-        lease_ns = self._subscription.qos.lease_ns or publisher.qos.lease_ns
-        if lease_ns:
-            countdown = Countdown(publisher, lease_ns, lambda: self._set(publisher, False))
-            publisher.on_life.append(countdown.seen)
-            publisher.on_life.append(lambda: self._set(publisher, True))
-        else:
-            self._set(publisher, True)
+        countdown = Countdown(publisher, self._subscription.qos.lease_ns, lambda: self._set(publisher, False))
+        publisher.on_life.append(countdown.seen)
+        publisher.on_life.append(lambda: self._set(publisher, True))
 
     def _set(self, publisher: Publisher, alive: bool) -> None:
         if self._alive.get(publisher, alive) is not alive:

@@ -20,7 +20,7 @@ class RcutilsLogger:
     (with `throttle_time_source_type=<a Clock>`), and returns whether the message was written. What a filter remembers belongs
     to the place of the call.
 
-    :raises TypeError: for an unknown keyword, or a message that is no string.
+    :raises TypeError: for an unknown keyword, or a message that is no string, bytes or None.
     :raises ValueError: when severity or filters change at one place.
     """
 
@@ -34,7 +34,7 @@ class RcutilsLogger:
             raise ValueError('Child logger name must not be empty.')
         if not self.name:
             return RcutilsLogger(name)
-        child = RcutilsLogger(f'{self.name}.{name}')
+        child = RcutilsLogger(self.name + '.' + name)
         rosout = logging_state().rosout
         if self.name in rosout:
             rosout.setdefault(child.name, rosout[self.name])
@@ -80,7 +80,7 @@ class RcutilsLogger:
         """Log with a severity given as a value."""
         return self._log(message, int(LoggingSeverity(severity)), name or self.name, sys._getframe(1), kwargs)
 
-    def _log(self, message: str, severity: int, name: str, frame: FrameType, options: dict[str, Any]) -> bool:
+    def _log(self, message: Any, severity: int, name: str, frame: FrameType, options: dict[str, Any]) -> bool:
         state = logging_state()
         if severity < state.effective_level(name):
             return False
@@ -95,7 +95,16 @@ class RcutilsLogger:
         if filters and not site.lets_through(options, state.process.sim.now_ns):
             return False
         if not isinstance(message, str):
-            raise hinted(TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
-                                   f'not {type(message).__name__}'), 'write str(...) around it, or an f-string')
+            message = _text_of(message)
         state.output(severity, name, message, code.co_name, code.co_filename, frame.f_lineno)
         return True
+
+
+def _text_of(message: Any) -> str:
+    """What C makes of a message that is no str: None and bytes pass, anything else is refused."""
+    if message is None:
+        return '(null)'
+    if isinstance(message, bytes):
+        return message.decode(errors='replace')
+    raise hinted(TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
+                           f'not {type(message).__name__}'), 'write str(...) around it, or an f-string')

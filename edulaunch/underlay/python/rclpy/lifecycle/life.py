@@ -5,7 +5,15 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.lifecycle.state_machine import OUTCOMES, STATES, LifecycleState, TransitionCallbackReturn, transition_from
+from rclpy.impl.hints import hinted
+from rclpy.lifecycle.state_machine import (
+    OUTCOMES,
+    STATES,
+    TRANSITIONS,
+    LifecycleState,
+    TransitionCallbackReturn,
+    transition_from,
+)
 from rclpy.logging import get_logger
 
 if TYPE_CHECKING:
@@ -47,29 +55,44 @@ class Life:
         transition = transition_from(start.label, wanted)
         if transition is None:
             get_logger('rcl_lifecycle').warning(f'No transition matching {wanted} found for current state {start.label}')
-            raise RCLError(f"Failed to trigger lifecycle state machine transition: no transition matching '{wanted}' found for "
-                           f'current state {start.label}')
-        self._enter(transition.number, transition.label, transition.during)
+            possible = ', '.join(f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label)
+            raise hinted(RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
+                         f"node '{self.node.get_fully_qualified_name()}' is {start.label}; "
+                         + (f'from there it can go: {possible}' if possible else 'no transition starts there'))
+        self._enter(transition.during)
         result = self._call(transition.callback, start)
         self._leave(result)
         if self.state.label == 'errorprocessing':
             self._leave(self._call('on_error', start))
         return result
 
+    def trigger_shutdown(self) -> TransitionCallbackReturn:
+        """Do the shutdown of the present state. Raises RCLError in a state that has none."""
+        for transition in TRANSITIONS:
+            if transition.start == self.state.label and transition.label == 'shutdown':
+                return self.trigger(transition.number)
+        raise RCLError('Shutdown transtion not possible')   # [sic]: ROS 2's own text
+
     def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
         function = self.callbacks.get(callback) or getattr(self.node, callback)
         try:
             result = function(start)
         except Exception as error:
-            self.node.get_logger().error(f'Exception in {callback}: {type(error).__name__}: {error}')
-            return TransitionCallbackReturn.ERROR
-        return result if isinstance(result, TransitionCallbackReturn) else TransitionCallbackReturn.ERROR
+            return self._mistaken(callback, f'raised {type(error).__name__}: {error}')
+        if not isinstance(result, TransitionCallbackReturn):
+            return self._mistaken(callback, f'returned {result!r}, not a TransitionCallbackReturn')
+        return result
+
+    def _mistaken(self, callback: str, what: str) -> TransitionCallbackReturn:
+        """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing, so we do."""
+        core = self.node._rclpy
+        core.process.note('mistake', f"{callback}() of node '{core.full_name}' {what}; rclpy takes that for ERROR")
+        return TransitionCallbackReturn.ERROR
 
     def _leave(self, result: TransitionCallbackReturn) -> None:
-        outcome = OUTCOMES[self.state.label][result]
-        self._enter(outcome.number, outcome.label, outcome.goal)
+        self._enter(OUTCOMES[self.state.label][result].goal)
 
-    def _enter(self, number: int, label: str, goal: str) -> None:
+    def _enter(self, goal: str) -> None:
         start, self.state = self.state, STATES[goal]
         if self.services is not None:
-            self.services.publish_event(number, label, start, self.state)
+            self.services.publish_event(start, self.state)

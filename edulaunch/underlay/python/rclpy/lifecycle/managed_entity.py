@@ -61,10 +61,11 @@ class SimpleManagedEntity(ManagedEntity):
         """A decorator for methods that do nothing (or `when_not_enabled`) while the entity is not enabled."""
         def decorator(method: Any) -> Any:
             @wraps(method)
-            def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> Any:
+            def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> None:
                 if self._enabled:
-                    return method(self, *args, **kwargs)
-                return when_not_enabled() if when_not_enabled is not None else None
+                    method(self, *args, **kwargs)   # as in rclpy, what it returns is lost
+                elif when_not_enabled is not None:
+                    when_not_enabled()
 
             return only_when_enabled
 

@@ -53,7 +53,9 @@ class LifecycleNodeMixin(ManagedEntity):
         return bool(self.destroy_publisher(publisher))
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Let an entity follow the node's life cycle."""
+        """Let an entity follow the node's life cycle. Raises TypeError for anything else."""
+        if not isinstance(entity, ManagedEntity):
+            raise TypeError('Expected a rclpy.lifecycle.ManagedEntity instance.')
         self._rclpy.life.entities.append(entity)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -89,23 +91,23 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Configure the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger('configure')
+        return self._rclpy.life.trigger(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
         """Clean the node up. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger('cleanup')
+        return self._rclpy.life.trigger(2)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
         """Shut the node down. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger('shutdown')
+        return self._rclpy.life.trigger_shutdown()
 
     def trigger_activate(self) -> TransitionCallbackReturn:
         """Activate the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger('activate')
+        return self._rclpy.life.trigger(3)
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
         """Deactivate the node. Raises RCLError in a state that does not allow it."""
-        return self._rclpy.life.trigger('deactivate')
+        return self._rclpy.life.trigger(4)
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):

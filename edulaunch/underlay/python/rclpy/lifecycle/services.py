@@ -18,7 +18,6 @@ class LifecycleServices:
     def __init__(self, node: LifecycleNode, life: Life, group: CallbackGroup | None = None) -> None:
         from lifecycle_msgs import srv
         from lifecycle_msgs.msg import TransitionEvent
-        self._node = node
         self._life = life
         self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
         for kind, name, answer in (
@@ -30,18 +29,19 @@ class LifecycleServices:
         ):
             node.create_service(kind, f'~/{name}', answer, callback_group=group)
 
-    def publish_event(self, number: int, label: str, start: LifecycleState, goal: LifecycleState) -> None:
-        """Tell of a step."""
-        from lifecycle_msgs.msg import Transition, TransitionEvent
-        event = TransitionEvent(timestamp=self._node.get_clock().now().nanoseconds, start_state=_state(start),
-                                goal_state=_state(goal), transition=Transition(id=number, label=label))
-        self._events.publish(event)
+    def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
+        """Tell of a step. As in ROS 2 the event names the two states and leaves its time and its transition empty."""
+        from lifecycle_msgs.msg import TransitionEvent
+        self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
-        wanted = request.transition.label or request.transition.id
+        """A label that does not suit is refused; a number that does not suit is an error of the node, as in rclpy."""
+        label = request.transition.label
         try:
-            response.success = self._life.trigger(wanted) is TransitionCallbackReturn.SUCCESS
+            response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS
         except RCLError:
+            if not label:
+                raise
             response.success = False
         return response
 

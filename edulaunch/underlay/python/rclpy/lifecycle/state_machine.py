@@ -5,12 +5,15 @@ from enum import Enum
 from typing import NamedTuple
 
 
-class TransitionCallbackReturn(Enum):
-    """What a transition's callback returns."""
+class TransitionCallbackReturnType(Enum):
+    """What a transition's callback returns; students know it as `TransitionCallbackReturn`."""
 
     SUCCESS = 97
     FAILURE = 98
     ERROR = 99
+
+
+TransitionCallbackReturn = TransitionCallbackReturnType
 
 
 class LifecycleState(NamedTuple):
@@ -80,8 +83,9 @@ def transition_from(state: str, wanted: int | str) -> Transition | None:
 
 
 def all_transitions() -> list[tuple[int, str, str, str]]:
-    """(number, label, start, goal) of all transitions, those that end states of passage included."""
-    found = [(one.number, one.label, one.start, one.during) for one in TRANSITIONS]
+    """(number, label, start, goal) of all transitions, each followed by those that end its state of passage."""
+    found = []
     for state, outcomes in OUTCOMES.items():
+        found += [(one.number, one.label, one.start, one.during) for one in TRANSITIONS if one.during == state]
         found += [(outcome.number, outcome.label, state, outcome.goal) for outcome in outcomes.values()]
     return found

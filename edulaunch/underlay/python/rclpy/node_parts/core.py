@@ -18,14 +18,14 @@ from edulaunch.graph.names import (
 )
 from edulaunch.graph.ros_arguments import Override, RosArguments
 from edulaunch.processes.current import current_process
-from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
 )
-from rclpy.impl.hints import hinted
+from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.readiness import ReadyList
 
 if TYPE_CHECKING:
@@ -72,10 +72,12 @@ class NodeCore:
         self.name = remapped_node_name(self.rules, name)
         self.namespace = remapped_namespace(self.rules, self.name, absolute_namespace(namespace))
         self.entry = self.graph.add_node(self.process, self.name, self.namespace)
+        self.entry.participant = context
         self.full_name = self.entry.fully_qualified_name
         self.ready_list = ReadyList()
         self.executor: Executor | None = None
         self.destroyed = False
+        self.takes_any_type = False   # a built-in stand-in for several robots may use one name for two types
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
         self.clients: list[Client] = []
@@ -101,6 +103,19 @@ class NodeCore:
         if self.destroyed:
             raise hinted(InvalidHandle('cannot use Destroyable because destruction was requested'),
                          f"node '{self.full_name}' was destroyed before, by destroy_node()")
+
+    def check_usable(self, what: str) -> None:
+        """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
+        self.check_alive()
+        if not self.context._ok:
+            raise hinted(RCLError(f"{what}: rcl node's context is invalid"), SHUT_DOWN)
+
+    def check_context(self, what: str) -> None:
+        """As `check_usable`, in the words of what needs only the context: timers and guard conditions."""
+        self.check_alive()
+        if not self.context._ok:
+            raise hinted(RCLError(f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() '
+                                  'was called.'), SHUT_DOWN)
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         """The absolute, remapped form of a topic or service name.

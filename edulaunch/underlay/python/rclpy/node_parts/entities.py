@@ -4,11 +4,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.graph.names import fully_qualified_name
+from edulaunch.graph.names import (
+    expand_name,
+    full_topic_name_problem,
+    fully_qualified_name,
+    topic_name_problem,
+)
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
+from rclpy.impl.one_type import check_new_service_end, check_new_topic_end
 from rclpy.node_parts.core import NodeCore
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_services_default, validate_qos
@@ -91,12 +97,14 @@ class NodeEntities:
         :param topic: its name: absolute, relative to the namespace, or private (`~/x`).
         :param qos_profile: a profile, or the depth.
         :raises InvalidTopicNameException: for a name that breaks the rules.
+        :raises RCLError: after shutdown, or when this program uses the topic with another type.
         """
         core = self._rclpy
         profile = validate_qos(qos_profile)
         check_is_valid_msg_type(msg_type)
         name = core.resolve(topic, 'topic')
         profile = _overridden(self, qos_overriding_options, profile, name, 'publisher')
+        check_new_topic_end(core, name, msg_type, 'publisher')
         impl = core.graph.create_publisher(core.entry, name, msg_type, engine_qos(profile))
         publisher = publisher_class(impl, msg_type, topic, profile, core.context)
         core.publishers.append(publisher)
@@ -112,6 +120,7 @@ class NodeEntities:
         :param callback: called with each message, or with (message, info).
         :param raw: give the callback serialized bytes.
         :raises InvalidTopicNameException: for a name that breaks the rules.
+        :raises RCLError: after shutdown, or when this program uses the topic with another type.
         :raises RuntimeError: when the callback takes neither one nor two arguments.
         """
         core = self._rclpy
@@ -120,9 +129,11 @@ class NodeEntities:
         name = core.resolve(topic, 'topic')
         profile = _overridden(self, qos_overriding_options, profile, name, 'subscription')
         group = callback_group or core.default_callback_group
+        check_new_topic_end(core, name, msg_type, 'subscription')
         subscription = Subscription(core.ready_list, msg_type, topic, callback, group, profile, raw, core.next_number())
         group.add_entity(subscription)
-        impl = core.graph.create_subscription(core.entry, name, msg_type, engine_qos(profile), subscription._signal)
+        qos = engine_qos(profile, 'subscription')
+        impl = core.graph.create_subscription(core.entry, name, msg_type, qos, subscription._signal)
         subscription._connect(impl)
         core.subscriptions.append(subscription)
         _watch_events(self, subscription, impl, event_callbacks, callback_group, 'subscription')
@@ -133,11 +144,13 @@ class NodeEntities:
         """Make a client of a service.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
+        :raises RCLError: after shutdown, or when this program uses the service with another type.
         """
         core = self._rclpy
         check_is_valid_srv_type(srv_type)
         name = core.resolve(srv_name, 'service')
         group = callback_group or core.default_callback_group
+        check_new_service_end(core, name, srv_type, 'client')
         client = Client(core.context, core.ready_list, srv_type, srv_name, qos_profile, group, core.next_number())
         client._connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client._signal))
         group.add_entity(client)
@@ -150,12 +163,14 @@ class NodeEntities:
         """Make a service; `callback(request, response)` returns the response.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
+        :raises RCLError: after shutdown, or when this program uses the service with another type.
         """
         core = self._rclpy
         check_is_valid_srv_type(srv_type)
         _check_callback(core, callback, 'create_service')
         name = core.resolve(srv_name, 'service')
         group = callback_group or core.default_callback_group
+        check_new_service_end(core, name, srv_type, 'service')
         service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
         service._connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service._signal))
         group.add_entity(service)
@@ -185,6 +200,7 @@ class NodeEntities:
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None) -> GuardCondition:
         """Make a guard condition."""
         core = self._rclpy
+        core.check_context('failed to create guard_condition')
         group = callback_group or core.default_callback_group
         guard = GuardCondition(callback, group, core.context, ready_list=core.ready_list, number=core.next_number())
         group.add_entity(guard)
@@ -225,12 +241,12 @@ class NodeEntities:
         return True
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The absolute, remapped form of a topic name."""
-        return self._rclpy.resolve(topic, 'topic', only_expand)
+        """The absolute, remapped form of a topic name. Raises RCLError when the name breaks the rules."""
+        return _resolved(self._rclpy, topic, 'topic', only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """The absolute, remapped form of a service name."""
-        return self._rclpy.resolve(service, 'service', only_expand)
+        """The absolute, remapped form of a service name. Raises RCLError when the name breaks the rules."""
+        return _resolved(self._rclpy, service, 'service', only_expand)
 
     def get_name(self) -> str:
         """The node's own name. Raises InvalidHandle when the node was destroyed."""
@@ -245,6 +261,20 @@ class NodeEntities:
     def get_fully_qualified_name(self) -> str:
         """The namespace and the name. Raises InvalidHandle when the node was destroyed."""
         return fully_qualified_name(self.get_namespace(), self.get_name())
+
+
+def _resolved(core: NodeCore, name: str, kind: str, only_expand: bool) -> str:
+    """As `core.resolve`, but a name that breaks the rules is an RCLError, as rclpy has it in the methods that only resolve."""
+    try:
+        problem = topic_name_problem(name)
+        if problem is None:
+            problem = full_topic_name_problem(expand_name(name, core.name, core.namespace))
+        reason = None if problem is None else problem[0]
+    except ValueError as unknown_substitution:
+        reason = str(unknown_substitution).rpartition(' is invalid: ')[2]
+    if reason is not None:
+        raise RCLError(f'failed to resolve name: {reason}')
+    return core.resolve(name, kind, only_expand)
 
 
 def _destroy(entities: list[Any], entity: Any) -> bool:
@@ -263,6 +293,7 @@ def _new_timer(core: NodeCore, period_s: float, callback: Callable[[], Any] | No
     period_ns = int(float(period_s) * S_TO_NS)
     if period_ns < 0:
         raise RCLError('Failed to create timer: timer period must be non-negative')
+    core.check_context('failed to create timer')
     group = group or core.default_callback_group
     timer = Timer(callback, group, period_ns, clock or core.clock, context=core.context, autostart=autostart,
                   ready_list=core.ready_list, number=core.next_number())

@@ -3,9 +3,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.graph.names import absolute_namespace
+from edulaunch.graph.names import fully_qualified_name, namespace_problem, node_name_problem, topic_name_problem
 from edulaunch.sim.task import current_task
-from rclpy._rclpy_pybind11 import NodeNameNonExistentError
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
+from rclpy.impl.hints import hinted
 from rclpy.node_parts.core import NodeCore
 
 if TYPE_CHECKING:
@@ -22,12 +23,12 @@ class NodeGraphQueries:
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """All topics with their types."""
-        graph = _looked_at(self._rclpy)
+        graph = _looked_at(self._rclpy, 'failed to get topic names and types')
         return names_and_types([*_all(graph.publishers), *_all(graph.subscriptions)], 'topic_name')
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """All services that have a server, with their types."""
-        return names_and_types(_all(_looked_at(self._rclpy).services), 'service_name')
+        return names_and_types(_all(_looked_at(self._rclpy, 'failed to get service names and types').services), 'service_name')
 
     def get_publisher_names_and_types_by_node(self, node_name: str, node_namespace: str,
                                               no_demangle: bool = False) -> NamesAndTypes:
@@ -49,57 +50,57 @@ class NodeGraphQueries:
 
     def get_node_names(self) -> list[str]:
         """The own names of all nodes, in order of creation."""
-        return [node.name for node in _looked_at(self._rclpy).nodes]
+        return [node.name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
         """The full names of all nodes."""
-        return [node.fully_qualified_name for node in _looked_at(self._rclpy).nodes]
+        return [node.fully_qualified_name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """(name, namespace) of all nodes."""
-        return [(node.name, node.namespace) for node in _looked_at(self._rclpy).nodes]
+        return [(node.name, node.namespace) for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """(name, namespace, enclave) of all nodes; the enclave is always '/'."""
-        return [(node.name, node.namespace, '/') for node in self._rclpy.graph.nodes]
+        return [(node.name, node.namespace, '/') for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def count_publishers(self, topic_name: str) -> int:
         """How many publishers a topic has."""
-        return _count(self._rclpy, self._rclpy.graph.publishers, topic_name, 'topic')
+        return _count(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
 
     def count_subscribers(self, topic_name: str) -> int:
         """How many subscriptions a topic has."""
-        return _count(self._rclpy, self._rclpy.graph.subscriptions, topic_name, 'topic')
+        return _count(self._rclpy, 'subscribers', self._rclpy.graph.subscriptions, topic_name)
 
     def count_clients(self, service_name: str) -> int:
         """How many clients a service has."""
-        return _count(self._rclpy, self._rclpy.graph.clients, service_name, 'service')
+        return _count(self._rclpy, 'clients', self._rclpy.graph.clients, service_name)
 
     def count_services(self, service_name: str) -> int:
         """How many servers a service has."""
-        return _count(self._rclpy, self._rclpy.graph.services, service_name, 'service')
+        return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """The publishers of a topic."""
-        from rclpy.topic_endpoint_info import endpoint_info
-        name = self._rclpy.resolve(topic_name, 'topic')
-        return [endpoint_info(end) for end in self._rclpy.graph.publishers.get(name, ())]
+        return _infos(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """The subscriptions of a topic."""
-        from rclpy.topic_endpoint_info import endpoint_info
-        name = self._rclpy.resolve(topic_name, 'topic')
-        return [endpoint_info(end) for end in self._rclpy.graph.subscriptions.get(name, ())]
+        return _infos(self._rclpy, 'subscriptions', self._rclpy.graph.subscriptions, topic_name)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait at most `timeout` seconds for a node of that full name, looking each 0.1 s; whether it is there."""
-        task = current_task()
-        deadline = task.sim.now_ns + int(timeout * 1e9)
-        while fully_qualified_node_name not in self.get_fully_qualified_node_names():
-            if task.sim.now_ns >= deadline or not self._rclpy.context._ok:
-                return False
-            task.sleep_until(min(task.sim.now_ns + 100_000_000, deadline))
-        return True
+        """Wait at most `timeout` seconds for a node of that full name; whether it is there.
+
+        As in rclpy each look is followed by 0.1 s of sleep, also when it found the node, and without time there is no look.
+        """
+        name = '/' + fully_qualified_node_name.removeprefix('/')
+        sim = current_task().sim
+        start_ns = sim.now_ns
+        found = False
+        while not found and (sim.now_ns - start_ns) / 1e9 < timeout:
+            found = name in self.get_fully_qualified_node_names()
+            current_task().sleep_until(sim.now_ns + 100_000_000)
+        return found
 
 
 def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
@@ -110,26 +111,54 @@ def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
     return [(name, sorted(types)) for name, types in sorted(found.items())]
 
 
-def _looked_at(core: NodeCore) -> Graph:
-    """The graph; a loop that does nothing but look at it is moved on by simulated time."""
-    core.check_alive()
+_KINDS = {'subscription': 'subscriber'}
+_NODE_NAMES = 'Failed to get node names'
+
+
+def _looked_at(core: NodeCore, what: str) -> Graph:
+    """The graph; a loop that does nothing but look at it is moved on by simulated time.
+
+    :param what: how the error after shutdown begins.
+    """
+    core.check_usable(what)
     current_task().poll()
     graph: Graph = core.graph
     return graph
 
 
 def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: str) -> NamesAndTypes:
-    namespace = absolute_namespace(namespace)
-    nodes = [node for node in core.graph.nodes if node.name == name and node.namespace == namespace]
+    namespace = namespace or '/'
+    what = _KINDS.get(kind, kind)
+    graph = _looked_at(core, f'failed to get {what} names and types')
+    problem = namespace_problem(namespace) or node_name_problem(name)
+    if problem is not None:
+        raise RCLError(f'failed to get {what} names and types: {problem[0]}, result: {2 if name else 1}')
+    nodes = [node for node in graph.nodes if node.name == name and node.namespace == namespace]
     if not nodes:
-        raise NodeNameNonExistentError(
-            f"cannot get names and types for nonexistent node: name '{name}', namespace '{namespace}'")
+        raise hinted(NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
+                     f"no node '{fully_qualified_name(namespace, name)}' is running")
     return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
 
 
-def _count(core: NodeCore, table: dict[str, Any], name: str, kind: str) -> int:
+def _count(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> int:
+    core.check_usable(f'Error in rcl_count_{what}')
     current_task().poll()
-    return len(table.get(core.resolve(name, kind, only_expand=True), ()))
+    return len(table.get(_expanded(core, name), ()))
+
+
+def _infos(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> list[TopicEndpointInfo]:
+    from rclpy.topic_endpoint_info import endpoint_info
+    core.check_usable(f'Failed to get information by topic for {what}')
+    _expanded(core, name)
+    return [endpoint_info(end) for end in table.get(core.resolve(name, 'topic'), ())]
+
+
+def _expanded(core: NodeCore, name: str) -> str:
+    """The absolute form of a name. Raises ValueError when it breaks the rules, as rclpy has it in these methods."""
+    problem = topic_name_problem(name) if isinstance(name, str) else None
+    if problem is not None:
+        raise ValueError(f"topic name '{name}' is invalid: {problem[0]}")
+    return core.resolve(name, 'topic', only_expand=True)
 
 
 def _all(table: dict[str, list[Any]]) -> list[Any]:

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+from warnings import warn
 
 from edulaunch.graph.parameters import float_range_problem, integer_range_problem
 from rclpy.exceptions import (
@@ -10,6 +11,7 @@ from rclpy.exceptions import (
     InvalidParameterValueException,
     ParameterNotDeclaredException,
 )
+from rclpy.impl.student_place import student_level
 from rclpy.parameter import Parameter, ParameterType
 
 if TYPE_CHECKING:
@@ -68,6 +70,7 @@ class ParameterStore:
             parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
             if not parameters:
                 return _result(EMPTY_LIST)
+            self.check_declared(parameters)
         result = self._checked(parameters, self.descriptors, check_read_only=True)
         if result.successful:
             self._store(parameters, None)
@@ -78,9 +81,15 @@ class ParameterStore:
 
         As in rclpy the names in the text leave out the first one: it was used up by looking whether there is any.
 
+        :raises TypeError: when one is no Parameter.
         :raises ParameterNotDeclaredException: when there are any.
         """
-        undeclared = [parameter.name for parameter in parameters if parameter.name not in self.values]
+        undeclared = []
+        for parameter in parameters:
+            if not isinstance(parameter, Parameter):
+                raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
+            if parameter.name not in self.values:
+                undeclared.append(parameter.name)
         if undeclared and not self.allow_undeclared:
             raise ParameterNotDeclaredException(undeclared[1:])
 
@@ -93,6 +102,9 @@ class ParameterStore:
                 return _result(reason)
         for callback in self.on_callbacks:
             result = callback(parameters)
+            if getattr(result, 'successful', None) is None:   # most often a forgotten return
+                warn('Callback returned an invalid type, it should return SetParameterResult.', stacklevel=student_level())
+                return _result('Callback returned an invalid type')
             if not result.successful:
                 return result
         return _result(None)
@@ -132,7 +144,7 @@ class ParameterStore:
             if new_descriptors is not None:
                 self.descriptors[name] = new_descriptors[name]
             elif name not in self.descriptors:
-                self.descriptors[name] = _dynamic_descriptor(parameter)
+                self.descriptors[name] = _dynamic_descriptor()
             (new if known is None or known.type_ is ParameterType.NOT_SET else changed).append(parameter)
             self.values[name] = parameter
         self._on_change(new, changed, deleted)
@@ -148,6 +160,6 @@ def _result(problem: str | None) -> SetParametersResult:
     return result
 
 
-def _dynamic_descriptor(parameter: Parameter) -> Any:
+def _dynamic_descriptor() -> ParameterDescriptor:
     from rcl_interfaces.msg import ParameterDescriptor
-    return ParameterDescriptor(name=parameter.name, type=parameter.type_.value, dynamic_typing=True)
+    return ParameterDescriptor(dynamic_typing=True)

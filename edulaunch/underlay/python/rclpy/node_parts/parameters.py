@@ -110,10 +110,11 @@ class NodeParameters:
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """A parameter, or `alternative_value` (a Parameter) when it is not declared."""
-        if alternative_value is None:
-            alternative_value = Parameter(name, ParameterType.NOT_SET)
-        return self._rclpy.parameters.values.get(name, alternative_value)
+        """A parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
+        parameter = self._rclpy.parameters.values.get(name)
+        if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
+            return parameter
+        return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """The parameters `prefix.x`, by x."""
@@ -121,16 +122,19 @@ class NodeParameters:
         return {name[len(prefix):]: parameter for name, parameter in self._rclpy.parameters.values.items()
                 if name.startswith(prefix)}
 
-    def get_parameter_type(self, name: str) -> int:
-        """The number of a parameter's type, 0 for an undeclared one where those are allowed."""
+    def get_parameter_type(self, name: str) -> int | ParameterType:
+        """The number of the type of a parameter's value, 0 without one.
+
+        As in rclpy it is `Parameter.Type.NOT_SET` itself for an undeclared parameter where those are allowed.
+        """
         store = self._rclpy.parameters
         if name in store.values:
-            return int(store.descriptor(name).type)
+            return int(store.values[name].type_.value)
         if not store.allow_undeclared:
             raise ParameterNotDeclaredException(name)
-        return ParameterType.NOT_SET.value
+        return ParameterType.NOT_SET
 
-    def get_parameter_types(self, names: list[str]) -> list[int]:
+    def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
         """The numbers of several types."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
@@ -149,8 +153,12 @@ class NodeParameters:
         from rcl_interfaces.msg import ListParametersResult
         if not isinstance(prefixes, list):
             raise TypeError('The prefixes argument must be a list')
-        if not isinstance(depth, int) or depth < 0:
-            raise TypeError('The depth must be an unsigned integer')
+        if not all(isinstance(prefix, str) for prefix in prefixes):
+            raise TypeError('All prefixes must be instances of type str')
+        if not isinstance(depth, int):
+            raise TypeError('The depth must be instance of type int')
+        if depth < 0:
+            raise ValueError('The depth must be greater than or equal to zero')
         names = [name for name in self._rclpy.parameters.values if _listed(name, prefixes, depth)]
         groups = {name.rpartition('.')[0] for name in names if '.' in name}
         return ListParametersResult(names=names, prefixes=sorted(groups))
@@ -184,10 +192,11 @@ class NodeParameters:
         from rclpy.parameter import parameter_value_to_python
         store = self._rclpy.parameters
         if name not in store.values:
-            raise ParameterNotDeclaredException(name)
+            return self.get_parameter(name).get_parameter_value()
         if store.descriptors[name].read_only:
             raise ParameterImmutableException(name)
         parameter = self.get_parameter(name)
+        descriptor.name = name
         problem = store.problem(parameter, descriptor, check_read_only=False)
         if problem is not None and alternative_value is not None:
             parameter = Parameter(name, value=parameter_value_to_python(alternative_value))
@@ -227,10 +236,10 @@ def _prepared(overrides: Mapping[str, Override], namespace: str, index: int,
               entry: tuple[Any, ...]) -> tuple[Parameter, ParameterDescriptor]:
     """The first value and the descriptor of one declaration."""
     name, value, descriptor = _unpacked(index, entry)
+    name = f'{namespace}.{name}' if namespace else name
     if len(entry) == 1:
         warn(NAME_ONLY.format(name), stacklevel=student_level())
         descriptor.dynamic_typing = True
-    name = f'{namespace}.{name}' if namespace else name
     if not name:
         raise InvalidParameterException(name)
     if isinstance(value, ParameterType):
@@ -247,7 +256,10 @@ def _prepared(overrides: Mapping[str, Override], namespace: str, index: int,
 
 
 def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:
-    """Name, value and a descriptor of its own of one entry of `declare_parameters`."""
+    """Name, value and descriptor of one entry of `declare_parameters`.
+
+    As in rclpy the descriptor is the given one, not a copy: a second declaration with it changes the first one's type.
+    """
     from rcl_interfaces.msg import ParameterDescriptor
     if not 1 <= len(entry) <= 3:
         raise TypeError(f'Invalid parameter tuple length at index {index} in parameters list: {entry}; '
@@ -258,16 +270,15 @@ def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDe
     descriptor = entry[2] if len(entry) > 2 else ParameterDescriptor()
     if not isinstance(descriptor, ParameterDescriptor):
         raise TypeError(f'Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor.')
-    own = ParameterDescriptor.from_wire(ParameterDescriptor.to_wire(descriptor))
-    return name, entry[1] if len(entry) > 1 else None, own
+    return name, entry[1] if len(entry) > 1 else None, descriptor
 
 
 def _set_type(name: str, descriptor: ParameterDescriptor, type_: ParameterType) -> None:
     if type_ is ParameterType.NOT_SET:
         raise ValueError(f'Cannot declare parameter {{{name}}} as statically typed of type NOT_SET')
     if descriptor.dynamic_typing:
-        raise ValueError(f'When declaring parameter {{{name}}} passing a descriptor with `dynamic_typing=True` is not allowed '
-                         'when the parameter type is specified')
+        raise ValueError(f'When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` is not allowed '
+                         'when the parameter type is provided')
     descriptor.type = type_.value
 
 

@@ -14,7 +14,7 @@ def parse_arg(entity: Entity, parser: Parser) -> Parsed:
     """A declared launch argument."""
     kwargs = condition_of(entity, parser)
     kwargs['name'] = parser.escape_characters(entity.get_attr('name'))
-    add_optionals(kwargs, entity, parser, _OPTIONALS)
+    add_optionals(kwargs, entity, parser, _OPTIONALS, _CHILDREN)
     return DeclareLaunchArgument, kwargs
 
 
@@ -31,5 +31,5 @@ def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
 
 
 _OPTIONALS: Optionals = {
-    'default': ('default_value', text), 'description': ('description', _literal),
-    'choice': ('choices', _choices)}
+    'default': ('default_value', text), 'description': ('description', _literal)}
+_CHILDREN: Optionals = {'choice': ('choices', _choices)}

@@ -13,12 +13,14 @@ Substitutions = list[Substitution]
 Reader = Callable[[Entity, Parser, str], Any]
 Optionals = dict[str, tuple[str, Reader]]
 """What an element may have: name of the attribute or child -> (keyword argument, how it is read)."""
+NOTHING: Optionals = {}
 
 
-def add_optionals(kwargs: dict[str, Any], entity: Entity, parser: Parser, optionals: Optionals) -> None:
-    """Read those of the `optionals` that the element has into `kwargs`."""
-    for name in entity.given(optionals):
-        keyword, reader = optionals[name]
+def add_optionals(kwargs: dict[str, Any], entity: Entity, parser: Parser, attributes: Optionals,
+                  children: Optionals = NOTHING) -> None:
+    """Read those of the optional `attributes` and `children` that the element has into `kwargs`."""
+    for name in entity.given(attributes, children):
+        keyword, reader = attributes[name] if name in attributes else children[name]
         kwargs[keyword] = reader(entity, parser, name)
 
 

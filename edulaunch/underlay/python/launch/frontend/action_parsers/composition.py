@@ -10,7 +10,7 @@ from launch_ros.descriptions import ComposableNode
 from ..entity import Entities, Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import Optionals, add_optionals, pairs, text
+from .attributes import NOTHING, Optionals, add_optionals, pairs, text
 from .condition import condition_of
 from .node import NODE_CHILDREN, node_attributes
 
@@ -18,7 +18,7 @@ from .node import NODE_CHILDREN, node_attributes
 def parse_node_container(entity: Entity, parser: Parser) -> Parsed:
     """`<node_container>`: a container with the nodes it loads."""
     kwargs = node_attributes(entity, parser)
-    add_optionals(kwargs, entity, parser, _OPTIONALS_OF_CONTAINER)
+    add_optionals(kwargs, entity, parser, NOTHING, _CHILDREN_OF_CONTAINER)
     return ComposableNodeContainer, kwargs
 
 
@@ -35,7 +35,7 @@ def parse_composable_node(entity: Entity, parser: Parser) -> Parsed:
     kwargs = condition_of(entity, parser)
     for keyword, name in (('package', 'pkg'), ('plugin', 'plugin'), ('name', 'name')):
         kwargs[keyword] = text(entity, parser, name)
-    add_optionals(kwargs, entity, parser, _OPTIONALS)
+    add_optionals(kwargs, entity, parser, _OPTIONALS, _CHILDREN)
     entity.assert_entity_completely_parsed()
     return ComposableNode, kwargs
 
@@ -52,6 +52,6 @@ def _extra_arguments(entity: Entity, parser: Parser, name: str) -> list[Any]:
     return [{tuple(key): value} for key, value in pairs(entity, parser, name)]
 
 
-_OPTIONALS_OF_CONTAINER: Optionals = {'composable_node': ('composable_node_descriptions', _descriptions)}
-_OPTIONALS: Optionals = {
-    **NODE_CHILDREN, 'namespace': ('namespace', text), 'extra_arg': ('extra_arguments', _extra_arguments)}
+_CHILDREN_OF_CONTAINER: Optionals = {'composable_node': ('composable_node_descriptions', _descriptions)}
+_OPTIONALS: Optionals = {'namespace': ('namespace', text)}
+_CHILDREN: Optionals = {**NODE_CHILDREN, 'extra_arg': ('extra_arguments', _extra_arguments)}

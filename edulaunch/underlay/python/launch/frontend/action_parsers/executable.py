@@ -31,11 +31,12 @@ def _on_exit(entity: Entity, parser: Parser, name: str) -> list[Shutdown]:
 
 PROCESS_OPTIONALS: Optionals = {
     'cwd': ('cwd', text), 'name': ('name', text), 'launch-prefix': ('prefix', text),
-    'output': ('output', _output), 'env': ('additional_env', mapping), 'on_exit': ('on_exit', _on_exit),
+    'output': ('output', _output), 'on_exit': ('on_exit', _on_exit),
     'sigterm_timeout': ('sigterm_timeout', text), 'sigkill_timeout': ('sigkill_timeout', text),
     'shell': ('shell', typed(bool)), 'emulate_tty': ('emulate_tty', typed(bool)),
     'respawn': ('respawn', typed(bool)), 'respawn_delay': ('respawn_delay', typed(float)),
     'respawn_max_retries': ('respawn_max_retries', typed(int))}
+PROCESS_CHILDREN: Optionals = {'env': ('additional_env', mapping)}
 """What every element that starts a program may have."""
 
 
@@ -48,6 +49,8 @@ def parse_executable(entity: Entity, parser: Parser, ignore: Iterable[str] | Non
     ignored = frozenset(ignore or ())
     if 'cmd' not in ignored:
         kwargs['cmd'] = words_of(entity.get_attr('cmd'), parser)
-    optionals = {name: how for name, how in PROCESS_OPTIONALS.items() if name not in ignored}
-    add_optionals(kwargs, entity, parser, optionals)
+    attributes, children = (
+        {name: how for name, how in optionals.items() if name not in ignored}
+        for optionals in (PROCESS_OPTIONALS, PROCESS_CHILDREN))
+    add_optionals(kwargs, entity, parser, attributes, children)
     return ExecuteProcess, kwargs

@@ -16,13 +16,13 @@ def _boolean(entity: Entity, parser: Parser, name: str) -> bool:
 
 
 _OPTIONALS: Optionals = {
-    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean),
-    'keep': ('launch_configurations', mapping)}
+    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean)}
+_CHILDREN: Optionals = {'keep': ('launch_configurations', mapping)}
 
 
 def parse_group(entity: Entity, parser: Parser) -> Parsed:
     """A group; `scoped` and `forwarding` are plain booleans, without substitutions."""
     kwargs = condition_of(entity, parser)
-    add_optionals(kwargs, entity, parser, _OPTIONALS)
+    add_optionals(kwargs, entity, parser, _OPTIONALS, _CHILDREN)
     kwargs['actions'] = [parser.parse_action(child) for child in entity.children if child.type_name != 'keep']
     return GroupAction, kwargs

@@ -11,7 +11,7 @@ from ..parser import Parser
 from .attributes import Optionals, Substitutions, add_optionals, pairs, text
 from .command_line import words_of
 from .condition import condition_of
-from .executable import PROCESS_OPTIONALS
+from .executable import PROCESS_CHILDREN, PROCESS_OPTIONALS
 from .param import parameters_in
 
 
@@ -26,9 +26,10 @@ def _remappings(entity: Entity, parser: Parser, name: str) -> list[tuple[Substit
 NODE_CHILDREN: Optionals = {'remap': ('remappings', _remappings), 'param': ('parameters', parameters_in)}
 """What composable nodes have too."""
 _OPTIONALS: Optionals = {
-    **PROCESS_OPTIONALS, **NODE_CHILDREN,
+    **PROCESS_OPTIONALS,
     'pkg': ('package', text), 'namespace': ('namespace', text), 'exec_name': ('exec_name', text),
     'args': ('arguments', _words), 'ros_args': ('ros_arguments', _words)}
+_CHILDREN: Optionals = {**PROCESS_CHILDREN, **NODE_CHILDREN}
 
 
 def parse_node(entity: Entity, parser: Parser) -> Parsed:
@@ -40,5 +41,5 @@ def node_attributes(entity: Entity, parser: Parser) -> dict[str, Any]:
     """Keyword arguments of every action that starts a ROS node."""
     kwargs = condition_of(entity, parser)
     kwargs['executable'] = text(entity, parser, 'exec')
-    add_optionals(kwargs, entity, parser, _OPTIONALS)
+    add_optionals(kwargs, entity, parser, _OPTIONALS, _CHILDREN)
     return kwargs

@@ -17,7 +17,8 @@ _TYPES: dict[str, Any] = {
     **{f'list_of_{name}': data_type for name, data_type in zip(_SCALARS, ListTypesTuple, strict=True)},
     'yaml': None}
 _WHICH = frozenset(('name', 'from', 'allow_substs'))
-_WHAT = frozenset(('value', 'type', 'param'))
+_WHAT = frozenset(('value', 'type'))
+_INSIDE = frozenset(('param',))
 
 
 def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
@@ -39,7 +40,8 @@ def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
         elif 'name' in given:
             named.append(param)
         else:
-            raise hints.at(ValueError('param Entity should have name or from attribute'), param, None)
+            hint = "give it name and value, or from='a file'"
+            raise hints.at(ValueError('param Entity should have name or from attribute'), param, hint)
     if named:
         parameters.append(_dictionary(named, parser))
     return parameters
@@ -70,7 +72,7 @@ def _made(line: int, value: Any, data_type: Any) -> ParameterValue:
 
 
 def _value(param: Entity, parser: Parser) -> Any:
-    given = param.given(_WHAT)
+    given = param.given(_WHAT, _INSIDE)
     data_type = _data_type(param) if 'type' in given else None
     if 'param' in given:
         for name in ('value', 'type'):
@@ -82,7 +84,8 @@ def _value(param: Entity, parser: Parser) -> Any:
             return _plain_dictionary(plain, parser)
         return _dictionary(param.get_attr('param', data_type=Entities), parser)
     if 'value' not in given:
-        raise _wrong(param, 'either a value attribute or nested params are needed')
+        error = RuntimeError('either a value attribute or nested params are needed')
+        raise hints.at(error, param, f"{param.shown} needs 'value' beside its name")
     value = parser.parse_if_substitutions(param.get_attr('value', data_type=data_type))
     param.assert_entity_completely_parsed()
     return _made(param.line, value, data_type)

@@ -6,14 +6,14 @@ from launch.actions.reset_launch_configurations import ResetLaunchConfigurations
 from ..entity import Entity
 from ..late_parse import Parsed
 from ..parser import Parser
-from .attributes import Optionals, add_optionals, mapping
+from .attributes import NOTHING, Optionals, add_optionals, mapping
 from .condition import condition_of
 
-_OPTIONALS: Optionals = {'keep': ('launch_configurations', mapping)}
+_CHILDREN: Optionals = {'keep': ('launch_configurations', mapping)}
 
 
 def parse_reset(entity: Entity, parser: Parser) -> Parsed:
     """Launch configurations that are cleared."""
     kwargs = condition_of(entity, parser)
-    add_optionals(kwargs, entity, parser, _OPTIONALS)
+    add_optionals(kwargs, entity, parser, NOTHING, _CHILDREN)
     return ResetLaunchConfigurations, kwargs

@@ -1,0 +1,25 @@
+"""`ros2 lifecycle nodes`: which lifecycle nodes there are."""
+
+from __future__ import annotations
+
+import argparse
+
+from edulaunch.cli.ros2 import cli_node, lifecycle_nodes, names
+from edulaunch.cli.ros2.output import say
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """As in ROS 2."""
+    cli_node.add_arguments(parser)
+    parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
+    parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
+
+
+def main(arguments: argparse.Namespace) -> None:
+    """Print their full names, sorted."""
+    with cli_node.cli_node(arguments) as node:
+        found = lifecycle_nodes.found(node, arguments.all)
+    if arguments.count_nodes:
+        say(str(len(found)))
+    else:
+        names.say_lines(found)

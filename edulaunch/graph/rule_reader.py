@@ -1,0 +1,149 @@
+"""Reading what stands in one argument for ROS, as `from:=to` or `name:=value`: tokens, and rcl's words for what is wrong."""
+from __future__ import annotations
+
+import re
+
+_LEXEMES = (
+    ('~/', 2), ('rosservice://', 3), ('rostopic://', 4), (':=', 8), (':', 5), ('__node', 6), ('__name', 6), ('__ns', 7),
+    ('**', 21), ('*', 20), ('/', 19), ('.', 22))
+_TOKEN = re.compile(r'(?:[a-zA-Z]|_(?!_))(?:_?[a-zA-Z0-9])*_?')
+_BACK_REFERENCE = re.compile(r'\\[1-9]')
+
+NOTHING, END, TILDE_SLASH, SERVICE_SCHEME, TOPIC_SCHEME, COLON, NODE, NAMESPACE, SEPARATOR, BACK_REFERENCE = range(10)
+TOKEN, SLASH, WILD_ONE, WILD_ANY, DOT = range(18, 23)
+
+
+class RuleError(Exception):
+    """An argument that rcl refuses; the text is what rcl says after `Error:`."""
+
+
+class RuleReader:
+    """Goes through an argument, lexeme by lexeme.
+
+    The numbers of the lexemes are rcl's: its messages show them.
+    """
+
+    def __init__(self, text: str, position: int = 0) -> None:
+        self.text = text
+        self.position = position
+        self.kind, self._end = self._lexeme_at(position)
+
+    def _lexeme_at(self, start: int) -> tuple[int, int]:
+        """The lexeme that begins there, and where it ends."""
+        if start == len(self.text):
+            return END, start
+        for words, kind in _LEXEMES:
+            if self.text.startswith(words, start):
+                return kind, start + len(words)
+        for pattern, kind in ((_TOKEN, TOKEN), (_BACK_REFERENCE, BACK_REFERENCE)):
+            found = pattern.match(self.text, start)
+            if found:
+                return kind + (int(found[0][1]) - 1 if kind == BACK_REFERENCE else 0), found.end()
+        return NOTHING, start
+
+    def take(self) -> str:
+        """The lexeme, gone past."""
+        taken = self.text[self.position:self._end]
+        self.position = self._end
+        self.kind, self._end = self._lexeme_at(self.position)
+        return taken
+
+    def expect(self, kind: int) -> str:
+        """The lexeme, gone past, when it is of that kind.
+
+        :raises RuleError: when it is not.
+        """
+        if self.kind != kind:
+            if self.kind in (NOTHING, END):
+                raise RuleError(f'Expected lexeme type ({kind}) not found, search ended at index {self.position}')
+            raise RuleError(f'Expected lexeme type {kind}, got {self.kind} at index {self.position}')
+        return self.take()
+
+    def node_prefix(self) -> str | None:
+        """The name before a single colon at the beginning, or None."""
+        if self.kind != TOKEN or self._lexeme_at(self._end)[0] != COLON:
+            return None
+        name = self.take()
+        self.take()
+        return name
+
+    def expect_name_token(self) -> None:
+        """Go past a token of a name that is matched. Raises RuleError for a wildcard, or anything else."""
+        if self.kind in (WILD_ONE, WILD_ANY):
+            raise RuleError(f"Wildcard '{self.take()}' is not implemented")
+        if self.kind != TOKEN:
+            raise RuleError('Expecting token or wildcard')
+        self.take()
+
+    def expect_new_token(self) -> None:
+        """Go past a token of a new name. Raises RuleError when there is none, without saying why, as rcl does."""
+        if BACK_REFERENCE <= self.kind < TOKEN:
+            raise RuleError('Backreferences are not implemented')
+        if self.kind != TOKEN:
+            raise RuleError('error not set')
+        self.take()
+
+
+def read_parameter_name(reader: RuleReader) -> str:
+    """The parameter's name at the reader's place, up to `:=`, which is gone past. Slashes may stand anywhere in it.
+
+    :raises RuleError: when it breaks the rules.
+    """
+    start = reader.position
+    while True:
+        if reader.kind not in (TOKEN, SLASH):
+            reader.expect_name_token()
+        while reader.kind in (TOKEN, SLASH):
+            reader.take()
+        if reader.kind == SEPARATOR:
+            name = reader.text[start:reader.position]
+            reader.take()
+            return name
+        reader.expect(DOT)
+
+
+def read_matched_name(reader: RuleReader) -> str:
+    """The topic or service name left of `:=`, which is gone past.
+
+    :raises RuleError: when it breaks the rules.
+    """
+    start = reader.position
+    if reader.kind in (TILDE_SLASH, SLASH):
+        reader.take()
+    reader.expect_name_token()
+    while reader.kind != SEPARATOR:
+        reader.expect(SLASH)
+        reader.expect_name_token()
+    name = reader.text[start:reader.position]
+    reader.take()
+    return name
+
+
+def read_new_name(reader: RuleReader) -> str:
+    """The topic or service name right of `:=`, up to the end.
+
+    :raises RuleError: when it breaks the rules.
+    """
+    start = reader.position
+    if reader.kind in (TILDE_SLASH, SLASH):
+        reader.take()
+    reader.expect_new_token()
+    while reader.kind != END:
+        reader.expect(SLASH)
+        reader.expect_new_token()
+    return reader.text[start:]
+
+
+def read_new_namespace(reader: RuleReader) -> str:
+    """The absolute namespace right of `:=`, up to the end.
+
+    :raises RuleError: when it breaks the rules.
+    """
+    start = reader.position
+    reader.expect(SLASH)
+    while reader.kind == TOKEN:
+        reader.take()
+        if reader.kind == SLASH:
+            reader.take()
+    reader.expect(END)
+    return reader.text[start:]

@@ -1,0 +1,50 @@
+"""What launch does where a well-known package of ROS 2 is needed that is not here: it says so, and goes on without it."""
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from ._engine import absent_package, running_process
+
+
+def is_left_out(path: str) -> bool:
+    """Whether a launch file to be included belongs to such a package. If it does, that is told."""
+    sentence = absent_file(path)
+    if sentence is not None:
+        _tell(f'{path[len(_share()):]} is not included: {sentence}; the rest of the launch goes on without it')
+    return sentence is not None
+
+
+def absent_file(path: str) -> str | None:
+    """Why a file is not there, when it would belong to such a package."""
+    share = _share()
+    package = path[len(share):].partition(os.sep)[0] if path.startswith(share) else ''
+    kind = absent_package(package)
+    return None if kind is None else f'the package {package!r} ({kind}) is not here'
+
+
+def _share() -> str:
+    """The folder in which the share folders of such packages would stand, with a separator behind."""
+    return os.path.join(running_process().index.absent_prefix, 'share', '')
+
+
+def absent_program(name: str) -> str | None:
+    """The path that a program like xacro would have, when it is of such a package."""
+    prefix = running_process().index.absent_prefix
+    return os.path.join(prefix, 'lib', name, name) if absent_package(name) is not None else None
+
+
+def is_empty_output(argv: Sequence[str]) -> bool:
+    """Whether a command cannot run because its program is of such a package, so that its output is empty. If so, that is told."""
+    name = os.path.basename(argv[0]) if argv else ''
+    from osrf_pycommon.process_utils import which
+    path = absent_program(name)
+    if path is None or argv[0] != path and (argv[0] != name or which(name) is not None):
+        return False
+    _tell(f'the program {name!r} ({absent_package(name)}) is not here: the output of its command is empty')
+    return True
+
+
+def _tell(sentence: str) -> None:
+    from .logging import get_logger
+    get_logger('launch').error(sentence)

@@ -1,0 +1,35 @@
+"""Versions of extension points: whether an installed extension fits the one it is written for."""
+
+from __future__ import annotations
+
+PLUGIN_SYSTEM_VERSION = '0.1'
+
+
+class PluginException(Exception):
+    """An extension does not fit."""
+
+
+def satisfies_version(version: str, caret_range: str) -> None:
+    """Return when `version`, that of the extension point, is in the range, such as '^0.1': that version or a later one
+    with the same leftmost number that is not zero.
+
+    :raises PluginException: when it is older, or newer than what the extension knows.
+    :raises ValueError: for a range without its caret.
+    """
+    if not caret_range.startswith('^'):
+        raise ValueError(f"'{caret_range}' is no caret range, such as '^0.1'")
+    found, wanted = _numbers(version), _numbers(caret_range[1:])
+    if found < wanted:
+        raise PluginException(f"Extension point is too old ('{version}'), the extension requires '{caret_range}'")
+    if found >= _first_incompatible(wanted):
+        raise PluginException(
+            f"Extension point is newer ('{version}'), than what the extension supports '{caret_range}'")
+
+
+def _numbers(version: str) -> list[int]:
+    return [int(number) for number in version.split('.')]
+
+
+def _first_incompatible(wanted: list[int]) -> list[int]:
+    leftmost = next((place for place, number in enumerate(wanted) if number), len(wanted) - 1)
+    return [*wanted[:leftmost], wanted[leftmost] + 1]

@@ -1,0 +1,25 @@
+"""The executor that goes by events."""
+from __future__ import annotations
+
+from rclpy.execution.single_threaded import SingleThreadedExecutor
+from rclpy.readiness import Entity
+from rclpy.task import Task
+
+
+class EventsExecutor(SingleThreadedExecutor):
+    """Executes tasks, oldest first, then each node's messages and other events in the order in which they came, then due timers.
+
+    The other executors go by the kind and the age of what is ready. Everything else is as in `SingleThreadedExecutor`.
+    """
+
+    __module__ = 'rclpy.experimental.events_executor'
+
+    def _collect(self) -> list[Entity]:
+        arrivals = [entity for ready_list in self._lists for entity in ready_list.entities]
+        batch = super()._collect()
+        if len(batch) > 1:
+            batch.sort(key=lambda entity: arrivals.index(entity) if entity in arrivals else len(arrivals))
+        return batch
+
+    def _tasks_to_run(self) -> list[Task]:
+        return super()._tasks_to_run()[::-1]

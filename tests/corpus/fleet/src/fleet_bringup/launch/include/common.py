@@ -1,0 +1,4 @@
+from launch.substitutions import LaunchConfiguration
+
+def lc(n):
+    return LaunchConfiguration(n)
