@@ -86,17 +86,19 @@ class ServiceClient(ServiceEnd):
         """Send a request and return its number. All servers of the name get it and the first reply counts; with no server it is
         lost, as in ROS 2.
         """
-        self._sequence += 1
-        servers = self.graph.servers_for(self)
-        self.graph.tracer.request(self, self._sequence, wire, bool(servers))
-        if servers:
-            self.unanswered.add(self._sequence)
+        self._sequence = sequence = self._sequence + 1
+        graph, is_served = self.graph, False
+        for server in graph.services.get(self.service_name, ()):
+            if server.type_name == self.type_name:
+                is_served = True
+                server.queue.append((wire, (self, sequence)))
+                server.on_ready()
+        if is_served:
+            self.unanswered.add(sequence)
         else:
             self.lost += 1
-        for server in servers:
-            server.queue.append((wire, (self, self._sequence)))
-            server.on_ready()
-        return self._sequence
+        graph.tracer.request(self, sequence, wire, is_served)
+        return sequence
 
     def take(self) -> tuple[int, Any] | None:
         """The oldest waiting (sequence, wire), or None."""

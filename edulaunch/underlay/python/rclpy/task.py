@@ -41,6 +41,7 @@ class Future:
     # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
     _done = False
     _cancelled = False
+    _ended = False  # one of the two
     _result: Any = None
     _exception: BaseException | None = None
     _unfetched: _UnfetchedException | None = None
@@ -55,14 +56,14 @@ class Future:
             self._executor = executor
 
     def __await__(self) -> Generator[Any, None, Any]:
-        while not (self._done or self._cancelled):
+        while not self._ended:
             yield self
         return self.result()
 
     def cancel(self) -> None:
         """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
         if not self._done:
-            self._cancelled = True
+            self._cancelled = self._ended = True
             self._over()
 
     def cancelled(self) -> bool:
@@ -120,9 +121,10 @@ class Future:
         self._end()
 
     def _end(self) -> None:
-        self._done = True
+        self._done = self._ended = True
         self._cancelled = False
-        self._over()
+        if self._callbacks or self._awaiting:
+            self._over()
 
     def _over(self) -> None:
         if self._callbacks:
@@ -157,7 +159,7 @@ class Future:
 
     def add_done_callback(self, callback: Callable[[Any], object]) -> None:
         """Call `callback(future)` when it is done or cancelled, or soon if it is that already."""
-        if not (self._done or self._cancelled):
+        if not self._ended:
             self._callbacks.append(callback)
         elif self._executor is not None:
             self._executor.create_task(callback, self)
@@ -195,7 +197,7 @@ class Task(Future):
 
     def __call__(self) -> None:
         """Run it, or run it on."""
-        if self._done or self._cancelled or self._executing:
+        if self._ended or self._executing:
             return
         self._executing = True
         try:

@@ -61,7 +61,8 @@ class Executor(Waiting):
 
     def add_node(self, node: Node) -> bool:
         """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
-        self._check_open()
+        if self._is_shutdown:
+            self._check_open()
         try:
             ready_list = node._rclpy.ready_list
         except AttributeError:
@@ -259,7 +260,7 @@ class Executor(Waiting):
         deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
 
         def over() -> bool:
-            return future._done or future._cancelled or not self._context._ok
+            return future._ended or not self._context._ok
 
         while not over() and not self._is_shutdown:
             self._execute_next(lambda: self._next_item(over, deadline, timeout_ns == 0, over))
@@ -271,7 +272,7 @@ class Executor(Waiting):
         check_future(future)
         future._wake_when_done(self)
         self._execute_next(lambda: self._take_item(
-            _nanoseconds(timeout_sec), lambda: future._done or future._cancelled or not self._context._ok))
+            _nanoseconds(timeout_sec), lambda: future._ended or not self._context._ok))
 
     def _spin_some(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
@@ -298,7 +299,7 @@ class Executor(Waiting):
         """Execute the pending tasks, newest first; stop when `until` is done."""
         for task in self._tasks_to_run():
             self._execute(task)
-            if not self._context._ok or (until is not None and (until._done or until._cancelled)):
+            if not self._context._ok or (until is not None and until._ended):
                 return
         self._forget_tasks()
 

@@ -50,14 +50,17 @@ class SingleThreadedExecutor(Executor):
         if timeout_sec == 0 or type(self).spin_once is not Executor.spin_once:
             super().spin_until_future_complete(future, timeout_sec)
             return
-        check_future(future)
-        future._wake_when_done(self)
+        try:
+            future._wake_when_done(self)
+        except AttributeError:
+            check_future(future)
+            raise
         deadline = NEVER_NS if timeout_sec is None or timeout_sec < 0 else self._sim.now_ns + int(timeout_sec * S_TO_NS)
         if self._work is not None:
             self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
-            while self._context._ok and not (future._done or future._cancelled) and not self._is_shutdown \
+            while self._context._ok and not future._ended and not self._is_shutdown \
                     and self._sim.now_ns < deadline:
                 self._turn(future, deadline)
         except ShutdownException:
@@ -113,7 +116,7 @@ class SingleThreadedExecutor(Executor):
         context = self._context
         if self._tasks:
             self._run_tasks(until)
-            if not context._ok or (until is not None and (until._done or until._cancelled)):
+            if not context._ok or (until is not None and until._ended):
                 return
         batch = self._collect()
         if not batch:
@@ -128,7 +131,7 @@ class SingleThreadedExecutor(Executor):
                 position += 1
                 if not entity._destroyed:
                     self._run_entity(entity)
-                if not context._ok or (until is not None and (until._done or until._cancelled)):
+                if not context._ok or (until is not None and until._ended):
                     return
         finally:
             if position < len(batch):

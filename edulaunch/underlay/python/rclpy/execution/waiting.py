@@ -142,11 +142,11 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """The tasks that can go on, newest first."""
         self._new_tasks = False
-        return [task for task in reversed(self._tasks) if not (task._done or task._cancelled or task._executing)]
+        return [task for task in reversed(self._tasks) if not (task._ended or task._executing)]
 
     def _forget_tasks(self) -> None:
         """Keep only the tasks that are neither done nor cancelled."""
-        self._tasks = [task for task in self._tasks if not (task._done or task._cancelled)]
+        self._tasks = [task for task in self._tasks if not task._ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.
