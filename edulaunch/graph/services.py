@@ -87,17 +87,15 @@ class ServiceClient(ServiceEnd):
         lost, as in ROS 2.
         """
         self._sequence = sequence = self._sequence + 1
-        graph, is_served = self.graph, False
-        for server in graph.services.get(self.service_name, ()):
-            if server.type_name == self.type_name:
-                is_served = True
-                server.queue.append((wire, (self, sequence)))
-                server.on_ready()
-        if is_served:
+        servers = self.graph.servers_for(self)
+        self.graph.tracer.request(self, sequence, wire, bool(servers))  # before anybody answers: built-in ones do so at once
+        if servers:
             self.unanswered.add(sequence)
         else:
             self.lost += 1
-        graph.tracer.request(self, sequence, wire, is_served)
+        for server in servers:
+            server.queue.append((wire, (self, sequence)))
+            server.on_ready()
         return sequence
 
     def take(self) -> tuple[int, Any] | None:
