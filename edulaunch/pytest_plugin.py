@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from edulaunch.package_tests import absent_linter, is_of_own_package
+from edulaunch.testing.package_tests import absent_linter, is_of_own_package
 from edulaunch.underlay_place import underlay_python
 
 MARKS = {'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
@@ -28,8 +28,8 @@ SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
 def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
     """Offer `pytest_launch_collect_makemodule` to other plugins."""
     if not _other_launch_testing():
-        from edulaunch import launch_test_hooks
-        pluginmanager.add_hookspecs(launch_test_hooks)
+        from edulaunch.testing import hooks
+        pluginmanager.add_hookspecs(hooks)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -48,7 +48,7 @@ def pytest_load_initial_conftests(early_config: pytest.Config) -> None:
     """Let a conftest.py import ROS packages."""
     if _other_launch_testing():
         return
-    from edulaunch.late_source import LateSource
+    from edulaunch.testing.late_source import LateSource
     LateSource(early_config).install()
 
 
@@ -61,7 +61,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_finish(session: pytest.Session) -> None:
     """Prepare for inner runs of pytest that have launch tests."""
     if session.config.stash.get(SPEAKS_OF_LAUNCH_TESTS, False) and session.config.pluginmanager.has_plugin('pytester'):
-        from edulaunch.inner_pytest import load_everything
+        from edulaunch.testing.inner_pytest import load_everything
         load_everything()
 
 
@@ -91,10 +91,10 @@ def _plain_module(source: bytes, module_path: Path, parent: pytest.Collector) ->
         module: StyleTestModule = StyleTestModule.from_parent(parent, path=module_path)
         module.linter = linter
         return module
-    from edulaunch.late_source import SOURCED_LATE
+    from edulaunch.testing.late_source import SOURCED_LATE
     is_ours = SOURCED_LATE in parent.config.stash or parent.config.pluginmanager.has_plugin('edulaunch_test_machine')
     if is_ours or underlay_python() not in sys.path:
-        from edulaunch.test_machine_plugin import put_on_machine
+        from edulaunch.testing.machine_plugin import put_on_machine
         put_on_machine(parent.config, module_path)
     return None
 
@@ -166,7 +166,7 @@ def _is_mark_launch(node: ast.AST) -> bool:
 
 def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
     """Let launch_pytest take part in this run, and let the file see simulated time."""
-    from edulaunch.test_machine_plugin import put_on_machine
+    from edulaunch.testing.machine_plugin import put_on_machine
     put_on_machine(config, module_path)
     from launch_pytest import plugin
     if not config.pluginmanager.is_registered(plugin):
@@ -231,8 +231,8 @@ class LaunchTestItem(pytest.Item):
 
         :raises LaunchTestFailure: when anything went wrong.
         """
-        from edulaunch.launch_test_session import run_launch_test
         from edulaunch.sourcing import source
+        from edulaunch.testing.session import run_launch_test
         source()
         from launch_testing.launch_test import LaunchTest
         option = self.config.getoption

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from launch_testing.launch_test import LaunchTest
 
-from edulaunch.launch_test_session import run_launch_test
 from edulaunch.pytest_plugin import pytest_configure
+from edulaunch.testing.session import run_launch_test
 
 CORPUS = Path(__file__).parent / 'corpus'
 Run = Callable[..., Any]

@@ -10,9 +10,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from edulaunch.launch_test_session import main
-from edulaunch.package_tests import workspaces_of
 from edulaunch.pytest_plugin import is_launch_test
+from edulaunch.testing.package_tests import workspaces_of
+from edulaunch.testing.session import main
 
 from .conftest import CORPUS
 

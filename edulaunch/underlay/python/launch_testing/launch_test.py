@@ -1,6 +1,6 @@
 """The command `launch_test FILE [name:=value ...]`: runs a launch test file.
 
-The installed command `launch_test` opens a simulation of its own (see `edulaunch/launch_test_session.py`); so does
+The installed command `launch_test` opens a simulation of its own (see `edulaunch/testing/session.py`); so does
 `python -m launch_testing.launch_test` where the faces are on the path.
 """
 from __future__ import annotations
@@ -90,7 +90,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit code."""
-    from edulaunch.launch_test_session import main
+    from edulaunch.testing.session import main
     return main(argv)
 
 

@@ -1,6 +1,6 @@
 """Hooks that other plugins may implement."""
 from __future__ import annotations
 
-from edulaunch.launch_test_hooks import pytest_launch_collect_makemodule
+from edulaunch.testing.hooks import pytest_launch_collect_makemodule
 
 __all__ = ['pytest_launch_collect_makemodule']

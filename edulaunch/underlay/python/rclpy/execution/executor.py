@@ -64,15 +64,16 @@ class Executor(Waiting):
         if self._is_shutdown:
             self._check_open()
         try:
-            ready_list = node._rclpy.ready_list
+            core = node._rclpy
         except AttributeError:
             check_node(node)
             raise
+        ready_list = core.ready_list
         if ready_list.executor is self:
             return False
         ready_list.executor = self
         self._nodes.append(node)
-        if node.executor is not self:
+        if core.executor is not self:
             node.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.test_machine import TestMachine
+from edulaunch.testing.machine import TestMachine
 
 MACHINE = pytest.StashKey[TestMachine]()
 

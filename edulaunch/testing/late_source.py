@@ -11,7 +11,7 @@ from types import FrameType, ModuleType
 
 import pytest
 
-from edulaunch.package_tests import is_of_own_package
+from edulaunch.testing.package_tests import is_of_own_package
 from edulaunch.underlay_place import underlay_python
 
 SOURCED_LATE = pytest.StashKey[bool]()
@@ -38,7 +38,7 @@ class LateSource:
         if conftest is None or conftest in self._done:
             return None
         if is_of_own_package(conftest):
-            from edulaunch.test_machine_plugin import put_on_machine
+            from edulaunch.testing.machine_plugin import put_on_machine
             put_on_machine(self._config, Path(conftest))
         elif _is_ros_name(name):
             from edulaunch.sourcing import source

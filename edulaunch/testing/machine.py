@@ -13,13 +13,13 @@ from typing import Any
 
 from greenlet import getcurrent
 
-from edulaunch.package_tests import workspaces_of
 from edulaunch.packages import Index
 from edulaunch.processes.ambient import ambient_process_on
 from edulaunch.processes.views import PRIVATE_COPIES
 from edulaunch.session import Session, index_for
 from edulaunch.sim.task import AmbientTask
-from edulaunch.test_imports import TestImports
+from edulaunch.testing.imports import TestImports
+from edulaunch.testing.package_tests import workspaces_of
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
 """Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""

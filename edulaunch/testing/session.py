@@ -10,12 +10,12 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
-from edulaunch.package_tests import workspaces_of
 from edulaunch.processes.process import Process
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 from edulaunch.sim.pacing import Pacer
+from edulaunch.testing.package_tests import workspaces_of
 
 if TYPE_CHECKING:
     from launch_testing.launch_test import LaunchTest
