@@ -1,7 +1,6 @@
 """One line of help for an exception that ended a program: what Python and ROS leave unsaid."""
 from __future__ import annotations
 
-import linecache
 import os
 import re
 import sys
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.packages import nearest
 from edulaunch.processes.compiled_modules import compiled_module, missing_library
 from edulaunch.processes.not_here import KINDS
+from edulaunch.processes.with_help import with_help
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -30,8 +30,8 @@ def error_help(process: Process, error: BaseException) -> str | None:
         return f'{wanted_by(process)} needs the native library {library!r}, which this machine does not have'
     if isinstance(error, ImportError):
         return _hiding_help(process, error.name) or _name_help(process, error)
-    if _enters_init(error):
-        return 'in ROS 2 Jazzy rclpy.init() gives nothing for `with`, as it does in later versions: call it on a line of its own'
+    if help := with_help(error):
+        return help
     if isinstance(error, AttributeError):
         if hiding := _hiding_help(process, getattr(error.obj, '__name__', None)):
             return hiding
@@ -39,16 +39,6 @@ def error_help(process: Process, error: BaseException) -> str | None:
         from edulaunch.interfaces.attribute_help import attribute_help
         return attribute_help(error, current_registry())
     return None
-
-
-def _enters_init(error: BaseException) -> bool:
-    """Whether it comes from `with rclpy.init():`. What Python says of None in a `with` depends on its version."""
-    if '__enter__' not in str(error) and 'context manager' not in str(error):
-        return False
-    trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
-        trace = trace.tb_next
-    return trace is not None and 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno)
 
 
 def _hiding_help(process: Process, name: Any) -> str | None:

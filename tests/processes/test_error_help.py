@@ -1,6 +1,7 @@
 """The line of help below a traceback."""
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +35,23 @@ def test_help(world: Any, text: str, help: str | None) -> None:
     world.write('lib/robot/arm.py', 'def move(): ...')
     lines = world.run(text).splitlines()
     assert (lines[-1] if lines else None) == (None if help is None else f'  help: {help}')
+
+
+NOT_FOR_WITH = 'in ROS 2 a {} is not for `with`: make it on a line of its own and call its {} at the end'
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason='Python 3.10 does not tell the class')
+@pytest.mark.parametrize(('text', 'name', 'ending'), [
+    ('with rclpy.create_node("n"): ...', 'Node', 'destroy_node()'),
+    ('class Robot(Node): ...\nwith Robot("n"): ...', 'Robot', 'destroy_node()'),
+    ('with Node("n").create_timer(1, print): ...', 'Timer', 'destroy()'),
+    ('class Timer: ...\nwith Timer(): ...', 'Timer', None),
+])
+def test_nodes_and_what_they_make_are_not_for_with(world: Any, text: str, name: str, ending: str | None) -> None:
+    lines = world.run(f'import rclpy\nfrom rclpy.node import Node\nrclpy.init()\n{text}').splitlines()
+    assert [line for line in lines if line.startswith(('TypeError', '  help'))] == [
+        f"TypeError: '{name}' object does not support the context manager protocol",
+        *([f'  help: {NOT_FOR_WITH.format(name, ending)}'] if ending else [])]
 
 
 @pytest.mark.parametrize(('text', 'name', 'place'), [

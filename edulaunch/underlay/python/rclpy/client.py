@@ -172,12 +172,6 @@ class Client(Entity):
         self._destroyed = True
         self._impl.destroy()
 
-    def __enter__(self) -> Client:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.destroy()
-
 
 __getattr__ = passed_on(__name__, {
     'typing': 'Any Dict Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup',

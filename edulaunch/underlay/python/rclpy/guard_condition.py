@@ -46,12 +46,6 @@ class GuardCondition(Entity):
         """Trigger no more."""
         self._destroyed = True
 
-    def __enter__(self) -> GuardCondition:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.destroy()
-
 
 __getattr__ = passed_on(__name__, {
     'rclpy.utilities': 'get_default_context',

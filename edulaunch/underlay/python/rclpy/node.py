@@ -154,12 +154,6 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.graph.remove_node(core.entry)
         core.ready_list.notify()
 
-    def __enter__(self) -> Node:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.destroy_node()
-
 
 def _refuse_setting(name: str, made: property) -> property:
     def refuse(node: object, value: object) -> None:

@@ -97,12 +97,6 @@ class Publisher:
     def _refuse(self, _: Any) -> None:
         raise InvalidHandle('cannot use Destroyable because destruction was requested')
 
-    def __enter__(self) -> Publisher:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.destroy()
-
 
 __getattr__ = passed_on(__name__, {
     'typing': 'List Optional Type TypeVar Union', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.duration': 'Duration',

@@ -94,12 +94,6 @@ class Service(Entity):
         self._destroyed = True
         self._impl.destroy()
 
-    def __enter__(self) -> Service:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.destroy()
-
 
 __getattr__ = passed_on(__name__, {
     'typing': 'Callable Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.clock': 'Clock',

@@ -111,12 +111,6 @@ class Subscription(Entity):
             handler.destroy()
         self._impl.destroy()
 
-    def __enter__(self) -> Subscription:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.destroy()
-
 
 def callback_type(callback: Any) -> Subscription.CallbackType:
     """Whether a callback takes the message only, or the message and its info.

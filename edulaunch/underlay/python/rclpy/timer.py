@@ -153,12 +153,6 @@ class Timer(Entity):
             self._ready_list.timers.remove(self)
             self._ready_list.plan()
 
-    def __enter__(self) -> Timer:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.destroy()
-
 
 class Rate:
     """`sleep()` waits for the next call of a timer, so some other thread must spin. Made by `Node.create_rate`."""
