@@ -75,7 +75,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.overrides = core.given_parameters()
         events = ParameterEvents(self)
         core.overrides.update(events.from_arguments(parameter_overrides or ()))
-        core.parameters = ParameterStore(allow_undeclared_parameters, events.publish)
+        core.parameters = ParameterStore(allow_undeclared_parameters, core.check_alive, events.publish)
         context.track_node(self)
         core.time_source = TimeSource(node=self)
         core.time_source.attach_clock(core.clock)

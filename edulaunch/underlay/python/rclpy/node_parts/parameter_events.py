@@ -5,7 +5,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.ros_arguments import Override
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.constants import S_TO_NS
+from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 
@@ -30,15 +32,19 @@ class ParameterEvents:
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
-        """Tell of one transaction."""
+        """Tell of one transaction.
+
+        :raises RCLError: after shutdown; the values are in place then, as in ROS 2.
+        """
         core = self._core
         for parameter in (*new, *changed):
             core.graph.tracer.parameter(core.entry, parameter.name, parameter.value, self._origin(parameter))
         for parameter in deleted:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
-        if core.context._ok:
-            stamp = divmod(core.clock._now_ns(), S_TO_NS)
-            self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
+        if not core.context._ok:
+            raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
+        stamp = divmod(core.clock._now_ns(), S_TO_NS)
+        self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _wires(self, parameters: list[Parameter]) -> tuple[Any, ...]:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])

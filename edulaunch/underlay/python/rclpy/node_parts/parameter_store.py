@@ -27,16 +27,18 @@ EMPTY_LIST = ('parameter list cannot be empty, this might be due to pre_set_para
 class ParameterStore:
     """Values and descriptors by name, and the callbacks that may refuse a change.
 
+    :param check_alive: asked before each transaction; it raises when the node is gone.
     :param on_change: told of each successful transaction, after the values are in place.
     """
 
-    def __init__(self, allow_undeclared: bool, on_change: OnChange) -> None:
+    def __init__(self, allow_undeclared: bool, check_alive: Callable[[], None], on_change: OnChange) -> None:
         self.values: dict[str, Parameter] = {}
         self.descriptors: dict[str, ParameterDescriptor] = {}
         self.allow_undeclared = allow_undeclared
         self.pre_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self.on_callbacks: list[Callable[[list[Parameter]], SetParametersResult]] = []
         self.post_callbacks: list[Callable[[list[Parameter]], None]] = []
+        self._check_alive = check_alive
         self._on_change = on_change
 
     def descriptor(self, name: str) -> ParameterDescriptor:
@@ -130,6 +132,7 @@ class ParameterStore:
         return None
 
     def _store(self, parameters: Sequence[Parameter], new_descriptors: dict[str, ParameterDescriptor] | None) -> None:
+        self._check_alive()
         new: list[Parameter] = []
         changed: list[Parameter] = []
         deleted: list[Parameter] = []
