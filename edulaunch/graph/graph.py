@@ -30,6 +30,11 @@ class NodeEntry:
         """The namespace and the name, such as '/turtlesim2/sim'."""
         return ('' if self.namespace == '/' else self.namespace) + '/' + self.name
 
+    @property
+    def logger_name(self) -> str:
+        """The full name with dots: 'a.b.c' for node c in /a/b."""
+        return self.fully_qualified_name[1:].replace('/', '.')
+
     def __repr__(self) -> str:
         return f'<node {self.fully_qualified_name}>'
 

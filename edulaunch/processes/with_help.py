@@ -24,7 +24,7 @@ def with_help(error: BaseException) -> str | None:
         return None
     if 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno):
         return INIT
-    said = re.match(r"'(\w+)' object does not support the \w*? ?context manager protocol", str(error))
+    said = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
     ending = None if said is None else ENDINGS.get(_kind(said[1], trace))
     return None if said is None or ending is None else (
         f'in ROS 2 a {said[1]} is not for `with`: make it on a line of its own and call its {ending} at the end')

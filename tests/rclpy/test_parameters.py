@@ -365,3 +365,21 @@ def test_an_empty_list_from_outside_leaves_a_parameter_without_value(ros: Ros, w
         world.say(raised(node.get_parameter, 'p')[0])
 
     assert ros(body) == [None, 'ParameterUninitializedException']
+
+
+@pytest.mark.parametrize(('end', 'error', 'value', 'declared'), [
+    (lambda node: node.destroy_node(), ('InvalidHandle', 'cannot use Destroyable because destruction was requested'), 1, False),
+    (lambda _: rclpy.shutdown(), ('RCLError', "Failed to publish: publisher's context is invalid"), 2, True),
+])
+def test_after_the_end_parameters_cannot_be_declared_or_set(ros: Ros, world: World, end: Any, error: Any, value: int,
+                                                            declared: bool) -> None:
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', 1)
+        node.add_post_set_parameters_callback(world.say)
+        end(node)
+        world.say(raised(node.set_parameters, [Parameter('p', value=2)]))
+        world.say(raised(node.declare_parameter, 'q', 1))
+        world.say((node.get_parameter('p').value, node.has_parameter('q')))
+
+    assert ros(body) == [error, error, (value, declared)]

@@ -66,12 +66,10 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         uninstall_signal_handlers()
 
 
-def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End the use of ROS 2 if that was not done yet; never raises."""
+def try_shutdown(*, context: Context | None = None) -> None:
+    """End the use of ROS 2 if that was not done yet; never raises. In Jazzy signals stay handled."""
     _end_global_executor()
     _try_shutdown(context=context)
-    if uninstall_handlers or (uninstall_handlers is None and context is None):
-        uninstall_signal_handlers()
 
 
 def _end_global_executor() -> None:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of
+from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of, logger_name_of
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
@@ -119,6 +119,10 @@ class Client(Entity):
             future.set_result(response)
         return None
 
+    def get_pending_request(self, sequence_number: int) -> Future:
+        """The future of a request that waits for its reply; requests are numbered from 1. Raises KeyError when none waits."""
+        return self._pending_requests[sequence_number]
+
     def remove_pending_request(self, future: Future) -> None:
         """Forget a request: its reply, if one comes, is dropped."""
         for sequence, pending in self._pending_requests.items():
@@ -155,6 +159,11 @@ class Client(Entity):
         """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
         check_alive(self._impl)
         return self._impl.service_name
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger. Raises InvalidHandle when destroyed."""
+        return logger_name_of(self._impl)
 
     @property
     def handle(self) -> Handle:

@@ -120,12 +120,14 @@ class Clock:
         self._clock_type = clock_type
         self._sim = current_task().sim
         self._override_ns = None
+        self._told_ns = 0
         self._jump_handles = []
         self._timers = []
         return self
 
     _sim: Any
     _override_ns: int | None
+    _told_ns: int
     _jump_handles: list[JumpHandle]
     _timers: list[Timer]
 
@@ -200,16 +202,17 @@ class ROSClock(Clock):
         return self._override_ns is not None
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
-        """Let /clock rule, from time 0 on, or not any more."""
+        """Let /clock rule, from the time told last on (0 at first), or not any more."""
         if enabled == self.ros_time_is_active:
             return
         change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
-        self._jump(change, 0 if enabled else None)
+        self._jump(change, self._told_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Let it be `time`; counts only while /clock rules. Raises TypeError when `time` is none."""
+        """Let it be `time`, at once or as soon as /clock rules. Raises TypeError when `time` is none."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
+        self._told_ns = time.nanoseconds
         if self.ros_time_is_active:
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
 

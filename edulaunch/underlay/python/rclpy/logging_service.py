@@ -34,8 +34,8 @@ class LoggingService:
             try:
                 set_logger_level(level.name, LoggingSeverity(level.level))
                 results.append(SetLoggerLevelsResult(successful=True))
-            except ValueError as error:
-                results.append(SetLoggerLevelsResult(successful=False, reason=str(error)))
+            except ValueError:
+                results.append(SetLoggerLevelsResult(successful=False, reason='Failed reason: Invalid logger level.'))
         response.results = results
         return response
 

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
-from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of
+from rclpy.duration import Duration
+from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of, logger_name_of
 from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
     from edulaunch.graph.topics import Publisher as GraphPublisher
     from rclpy.context import Context
-    from rclpy.duration import Duration
     from rclpy.qos import QoSProfile
 
 
@@ -68,6 +68,11 @@ class Publisher:
         return self._impl.topic_name
 
     @property
+    def logger_name(self) -> str:
+        """The name of its node's logger. Raises InvalidHandle when destroyed."""
+        return logger_name_of(self._impl)
+
+    @property
     def handle(self) -> Handle:
         """What holds the endpoint in the graph."""
         return handle_of(self._impl)
@@ -82,9 +87,17 @@ class Publisher:
         if show_life is not None:
             show_life()
 
-    def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:
-        """Whether all messages were received: delivery takes no time, so always True. Raises RCLError after shutdown."""
+    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
+        """Whether all messages were received: delivery takes no time, so always True.
+
+        :param timeout: how long to wait; a negative one is for ever.
+        :raises AttributeError: when it is no Duration.
+        :raises RCLError: after shutdown.
+        """
         check_endpoint(self._impl, self._context, 'Failed to wait for all acknowledgements: publisher')
+        if not isinstance(timeout, Duration):
+            raise hinted(AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
+                         'the timeout is a Duration: wait_for_all_acked(Duration(seconds=1))')
         return True
 
     def destroy(self) -> None:
@@ -99,7 +112,7 @@ class Publisher:
 
 
 __getattr__ = passed_on(__name__, {
-    'typing': 'List Optional Type TypeVar Union', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.duration': 'Duration',
+    'typing': 'List Optional Type TypeVar Union', 'rclpy.callback_groups': 'CallbackGroup',
     'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
     'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.qos': 'QoSProfile',
     'rclpy.impl.type_variables': 'MsgType',

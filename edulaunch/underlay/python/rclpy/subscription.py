@@ -5,7 +5,7 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.handle import Handle, check_alive, handle_of
+from rclpy.impl.handle import Handle, check_alive, handle_of, logger_name_of
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -98,6 +98,11 @@ class Subscription(Entity):
         """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
         check_alive(self._impl)
         return self._impl.topic_name
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger. Raises InvalidHandle when destroyed."""
+        return logger_name_of(self._impl)
 
     @property
     def handle(self) -> Handle:

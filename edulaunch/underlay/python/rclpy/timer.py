@@ -42,6 +42,7 @@ class Timer(Entity):
         self._last_ns = clock._now_ns()
         self._next_ns = self._last_ns + timer_period_ns
         self._due_ns = NEVER_NS
+        self._credit_ns = 0
         clock._timers.append(self)
         self._ready_list.timers.append(self)
         self._plan()
@@ -78,11 +79,19 @@ class Timer(Entity):
         self._ready_list.notify()
 
     def _clock_jumped(self, before_ns: int, source_changed: bool) -> None:
-        """As rcl: a forward jump past the grid point makes it ready once, a backward jump or a new source starts anew."""
+        """As rcl: a forward jump past the grid point makes it ready once, a backward jump starts anew.
+
+        A new source takes over what was left to wait as if it were what had passed (rcl's way); time 0 counts as unknown.
+        """
         now = self._clock._now_ns()
         if source_changed:
-            self._next_ns = now + min(max(self._next_ns - before_ns, 0), self._period_ns)
-        elif now < self._last_ns:
+            if before_ns:
+                self._credit_ns = self._next_ns - before_ns
+            if now and self._credit_ns:
+                self._last_ns = now - self._credit_ns
+                self._next_ns = self._last_ns + self._period_ns
+                self._credit_ns = 0
+        elif now < self._next_ns and now < self._last_ns:
             self._last_ns = now
             self._next_ns = now + self._period_ns
         self._plan()
@@ -98,8 +107,8 @@ class Timer(Entity):
         if next_ns > now:
             return None
         next_ns += period
-        if next_ns < now:
-            next_ns = now + (next_ns - now) % period if period else now
+        if next_ns <= now:
+            next_ns = now + period - (now - next_ns) % period if period else now
         self._last_ns = now
         self._next_ns = next_ns
         self._due_ns = next_ns if clock._override_ns is None or next_ns <= now else NEVER_NS

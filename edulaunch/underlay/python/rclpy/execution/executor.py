@@ -151,6 +151,10 @@ class Executor(Waiting):
         deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
         return self._next_item((timeout_ns, condition), deadline, timeout_ns == 0, condition)
 
+    def can_execute(self, entity: Entity) -> bool:
+        """Whether the callback of an entity could begin now, by the rules of its group."""
+        return entity.callback_group.can_execute(entity)
+
     def _execute(self, item: Item) -> None:
         """Execute one item in place. Raises what its callback raises."""
         if isinstance(item, Task):

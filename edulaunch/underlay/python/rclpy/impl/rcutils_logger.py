@@ -17,8 +17,8 @@ class RcutilsLogger:
     """A logger: `node.get_logger()` or `rclpy.logging.get_logger(name)`.
 
     Each log method takes one string, and the filters `once=True`, `skip_first=True`, `throttle_duration_sec=...`
-    (with `throttle_time_source_type=<a Clock>`), and returns whether the message was written. What a filter remembers belongs
-    to the place of the call.
+    (with `throttle_time_source_type=<a Clock>`), also `name=...` for another logger's name, and returns whether the message was
+    written. What a filter remembers belongs to the place of the call.
 
     :raises TypeError: for an unknown keyword, or a message that is no string, bytes or None.
     :raises ValueError: when severity or filters change at one place.
@@ -54,33 +54,34 @@ class RcutilsLogger:
 
     def debug(self, message: str, **kwargs: Any) -> bool:
         """Log with severity DEBUG."""
-        return self._log(message, DEBUG, self.name, sys._getframe(1), kwargs)
+        return self._log(message, DEBUG, sys._getframe(1), kwargs)
 
     def info(self, message: str, **kwargs: Any) -> bool:
         """Log with severity INFO."""
-        return self._log(message, INFO, self.name, sys._getframe(1), kwargs)
+        return self._log(message, INFO, sys._getframe(1), kwargs)
 
     def warning(self, message: str, **kwargs: Any) -> bool:
         """Log with severity WARN."""
-        return self._log(message, WARN, self.name, sys._getframe(1), kwargs)
+        return self._log(message, WARN, sys._getframe(1), kwargs)
 
     def warn(self, message: str, **kwargs: Any) -> bool:
         """Log with severity WARN."""
-        return self._log(message, WARN, self.name, sys._getframe(1), kwargs)
+        return self._log(message, WARN, sys._getframe(1), kwargs)
 
     def error(self, message: str, **kwargs: Any) -> bool:
         """Log with severity ERROR."""
-        return self._log(message, ERROR, self.name, sys._getframe(1), kwargs)
+        return self._log(message, ERROR, sys._getframe(1), kwargs)
 
     def fatal(self, message: str, **kwargs: Any) -> bool:
         """Log with severity FATAL."""
-        return self._log(message, FATAL, self.name, sys._getframe(1), kwargs)
+        return self._log(message, FATAL, sys._getframe(1), kwargs)
 
-    def log(self, message: str, severity: LoggingSeverity | int, name: str | None = None, **kwargs: Any) -> bool:
+    def log(self, message: str, severity: LoggingSeverity | int, **kwargs: Any) -> bool:
         """Log with a severity given as a value."""
-        return self._log(message, int(LoggingSeverity(severity)), name or self.name, sys._getframe(1), kwargs)
+        return self._log(message, int(LoggingSeverity(severity)), sys._getframe(1), kwargs)
 
-    def _log(self, message: Any, severity: int, name: str, frame: FrameType, options: dict[str, Any]) -> bool:
+    def _log(self, message: Any, severity: int, frame: FrameType, options: dict[str, Any]) -> bool:
+        name = _checked_name(options.pop('name')) if 'name' in options else self.name
         state = logging_state()
         if severity < state.effective_level(name):
             return False
@@ -98,6 +99,14 @@ class RcutilsLogger:
             message = _text_of(message)
         state.output(severity, name, message, code.co_name, code.co_filename, frame.f_lineno)
         return True
+
+
+def _checked_name(name: Any) -> str:
+    """The name given with a message; None is the root's."""
+    if name is not None and not isinstance(name, str):
+        raise TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '
+                        f'not {type(name).__name__}')
+    return name or ''
 
 
 def _text_of(message: Any) -> str:

@@ -96,7 +96,7 @@ class NodeCore:
     @property
     def logger_name(self) -> str:
         """The full name with dots: `a.b.c` for node c in /a/b."""
-        return self.full_name[1:].replace('/', '.')
+        return self.entry.logger_name
 
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""
