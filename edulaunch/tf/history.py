@@ -128,18 +128,19 @@ def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | No
             poses.append(history.poses[-1])
             continue
         first = history.first
-        if not (first < newer < len(stamps) and stamps[newer - 1] <= time_ns < stamps[newer]):
+        if not (first < newer < len(stamps) and (older_ns := stamps[newer - 1]) <= time_ns < (newer_ns := stamps[newer])):
             newer = bisect_right(stamps, time_ns, first)
             if newer == first or newer == len(stamps):
                 return None
-        older_ns = stamps[newer - 1]
+            older_ns, newer_ns = stamps[newer - 1], stamps[newer]
+        known = history.poses
         if time_ns == older_ns:
-            poses.append(history.poses[first if time_ns == stamps[first] else newer - 1])
+            poses.append(known[first if time_ns == stamps[first] else newer - 1])
             continue
-        ratio = (time_ns - older_ns) / (stamps[newer] - older_ns)
+        ratio = (time_ns - older_ns) / (newer_ns - older_ns)
         rest = 1.0 - ratio
-        x, y, z, ax, ay, az, aw = history.poses[newer - 1]
-        u, v, w, bx, by, bz, bw = history.poses[newer]
+        x, y, z, ax, ay, az, aw = known[newer - 1]
+        u, v, w, bx, by, bz, bw = known[newer]
         turned = ax or ay or bx or by  # about another axis than z; the zeros of the others need not be multiplied
         dot = ax * bx + ay * by + az * bz + aw * bw if turned else az * bz + aw * bw
         if -1.0 < dot < 1.0:  # quaternions.slerp, written out

@@ -329,3 +329,55 @@ def test_feedback_after_a_shutdown_ends_the_execute_callback(world: World) -> No
     assert 'not reached' not in [what for _, what in run(world, server(stubborn), client(world))]
     assert world.tracer.logs[0][2].startswith(
         "Error raised in execute callback: Failed to publish feedback with an action server: publisher's context is invalid")
+
+
+CREATE = 'Failed to create action '
+NAMED = 'due to invalid topic name '
+
+
+@pytest.mark.parametrize(('name', 'client_text', 'server_text'), [
+    ('1f', NAMED + "'1f' : topic name token must not start with a number",
+     NAMED + "'1f' : : topic name token must not start with a number"),
+    ('a/', NAMED + "'a/' : topic name must not contain repeated '/'", NAMED + "'a/' : : topic name must not contain repeated '/'"),
+    ('{x}', NAMED + "'{x}' : unknown substitution: {x}", NAMED + "'{x}' : : unknown substitution: {x}"),
+    ('~a', NAMED + "'~a' : topic name must not have a tilde '~' that is not followed by a forward slash '/'",
+     NAMED + "'~a' : : topic name must not have a tilde '~' that is not followed by a forward slash '/'"),
+    ('', None, NAMED + "'' : : invalid empty action name"),
+    (None, None, None),
+])
+def test_wrong_names_of_actions_have_texts_of_their_own(ros: Ros, world: World, name: Any, client_text: str | None,
+                                                        server_text: str | None) -> None:
+    def body() -> None:
+        node = Node('n')
+        for make in (lambda: ActionClient(node, Fibonacci, name), lambda: ActionServer(node, Fibonacci, name, compute)):
+            with pytest.raises(ValueError, match=f'^{CREATE}') as caught:
+                make()
+            world.say((type(caught.value), str(caught.value).removeprefix(CREATE)))
+
+    null = 'action_name argument is null' if name is None else 'failed to get goal service name'
+    assert ros(body) == [(ValueError, f'client {client_text}' if client_text else f'client: {null}'),
+                         (ValueError, f'server {server_text}' if server_text else f'server: {null}')]
+
+
+def test_after_shutdown_no_actions_are_made(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        rclpy.shutdown()
+        for make in (lambda: ActionClient(node, Fibonacci, 'f'), lambda: ActionServer(node, Fibonacci, 'f', compute)):
+            with pytest.raises(ValueError, match=CREATE) as caught:
+                make()
+            world.say(str(caught.value))
+        world.say(list(node.waitables))
+
+    assert ros(body) == [f"{CREATE}client: rcl node's context is invalid", f"{CREATE}server: rcl node's context is invalid", []]
+
+
+def test_notifying_that_a_goal_is_done_needs_a_server_that_is_there(ros: Ros, world: World) -> None:
+    def body() -> None:
+        actions = ActionServer(Node('n'), Fibonacci, 'f', compute)
+        world.say(actions.notify_goal_done())  # type: ignore[func-returns-value]
+        actions.destroy()
+        with pytest.raises(RCLError, match='^Failed to notfiy action server of goal done: action server pointer is invalid$'):
+            actions.notify_goal_done()
+
+    assert ros(body) == [None]

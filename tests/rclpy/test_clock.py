@@ -97,6 +97,59 @@ def test_timers_go_by_the_topic_and_jump_once(world: World) -> None:
     assert [(at, what) for at, _, what in world.run(1)] == [(100.0, 1), (300.0, 5), (500.0, 3)]
 
 
+def test_what_clock_told_last_outlives_its_rule(ros: Ros, world: World) -> None:
+    def body() -> None:
+        clock = ROSClock()
+        clock.set_ros_time_override(Time(seconds=7, clock_type=ClockType.ROS_TIME))
+        for active in (True, False, True):
+            clock._set_ros_time_is_active(active)
+            world.say(clock.now().nanoseconds == 7 * 10**9)
+
+    assert ros(body) == [True, False, True]
+
+
+def test_a_jump_onto_the_grid_calls_a_timer_once(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        clock = node.get_clock()
+        clock._set_ros_time_is_active(True)
+        timer = node.create_timer(1.0, lambda: world.say(timer.time_until_next_call()))
+        for second in (1, 4, 4.5):
+            clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+            for _ in range(2):
+                rclpy.spin_once(node, timeout_sec=0.1)
+
+    assert ros(body) == [10**9, 10**9]
+
+
+def test_a_new_time_source_swaps_what_a_timer_has_waited_and_has_to_wait(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        clock = node.get_clock()
+        clock.set_ros_time_override(Time(seconds=100, clock_type=ClockType.ROS_TIME))
+        timer = node.create_timer(1.0, lambda: None)
+        sleep(0.3)
+        for active in (True, False):
+            clock._set_ros_time_is_active(active)
+            world.say((timer.time_since_last_call() // 10**6, timer.time_until_next_call() // 10**6))
+
+    assert ros(body) == [(-700 + 0, 1700), (0, 0)]
+
+
+def test_a_sleep_until_a_time_that_is_over_ends_with_the_next_message_of_clock(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n', parameter_overrides=[Parameter('use_sim_time', value=True)])
+        Thread(target=rclpy.spin, args=[node], daemon=True).start()
+        sleep(0.15)
+        world.say(node.get_clock().now().nanoseconds // 10**9)
+        world.say(node.get_clock().sleep_until(Time(seconds=3, clock_type=ClockType.ROS_TIME)))
+
+    world.start(program)
+    world.start(clock_publisher(5, 7), name='clock')
+    assert [(at, what) for at, _, what in world.run(1)] == [(150.0, 5), (200.0, True)]
+
+
 def test_use_sim_time_must_be_a_bool(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

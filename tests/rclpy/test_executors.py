@@ -641,3 +641,15 @@ def raised(act: Callable[[], Any]) -> str | None:
     except Exception as error:
         return f'{type(error).__name__}: {error}'
     return None
+
+
+def test_an_executor_tells_by_the_group_whether_a_callback_could_begin(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node, executor = Node('n'), SingleThreadedExecutor()
+        timers: list[Any] = [node.create_timer(1.0, lambda: world.say([executor.can_execute(timer) for timer in timers])),
+                  node.create_timer(9.0, print), node.create_timer(9.0, print, callback_group=ReentrantCallbackGroup())]
+        executor.add_node(node)
+        executor.spin_once()
+        world.say([executor.can_execute(timer) for timer in timers])
+
+    assert ros(body) == [[False, False, True], [True, True, True]]

@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import pytest
 from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -46,3 +47,15 @@ def test_nodes_and_entities_are_not_for_with_only_their_handles_are(ros: Ros, wo
         world.say([name for name, one in {**_entities(node), 'node': node}.items() if hasattr(one, '__enter__')])
 
     assert ros(body) == [[]]
+
+
+def test_entities_know_their_nodes_logger_until_they_are_destroyed(ros: Ros, world: World) -> None:
+    def body() -> None:
+        entities = _entities(Node('n', namespace='a/b'))
+        for kind in ('publisher', 'subscription', 'client', 'service'):
+            world.say(entities[kind].logger_name)
+            entities[kind].destroy()
+            with pytest.raises(InvalidHandle):
+                _ = entities[kind].logger_name
+
+    assert ros(body) == ['a.b.n'] * 4

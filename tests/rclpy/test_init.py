@@ -14,6 +14,7 @@ from rclpy.context import Context
 from rclpy.exceptions import NotInitializedException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.signals import get_current_signal_handlers_options
 from rclpy.utilities import remove_ros_args
 
 from .conftest import World
@@ -278,3 +279,15 @@ def test_on_shutdown_of_a_context_that_has_ended_calls_at_once(world: World) -> 
 
 def test_the_options_of_signal_handlers_print_with_their_class() -> None:
     assert str(rclpy.signals.SignalHandlerOptions.SIGINT) == 'SignalHandlerOptions.SIGINT'
+
+
+def test_after_try_shutdown_signals_stay_handled(world: World) -> None:
+    def body() -> None:
+        for end in (rclpy.try_shutdown, rclpy.shutdown):
+            rclpy.init()
+            end()
+            world.say(str(get_current_signal_handlers_options()))
+        with pytest.raises(TypeError):
+            rclpy.try_shutdown(uninstall_handlers=True)  # type: ignore[call-arg]
+
+    assert world.run_program(body) == ['SignalHandlerOptions.ALL', 'SignalHandlerOptions.NO']

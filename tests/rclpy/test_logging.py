@@ -176,3 +176,15 @@ def test_a_throttle_goes_by_a_clock_only(world: World) -> None:
 
 def test_the_directory_of_log_files_is_a_path(world: World) -> None:
     assert world.run_program(lambda: world.say(rclpy.logging.get_logging_directory()), env={'ROS_LOG_DIR': '/x'}) == [Path('/x')]
+
+
+def test_a_message_may_name_another_logger_by_keyword_only(ros: Ros, world: World) -> None:
+    def body() -> None:
+        logger = Node('n').get_logger()
+        world.say((logger.info('a', name='x'), logger.log('b', 20, name='y'), logger.log('c', 20, name=None)))
+        for wrong in (lambda: logger.log('d', 20, 'x'), lambda: logger.info('e', name=5)):
+            with pytest.raises(TypeError):
+                wrong()
+
+    assert ros(body) == [(True, True, True)]
+    assert [(name, text) for _, name, text in world.tracer.logs] == [('x', 'a'), ('y', 'b'), ('', 'c')]

@@ -208,8 +208,44 @@ def test_quality_of_service_overrides_may_be_refused(ros: Ros, world: World) -> 
 
     def body() -> None:
         options = QoSOverridingOptions.with_default_policies(callback=lambda profile: SetParametersResult(reason='no'))
-        with pytest.raises(InvalidQosOverridesError, match="no: publisher of topic '/c'"):
+        with pytest.raises(InvalidQosOverridesError, match='^Provided QoS overrides for publisher `/c` with id `None`, are not valid: no$'):
             Node('n').create_publisher(String, 'c', 10, qos_overriding_options=options)
+        world.say('refused')
+
+    assert ros(body) == ['refused']
+
+
+@pytest.mark.parametrize(('value', 'what'), [('best_effort', 'reliability for publisher `/c` with id `left`'),
+                                             ('wrong', 'Unexpected QoS override for policy `reliability`: `wrong`')])
+def test_an_override_is_described_by_its_endpoint_and_must_name_a_value(ros: Ros, world: World, value: str, what: str) -> None:
+    def body() -> None:
+        node, options = Node('n'), QoSOverridingOptions([QoSPolicyKind.RELIABILITY], entity_id='left')
+        try:
+            node.create_publisher(String, 'c', 10, qos_overriding_options=options)
+            world.say(node.describe_parameter('qos_overrides./c.publisher_left.reliability').description)
+        except RuntimeError as error:
+            world.say(str(error))
+
+    assert ros(body, '--ros-args', '-p', f'qos_overrides./c.publisher_left.reliability:={value}') == [what]
+
+
+def test_a_subscription_has_no_lifespan_to_override(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node, options = Node('n'), QoSOverridingOptions([QoSPolicyKind.LIFESPAN, QoSPolicyKind.DEADLINE])
+        node.create_subscription(String, 'c', print, 10, qos_overriding_options=options)
+        world.say(sorted(name for name in node.get_parameters_by_prefix('qos_overrides./c')))
+
+    assert ros(body) == [['subscription.deadline']]
+
+
+def test_waiting_for_a_message_of_a_context_that_is_down_is_an_error(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        with pytest.raises(AttributeError, match="^type object 'int' has no attribute '_TYPE_SUPPORT'"):
+            waiting.wait_for_message(3, node, 'c')
+        rclpy.shutdown()
+        with pytest.raises(RCLError, match='^failed to initialize wait set: the given context is not valid'):
+            waiting.wait_for_message(String, node, 'c', time_to_wait=0.1)
         world.say('refused')
 
     assert ros(body) == ['refused']

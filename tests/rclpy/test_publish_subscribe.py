@@ -9,6 +9,7 @@ import pytest
 import rclpy
 from geometry_msgs.msg import Twist
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError, RMWError
+from rclpy.duration import Duration
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
@@ -250,3 +251,13 @@ def test_bytes_of_another_type_are_refused_in_the_words_of_fast_dds() -> None:
                                  'std_msgs::msg::dds_::String_.')
     with pytest.raises(TypeError, match='incompatible function arguments'):
         deserialize_message('text', String)
+
+
+def test_waiting_for_acknowledgements_takes_a_duration(ros: Ros, world: World) -> None:
+    def body() -> None:
+        publisher = Node('n').create_publisher(String, 't', 1)
+        world.say((publisher.wait_for_all_acked(), publisher.wait_for_all_acked(Duration(seconds=1))))
+        with pytest.raises(AttributeError, match="^'float' object has no attribute '_duration_handle'$"):
+            publisher.wait_for_all_acked(1.0)
+
+    assert ros(body) == [(True, True)]

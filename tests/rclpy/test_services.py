@@ -240,3 +240,15 @@ def test_names(ros: Ros, world: World) -> None:
         world.say((node.create_client(AddTwoInts, 'add').srv_name, node.create_service(AddTwoInts, '~/add', add).service_name))
 
     assert ros(body) == [('add', '/ns/n/add')]
+
+
+def test_a_request_that_waits_is_found_by_its_number(ros: Ros, world: World) -> None:
+    def body() -> None:
+        client = Node('n').create_client(AddTwoInts, 's')
+        future = client.call_async(AddTwoInts.Request())
+        world.say(client.get_pending_request(1) is future)
+        client.remove_pending_request(future)
+        with pytest.raises(KeyError, match='1'):
+            client.get_pending_request(1)
+
+    assert ros(body) == [True]

@@ -163,6 +163,8 @@ class Clock:
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Wait until this clock tells `until`.
 
+        While /clock rules, it is always a message of /clock that ends the wait, even for a time that is over (as the real one).
+
         :returns: False when the context ended or the time source changed before that.
         :raises NotInitializedException: before init.
         :raises ValueError: when `until` belongs to another kind of clock.
@@ -175,11 +177,18 @@ class Clock:
             raise ValueError("until's clock type does not match this clock's type")
         active = self._override_ns is not None
         task = current_task()
+        told: list[TimeJump] = []
+
+        def jumped(jump: TimeJump) -> None:
+            told.append(jump)
+            task.wake()
+
         handle = self.create_jump_callback(
             JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1)),
-            post_callback=lambda _: task.wake())
+            post_callback=jumped)
         with handle:
-            while context._ok and (self._override_ns is not None) is active and self._now_ns() < until.nanoseconds:
+            while context._ok and (self._override_ns is not None) is active and (
+                    self._now_ns() < until.nanoseconds or (active and not told)):
                 context.park(None if active else until.nanoseconds)
         return context._ok and self._now_ns() >= until.nanoseconds and (self._override_ns is not None) is active
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from rclpy.context import Context
     from rclpy.qos import QoSProfile
 
+FOR_EVER = Duration(seconds=-1)
+
 
 class Publisher:
     """Made by `Node.create_publisher`. Messages are copied when they are published."""
@@ -87,7 +89,7 @@ class Publisher:
         if show_life is not None:
             show_life()
 
-    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
+    def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
         """Whether all messages were received: delivery takes no time, so always True.
 
         :param timeout: how long to wait; a negative one is for ever.

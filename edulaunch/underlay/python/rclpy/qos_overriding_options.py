@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
+from rclpy.impl.hints import hinted
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile
@@ -31,12 +32,12 @@ class QoSOverridingOptions:
 
     def __init__(self, policy_kinds: Iterable[QoSPolicyKind], *, callback: QosCallbackType | None = None,
                  entity_id: str | None = None) -> None:
-        self._policy_kinds = list(policy_kinds)
+        self._policy_kinds = policy_kinds
         self._callback = callback
         self._entity_id = entity_id
 
     @property
-    def policy_kinds(self) -> list[QoSPolicyKind]:
+    def policy_kinds(self) -> Iterable[QoSPolicyKind]:
         """The policies."""
         return self._policy_kinds
 
@@ -63,23 +64,27 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
 
     :param side: 'publisher' or 'subscription'.
     :raises InvalidQosOverridesError: when the callback of the options refuses the profile.
+    :raises RuntimeError: when a parameter names a value that its policy does not have.
     """
     from rcl_interfaces.msg import ParameterDescriptor
     suffix = f'_{options.entity_id}' if options.entity_id else ''
+    whose = f'{side} `{topic_name}` with id `{options.entity_id}`'
     profile = QoSProfile(**{slot[1:]: getattr(qos, slot) for slot in QoSProfile.__slots__})
     for kind in options.policy_kinds:
+        if side == 'subscription' and kind is QoSPolicyKind.LIFESPAN:
+            continue  # it is the publisher's own: DDS knows none of subscriptions
         policy = kind.name.lower()
         name = f'qos_overrides.{topic_name}.{side}{suffix}.{policy}'
-        descriptor = ParameterDescriptor(description=f'{policy} override for {side} of {topic_name}', read_only=True)
+        descriptor = ParameterDescriptor(description=f'{policy} for {whose}', read_only=True)
         if node.has_parameter(name):
             parameter = node.get_parameter(name)
         else:
             parameter = node.declare_parameter(name, _to_parameter(getattr(profile, policy)), descriptor)
-        setattr(profile, policy, _to_policy(getattr(profile, policy), parameter))
+        setattr(profile, policy, _to_policy(policy, getattr(profile, policy), parameter))
     if options.callback is not None:
         result = options.callback(profile)
         if not result.successful:
-            raise InvalidQosOverridesError(f"{result.reason}: {side} of topic '{topic_name}'")
+            raise InvalidQosOverridesError(f'Provided QoS overrides for {whose}, are not valid: {result.reason}')
     return profile
 
 
@@ -89,8 +94,11 @@ def _to_parameter(value: Any) -> Any:
     return value.nanoseconds if isinstance(value, Duration) else value
 
 
-def _to_policy(present: Any, parameter: Parameter) -> Any:
+def _to_policy(policy: str, present: Any, parameter: Parameter) -> Any:
     if isinstance(present, QoSPolicyEnum):
+        if parameter.value.upper() not in type(present).__members__:
+            raise hinted(RuntimeError(f'Unexpected QoS override for policy `{policy}`: `{parameter.value}`'),
+                         f'one of {", ".join(type(present).short_keys())} is expected')
         return type(present).get_from_short_key(parameter.value)
     return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.impl.passed_on import passed_on
 from rclpy.qos import QoSProfile, engine_qos, validate_qos
+from rclpy.type_support import check_is_valid_msg_type
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -16,12 +18,18 @@ def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSP
     """Wait for the next message of a topic; the node need not be spun.
 
     :param time_to_wait: simulated seconds, or -1 for ever.
-    :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down.
+    :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down meanwhile.
+    :raises RCLError: when ROS 2 was shut down before.
     """
     core = node._rclpy
+    check_is_valid_msg_type(msg_type)
     task = current_task()
     impl = core.graph.create_subscription(core.entry, core.resolve(topic, 'topic'), msg_type,
                                           engine_qos(validate_qos(qos_profile), 'subscription'), task.wake)
+    if not core.context._ok:
+        impl.destroy()
+        raise RCLError('failed to initialize wait set: the given context is not valid, '
+                       'either rcl_init() was not called or rcl_shutdown() was called.')
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
         while not impl.queue and core.context._ok and (deadline is None or task.sim.now_ns < deadline):

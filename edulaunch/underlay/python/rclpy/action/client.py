@@ -9,6 +9,7 @@ from action_msgs.msg import GoalStatus
 from edulaunch.sim.task import current_task
 from rclpy.action.server import await_or_execute
 from rclpy.client import POLL_NS
+from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.handle import check_endpoint
 from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import process_state
@@ -97,6 +98,7 @@ class ActionClient(Waitable):
                  status_sub_qos_profile: QoSProfile = qos_profile_action_status_default) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
+        self._name = checked_action_name(node._rclpy, action_name, 'client')
         self._node = node
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_client')
@@ -107,8 +109,7 @@ class ActionClient(Waitable):
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         node.add_waitable(self)
         self.callback_group.add_entity(self)
-        core, impl = node._rclpy, action_type.Impl
-        self._name = core.resolve(action_name, 'topic', only_expand=True)
+        impl = action_type.Impl
         self._goal_client = self._client('send_goal', impl.SendGoalService, goal_service_qos_profile)
         self._cancel_client = self._client('cancel_goal', impl.CancelGoalService, cancel_service_qos_profile)
         self._result_client = self._client('get_result', impl.GetResultService, result_service_qos_profile)

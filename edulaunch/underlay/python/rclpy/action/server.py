@@ -6,8 +6,10 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState
 from rclpy.action.server_goal_handle import ServerGoalHandle
+from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.passed_on import passed_on
 from rclpy.qos import (
     QoSProfile,
@@ -81,6 +83,7 @@ class ActionServer(Waitable):
                  result_timeout: float = 900) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
+        self._name = checked_action_name(node._rclpy, action_name, 'server')
         self._node = node
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_server')
@@ -93,8 +96,7 @@ class ActionServer(Waitable):
         self._result_futures: dict[bytes, Future] = {}
         node.add_waitable(self)
         self.callback_group.add_entity(self)
-        core, impl = node._rclpy, action_type.Impl
-        self._name = core.resolve(action_name, 'topic', only_expand=True)
+        impl = action_type.Impl
         self._goal_service = self._serve('send_goal', impl.SendGoalService, goal_service_qos_profile)
         self._cancel_service = self._serve('cancel_goal', impl.CancelGoalService, cancel_service_qos_profile)
         self._result_service = self._serve('get_result', impl.GetResultService, result_service_qos_profile)
@@ -213,6 +215,15 @@ class ActionServer(Waitable):
         executor = self._node.executor
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
+
+    def notify_goal_done(self) -> None:
+        """Tell that a goal has ended: results that were kept for long enough are forgotten.
+
+        :raises RCLError: when the server was destroyed.
+        """
+        if self._destroyed:
+            raise RCLError('Failed to notfiy action server of goal done: action server pointer is invalid')
+        self._forget_old_goals()
 
     async def _execute_goal(self, execute_callback: Callable[[ServerGoalHandle], Any], goal_handle: ServerGoalHandle) -> None:
         goal_uuid = goal_handle.goal_id.uuid
