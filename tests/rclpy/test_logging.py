@@ -188,3 +188,17 @@ def test_a_message_may_name_another_logger_by_keyword_only(ros: Ros, world: Worl
 
     assert ros(body) == [(True, True, True)]
     assert [(name, text) for _, name, text in world.tracer.logs] == [('x', 'a'), ('y', 'b'), ('', 'c')]
+
+
+def test_the_logger_service_refuses_a_level_that_there_is_not(ros: Ros, world: World) -> None:
+    from rcl_interfaces.msg import LoggerLevel
+    from rcl_interfaces.srv import SetLoggerLevels
+
+    def body() -> None:
+        node = Node('n', enable_logger_service=True)
+        client = node.create_client(SetLoggerLevels, 'n/set_logger_levels')
+        future = client.call_async(SetLoggerLevels.Request(levels=[LoggerLevel(name='n', level=7), LoggerLevel(name='n', level=30)]))
+        rclpy.spin_until_future_complete(node, future)
+        world.say([(result.successful, result.reason) for result in future.result().results])
+
+    assert ros(body) == [[(False, 'Failed reason: Invalid logger level.'), (True, '')]]

@@ -1,20 +1,47 @@
 """The hash of a type."""
 from __future__ import annotations
 
+HASH_SIZE = 32
+
 
 class TypeHash:
-    """The hash of a type, as `RIHS01_...`."""
+    """The hash of a type: a version, and 32 bytes. As text `RIHS01_...`, or INVALID without version or with other than 32 bytes.
 
-    def __init__(self, text: str) -> None:
-        self.text = text
-        self.version = 1
-        self.value = bytes.fromhex(text.partition('_')[2])
+    :raises AssertionError: for a version that is no int, or a value that is no bytes.
+    """
+
+    __slots__ = ('_version', '_value')
+
+    def __init__(self, version: int = -1, value: bytes = bytes(HASH_SIZE)) -> None:
+        self.version = version
+        self.value = value
+
+    @property
+    def version(self) -> int:
+        """The version of the way to hash; -1 for none."""
+        return self._version
+
+    @version.setter
+    def version(self, value: int) -> None:
+        assert isinstance(value, int)
+        self._version = value
+
+    @property
+    def value(self) -> bytes:
+        """The hash itself."""
+        return self._value
+
+    @value.setter
+    def value(self, value: bytes) -> None:
+        assert isinstance(value, bytes)
+        self._value = value
 
     def __str__(self) -> str:
-        return self.text
+        if self._version <= 0 or len(self._value) != HASH_SIZE:
+            return 'INVALID'
+        return f'RIHS{self._version:02}_{self._value.hex()}'
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TypeHash) and self.text == other.text
+        return isinstance(other, TypeHash) and (self._version, self._value) == (other._version, other._value)
 
-    def __hash__(self) -> int:
-        return hash(self.text)
+    __hash__ = None  # type: ignore[assignment]
