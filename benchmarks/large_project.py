@@ -1,4 +1,5 @@
 """The large-project launch against real time, and against a bare loop that does the same arithmetic and deliveries."""
+
 from __future__ import annotations
 
 import math
@@ -37,6 +38,7 @@ class Bare:
         from turtlesim.msg import Pose
 
         from edulaunch.worlds.turtle_world import TurtleWorld
+
         self.worlds = [TurtleWorld(random.Random(0)) for _ in range(2)]
         for world in self.worlds:
             world.spawn_first()
@@ -96,10 +98,11 @@ class Bare:
 
     def follow(self) -> None:
         from rclpy.time import Time
+
         found = self.buffer.lookup_transform('turtle2', 'carrot1', Time()).transform.translation
         twist = self.twist()
         twist.angular.z = math.atan2(found.y, found.x)
-        twist.linear.x = 0.5 * math.sqrt(found.x ** 2 + found.y ** 2)
+        twist.linear.x = 0.5 * math.sqrt(found.x**2 + found.y**2)
         wire = self.twist.to_wire(twist)
         self.records.append((self.now_ns, 5, wire))
         heard = self.twist.from_wire(wire)
@@ -119,8 +122,12 @@ def measure(seconds: float = 20.0, rounds: int = 5) -> dict[str, float]:
     pairs = [(engine(seconds), bare(seconds)) for _ in range(rounds)]
     times = sorted(pair[0][0] for pair in pairs)
     ratios = sorted(pair[0][0] / pair[1][0] for pair in pairs)
-    return {'times real time': seconds / times[rounds // 2], 'times the bare loop': ratios[rounds // 2],
-            'messages': pairs[0][0][1], 'messages of the bare loop': pairs[0][1][1]}
+    return {
+        'times real time': seconds / times[rounds // 2],
+        'times the bare loop': ratios[rounds // 2],
+        'messages': pairs[0][0][1],
+        'messages of the bare loop': pairs[0][1][1],
+    }
 
 
 if __name__ == '__main__':

@@ -9,6 +9,7 @@ Python's compiler alone needs 44 of the milliseconds for 1000 nodes, grows by 5.
 memory at 20 kB per node (0.6 kB stay): these two figures of Python are the compiler's, a file read before grows by 5.
 The original launch needs 0.89 s for 1000 nodes in Python and 4.19 s in XML (../shared/reference, a machine like ours).
 """
+
 from __future__ import annotations
 
 import gc
@@ -57,8 +58,10 @@ YAML_NODE = """- node:
 def python_file(nodes: int) -> str:
     """A Python launch file."""
     body = ''.join(PYTHON_NODE.format(i=i, r=i % 256) for i in range(nodes))
-    return ('from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n'
-            f'def generate_launch_description():\n    return LaunchDescription([\n{body}    ])\n')
+    return (
+        'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n'
+        f'def generate_launch_description():\n    return LaunchDescription([\n{body}    ])\n'
+    )
 
 
 def xml_file(nodes: int) -> str:
@@ -73,16 +76,25 @@ def yaml_file(nodes: int) -> str:
 
 def including_file(depth: int) -> str:
     """A Python launch file that includes the next one, `depth` deep."""
-    below = (f"IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'include_{depth - 1}.launch.py'), "
-             f"launch_arguments={{'depth': '{depth}'}}.items())" if depth else "LogInfo(msg='the last one')")
-    return ('import os\n\nfrom launch import LaunchDescription\n'
-            'from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, LogInfo\n\n\n'
-            'def generate_launch_description():\n    return LaunchDescription([\n'
-            f"        DeclareLaunchArgument('depth', default_value='0'),\n        {below}])\n")
+    below = (
+        f"IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'include_{depth - 1}.launch.py'), "
+        f"launch_arguments={{'depth': '{depth}'}}.items())"
+        if depth
+        else "LogInfo(msg='the last one')"
+    )
+    return (
+        'import os\n\nfrom launch import LaunchDescription\n'
+        'from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription, LogInfo\n\n\n'
+        'def generate_launch_description():\n    return LaunchDescription([\n'
+        f"        DeclareLaunchArgument('depth', default_value='0'),\n        {below}])\n"
+    )
 
 
 FORMATS: dict[str, tuple[str, Callable[[int], str]]] = {
-    'Python': ('launch.py', python_file), 'XML': ('launch.xml', xml_file), 'YAML': ('launch.yaml', yaml_file)}
+    'Python': ('launch.py', python_file),
+    'XML': ('launch.xml', xml_file),
+    'YAML': ('launch.yaml', yaml_file),
+}
 COMMENTS = {'launch.py': '# {}\n', 'launch.xml': '<!-- {} -->\n', 'launch.yaml': '# {}\n'}
 
 
@@ -91,6 +103,7 @@ def visit_s(path: Path) -> float:
     from launch import LaunchDescription, LaunchService
     from launch.actions import IncludeLaunchDescription, OpaqueFunction
     from launch.launch_description_sources import AnyLaunchDescriptionSource
+
     sim = Simulation()
     host = RehearsalHost(sim, Graph(sim, Notes()), index_for([]), env={})
     moments: list[float] = []
@@ -153,13 +166,16 @@ def bare_ms(language: str, text: str) -> float:
 
     def read_xml() -> object:
         from pyexpat import ParserCreate
+
         expat, found = ParserCreate(), []  # type: ignore[var-annotated]
         expat.StartElementHandler = lambda tag, attributes: found.append((tag, attributes))
         return expat.Parse(text, True)
 
     read: dict[str, Callable[[], Any]] = {
-        'Python': lambda: compile(text, '<bare>', 'exec'), 'XML': read_xml,
-        'YAML': lambda: yaml.load(text, Loader=getattr(yaml, 'CSafeLoader', yaml.SafeLoader))}
+        'Python': lambda: compile(text, '<bare>', 'exec'),
+        'XML': read_xml,
+        'YAML': lambda: yaml.load(text, Loader=getattr(yaml, 'CSafeLoader', yaml.SafeLoader)),
+    }
     times = []
     for _ in range(ROUNDS):
         began = time.process_time()
@@ -172,6 +188,7 @@ def bare_ms(language: str, text: str) -> float:
 def kilobytes(path: Path, nodes: int) -> float:
     """Memory for each node when all have been visited, at the highest point."""
     import tracemalloc
+
     tracemalloc.start()
     try:
         visit_s(path)

@@ -3,6 +3,7 @@
 Two nodes of one program; the publisher sends bursts of small messages (String) from a timer, so that timers cost next to nothing.
 The bare loop copies each message into a queue and calls the callback with another copy.
 """
+
 from __future__ import annotations
 
 import subprocess
@@ -22,6 +23,7 @@ NODES = 1000
 
 def bare_message_us() -> float:
     """Copy, queue, copy, call."""
+
     class Message:
         __slots__ = ('data',)
 
@@ -30,6 +32,7 @@ def bare_message_us() -> float:
 
     def callback(message: Message) -> None:
         seen.append(message.data)
+
     seen: deque[str] = deque(maxlen=10)
     waiting: deque[tuple[str]] = deque()
     message = Message('hello')
@@ -46,6 +49,7 @@ def message_us() -> float:
     """Publish to callback."""
     import rclpy
     from std_msgs.msg import String
+
     rclpy.init()
     talker, listener = rclpy.create_node('talker'), rclpy.create_node('listener')
     publisher = talker.create_publisher(String, 'chatter', BURST)
@@ -58,6 +62,7 @@ def message_us() -> float:
     def burst() -> None:
         for _ in range(BURST):
             publisher.publish(message)
+
     listener.create_subscription(String, 'chatter', callback, BURST)
     talker.create_timer(0.01, burst)
     executor = rclpy.executors.SingleThreadedExecutor()
@@ -78,12 +83,14 @@ def service_us(*, wait: bool) -> float:
     """Request to response: `call_async` with a callback that asks again, or `spin_until_future_complete` for each."""
     import rclpy
     from example_interfaces.srv import AddTwoInts
+
     rclpy.init()
     node = rclpy.create_node('both')
 
     def answer(request: Any, response: Any) -> Any:
         response.sum = request.a + request.b
         return response
+
     node.create_service(AddTwoInts, 'add', answer)
     client = node.create_client(AddTwoInts, 'add')
     request, done, left = AddTwoInts.Request(a=1, b=2), rclpy.task.Future(), CALLS
@@ -95,6 +102,7 @@ def service_us(*, wait: bool) -> float:
             done.set_result(None)
         else:
             client.call_async(request).add_done_callback(ask)
+
     began = time.process_time()
     if wait:
         for _ in range(CALLS):
@@ -150,7 +158,8 @@ def measure() -> dict[str, float]:
         'service round trip, callback (us)': min(service_us(wait=False) for _ in range(ROUNDS)),
         'service round trip, spin_until_future_complete (us)': min(service_us(wait=True) for _ in range(ROUNDS)),
         '1000 nodes with a timer (s)': min(seconds for seconds, _ in nodes),
-        '1000 nodes with a timer (MB)': min(megabytes for _, megabytes in nodes)}
+        '1000 nodes with a timer (MB)': min(megabytes for _, megabytes in nodes),
+    }
 
 
 if __name__ == '__main__':

@@ -1,4 +1,5 @@
 """How long pictures and replays take once matplotlib is loaded."""
+
 from __future__ import annotations
 
 import time
@@ -25,8 +26,10 @@ def best_ms(make: Callable[[], Any], rounds: int = 5) -> float:
 def measure() -> dict[str, float]:
     """Milliseconds of the large project: stills of a 20 s run, a replay of a 60 s run and its size in kilobytes."""
     short = edulaunch.run(LAUNCH_FILE, duration_s=20.0)
-    found = {f'{name[5:]} (ms)': best_ms(lambda name=name: getattr(short, name)().png())
-             for name in ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph')}
+    found = {
+        f'{name[5:]} (ms)': best_ms(lambda name=name: getattr(short, name)().png())
+        for name in ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph')
+    }
     found['replay of 20 s (kB)'] = len(short.replay().html()) / 1e3
     data = edulaunch.run(LAUNCH_FILE, duration_s=60.0).to_bytes()
     found['replay of 60 s (ms)'] = best_ms(lambda: edulaunch.Recording.from_bytes(data).replay().html(), 3)

@@ -2,6 +2,7 @@
 
 Each part runs in an interpreter of its own, as what it measures does: a heap full of another part's objects costs up to a tenth.
 """
+
 from __future__ import annotations
 
 import json
@@ -44,8 +45,14 @@ WANTED = {
     'graph (ms)': 'under 80',
     'replay of 60 s (ms)': 'under 300',
 }
-PARTS = {'large project, 20 s': 'large_project', 'start-up': 'start_up', 'messages, services, nodes': 'messages',
-         'tf': 'tf_lookup', 'launch files': 'launch_files', 'pictures': 'pictures'}
+PARTS = {
+    'large project, 20 s': 'large_project',
+    'start-up': 'start_up',
+    'messages, services, nodes': 'messages',
+    'tf': 'tf_lookup',
+    'launch files': 'launch_files',
+    'pictures': 'pictures',
+}
 
 
 def figures_of(part: str) -> dict[str, float]:

@@ -1,4 +1,5 @@
 """How long commands take from the shell, beside a bare interpreter."""
+
 from __future__ import annotations
 
 import subprocess
@@ -30,8 +31,8 @@ def measure() -> dict[str, float]:
     return {
         'bare interpreter (ms)': bare * 1e3,
         'import edulaunch (ms)': (least_s([sys.executable, '-c', 'import edulaunch']) - bare) * 1e3,
-        'import launch, launch_ros (ms)': (least_s([sys.executable, '-c', f'{setup}; import launch, launch_ros'])
-                                           - sourced) * 1e3,
+        'import launch, launch_ros (ms)': (least_s([sys.executable, '-c', f'{setup}; import launch, launch_ros']) - sourced)
+        * 1e3,
         'edugrade solutions/circle.launch.py (ms)': least_s([str(BIN / 'edugrade'), 'solutions/circle.launch.py']) * 1e3,
     }
 

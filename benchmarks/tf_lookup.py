@@ -3,6 +3,7 @@
 The frames turn about the z axis, as on a floor, which takes a shorter way; frames turned about any axis are measured beside them,
 and frames that are not turned at all, which need not be interpolated on the sphere.
 """
+
 from __future__ import annotations
 
 import random
@@ -18,6 +19,7 @@ def chain(frames: int, samples: int, turn: tuple[float, ...] = (0.0, 0.0, 0.28, 
     from geometry_msgs.msg import TransformStamped
     from rclpy.duration import Duration
     from tf2_ros import Buffer
+
     buffer = Buffer(cache_time=Duration(seconds=samples))
     for sample in range(1, samples + 1):
         for number in range(frames):
@@ -47,6 +49,7 @@ def lookup_us(lookup: Any, frame: str, times: list[Any], rounds: int = 7) -> flo
 def set_us(rounds: int = 5) -> float:
     """The least cost of one `set_transform` of the numeric core in microseconds, 10 ms apart, with a history of 10 s."""
     from edulaunch.tf import TransformBuffer
+
     taken = []
     for _ in range(rounds):
         buffer = TransformBuffer()
@@ -62,6 +65,7 @@ def measure() -> dict[str, float]:
     """Microseconds per lookup, and per transform that is stored."""
     edulaunch.source()
     from rclpy.time import Time
+
     chance = random.Random(0)
     found = {'set (us)': set_us()}
     for frames in (3, 10, 50):

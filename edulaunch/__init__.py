@@ -8,6 +8,7 @@ Runs unmodified launch files and rclpy packages in a deterministic simulation::
 
 Importing this package loads nothing else and changes nothing; each name is loaded when it is first used.
 """
+
 from __future__ import annotations
 
 from importlib import import_module

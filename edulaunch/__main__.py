@@ -1,4 +1,5 @@
 """`python -m edulaunch` is the command `edulaunch`."""
+
 from __future__ import annotations
 
 from edulaunch.cli.main import main

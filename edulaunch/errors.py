@@ -14,6 +14,7 @@
 
 Errors that ROS 2 itself raises keep ROS 2's own types and texts; they live in the faces under `underlay/python`.
 """
+
 from __future__ import annotations
 
 

@@ -1,4 +1,5 @@
 """What runs inside the process of `ros2 launch`, and how its end is told. Loaded when the first launch runs."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -26,6 +27,7 @@ def run_launch_service(launch: LaunchRun) -> int:
     from launch import LaunchDescription, LaunchService
     from launch.actions import IncludeLaunchDescription
     from launch.launch_description_sources import AnyLaunchDescriptionSource
+
     include = IncludeLaunchDescription(AnyLaunchDescriptionSource(launch.path), launch_arguments=list(launch.arguments.items()))
     service = LaunchService(argv=list(launch.process.argv), noninteractive=not launch.interactive, debug=launch.debug)
     service.include_launch_description(LaunchDescription([include]))
@@ -41,6 +43,7 @@ def first_error(launch: LaunchRun) -> BaseException | None:
 def explain(error: BaseException, index: Index) -> Told:
     """An exception from a launch file as a message for people; places are in the student's own files."""
     from launch._help import launch_help, launch_origin
+
     place = launch_origin(error)
     if place is not None:
         place = Origin(index.source_path(place.file), place.line)
@@ -51,16 +54,26 @@ def explain(error: BaseException, index: Index) -> Told:
 def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
     from launch._run_notes import undeclared_warnings
+
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := first_error(launch)) is None else explain(error, launch.process.index)
     return {
-        'file': launch.path, 'arguments': launch.arguments, 'declared': declared,
+        'file': launch.path,
+        'arguments': launch.arguments,
+        'declared': declared,
         'includes': list(state.get('launch.includes', ())),
-        'returncode': launch.process.returncode, 'error': told.text if told else None, 'error_file': told.file if told else None,
-        'error_line': told.line if told else None, 'help': told.help if told else None,
-        'warnings': [*_unknown_arguments(launch, [row[0] for row in declared]), *undeclared_warnings(state),
-                     *_dead_programs(launch)]}
+        'returncode': launch.process.returncode,
+        'error': told.text if told else None,
+        'error_file': told.file if told else None,
+        'error_line': told.line if told else None,
+        'help': told.help if told else None,
+        'warnings': [
+            *_unknown_arguments(launch, [row[0] for row in declared]),
+            *undeclared_warnings(state),
+            *_dead_programs(launch),
+        ],
+    }
 
 
 def _declared(argument: Any) -> list[Any]:
@@ -76,8 +89,10 @@ def _unknown_arguments(launch: LaunchRun, declared: list[str]) -> list[str]:
     for name in launch.arguments:
         if name not in known and declared:
             near = nearest(name, declared)
-            lines.append(f"launch argument '{name}' is not declared by any of the launch files; "
-                         + (f"did you mean '{near}'?" if near else f'declared are: {", ".join(declared)}'))
+            lines.append(
+                f"launch argument '{name}' is not declared by any of the launch files; "
+                + (f"did you mean '{near}'?" if near else f'declared are: {", ".join(declared)}')
+            )
         elif name not in known:
             lines.append(f"launch argument '{name}' is not declared: these launch files declare no arguments")
     return lines
@@ -90,19 +105,22 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
         if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name and not _is_child(launch, row):
             error = row['exception']
             place = error if error and error['file'] else row
-            where = f" at {launch.process.index.source_path(place['file'])}:{place['line']}" if place['file'] else ''
+            where = f' at {launch.process.index.source_path(place["file"])}:{place["line"]}' if place['file'] else ''
             said = _said(launch, row['name'])
-            why = f"{error['type']}: {error['message']}" if error else next((line for line in said if not _is_help(line)), '')
+            why = f'{error["type"]}: {error["message"]}' if error else next((line for line in said if not _is_help(line)), '')
             help = f'; {said[0]}' if said and _is_help(said[0]) else ''
-            lines.append(f"{row['name']} died with exit code {row['returncode']}{f' ({why})' if why else ''}{where}{help}")
+            lines.append(f'{row["name"]} died with exit code {row["returncode"]}{f" ({why})" if why else ""}{where}{help}')
     return list(dict.fromkeys(lines))  # one that was started again may have died again
 
 
 def _is_child(launch: LaunchRun, row: dict[str, Any]) -> bool:
     """Whether a program of the launch started it (`subprocess`), goes under that one's name, and hears of its end itself."""
-    return any(other['name'] == row['name'] and other['started'] <= row['started'] and
-               (other['ended'] is None or row['started'] < other['ended'] or row['ended'] == other['ended'])
-               for other in launch.recorder.processes[:launch.recorder.processes.index(row)])
+    return any(
+        other['name'] == row['name']
+        and other['started'] <= row['started']
+        and (other['ended'] is None or row['started'] < other['ended'] or row['ended'] == other['ended'])
+        for other in launch.recorder.processes[: launch.recorder.processes.index(row)]
+    )
 
 
 def _said(launch: LaunchRun, name: str) -> list[str]:
@@ -120,6 +138,7 @@ def show_arguments(session: Session, package_or_path: str, file: str | None) -> 
     from ros2launch.api import print_arguments_of_launch_file
 
     from edulaunch.launching import find_launch_file
+
     path = find_launch_file(session.index, package_or_path, file)
     process = current_process()
     process.index, process.host.index = session.index, session.index

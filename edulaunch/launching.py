@@ -1,4 +1,5 @@
 """`ros2 launch` as a process of the simulation."""
+
 from __future__ import annotations
 
 import os
@@ -15,8 +16,10 @@ from edulaunch.recording import Recorder
 SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
 _STOPPED = {
     'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
-    'RunawayProgramError': ('the launch file never came to its end and was stopped',
-                            'look for a loop that does not end: a launch file only says what to start'),
+    'RunawayProgramError': (
+        'the launch file never came to its end and was stopped',
+        'look for a loop that does not end: a launch file only says what to start',
+    ),
 }
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
@@ -32,6 +35,7 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
     from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
 
     from edulaunch.processes.current import current_process
+
     process = current_process()
     outer, process.index = process.index, index
     try:
@@ -49,21 +53,28 @@ def _existing_file(path: str) -> str:
     absolute = os.path.abspath(path)
     if os.path.isdir(absolute):
         inside = sorted(name for name in os.listdir(absolute) if name.endswith(LAUNCH_SUFFIXES))
-        raise UnusableInput(f'{path!r} is a directory, not a launch file.',
-                            help=f'name a file in it: {", ".join(inside[:5])}' if inside else 'give the path of a launch file')
+        raise UnusableInput(
+            f'{path!r} is a directory, not a launch file.',
+            help=f'name a file in it: {", ".join(inside[:5])}' if inside else 'give the path of a launch file',
+        )
     if not os.path.isfile(absolute):
         folder = os.path.dirname(absolute)
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         near = nearest(os.path.basename(absolute), names)
-        raise UnusableInput(f'launch file {path!r} does not exist.',
-                            help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?' if near else
-                            'check the spelling and the folder you are in' if os.path.isdir(folder) else
-                            f'there is no folder {folder!r}')
+        raise UnusableInput(
+            f'launch file {path!r} does not exist.',
+            help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
+            if near
+            else 'check the spelling and the folder you are in'
+            if os.path.isdir(folder)
+            else f'there is no folder {folder!r}',
+        )
     return absolute
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:
     from edulaunch.workspace.hints import launch_file_hint, package_hint
+
     if package not in index.packages():
         return package_hint(index, package)
     not_installed = launch_file_hint(index, package, file)
@@ -79,16 +90,30 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
 def launch_files_of(index: Index, package: str) -> list[str]:
     """Names of the launch files in a package's share, in alphabetical order; of plain .py, .xml and .yaml files only those that
     lie in a folder called launch."""
-    return sorted({name for folder, _, names in os.walk(index.share(package) or '') for name in names
-                   if name.endswith(SURE_LAUNCH_SUFFIXES)
-                   or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))})
+    return sorted(
+        {
+            name
+            for folder, _, names in os.walk(index.share(package) or '')
+            for name in names
+            if name.endswith(SURE_LAUNCH_SUFFIXES) or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))
+        }
+    )
 
 
 class LaunchRun:
     """One `ros2 launch` in the simulation: the process, its arguments, and how it ended."""
 
-    def __init__(self, host: Host, recorder: Recorder, path: str, arguments: dict[str, str], *,
-                 console: Callable[[str, str], object] | None, interactive: bool, debug: bool) -> None:
+    def __init__(
+        self,
+        host: Host,
+        recorder: Recorder,
+        path: str,
+        arguments: dict[str, str],
+        *,
+        console: Callable[[str, str], object] | None,
+        interactive: bool,
+        debug: bool,
+    ) -> None:
         self.path = path
         self.arguments = arguments
         self.interactive = interactive
@@ -119,12 +144,14 @@ class LaunchRun:
 
     def _main(self, process: Process) -> int:
         from edulaunch.launch_process import run_launch_service
+
         return run_launch_service(self)
 
     @property
     def error(self) -> BaseException | None:
         """What went wrong in a launch file, if something did."""
         from edulaunch.launch_process import first_error
+
         return first_error(self)
 
     def raise_error(self) -> None:
@@ -135,6 +162,7 @@ class LaunchRun:
         error = self.error
         if error is not None:
             from edulaunch.launch_process import explain
+
             told = explain(error, self.process.index)
             raise LaunchFileError(told.text, help=told.help) from error
         stopped = self.process.state.get('exception')
@@ -146,4 +174,5 @@ class LaunchRun:
     def describe(self, recorder: Recorder) -> None:
         """Tell the recorder what was launched."""
         from edulaunch.launch_process import describe
+
         recorder.launch = describe(self)

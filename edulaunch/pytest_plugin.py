@@ -4,6 +4,7 @@ Such a file becomes one test, as in ROS 2, run in a fresh simulation. For a file
 plugin is registered; it and plain test files of a ROS package run on the simulated machine of the test run. This plugin is loaded
 in every run of pytest, so it imports nothing until there is such a file.
 """
+
 from __future__ import annotations
 
 import ast
@@ -18,8 +19,10 @@ import pytest
 from edulaunch.testing.package_tests import absent_linter, is_of_own_package
 from edulaunch.underlay_place import underlay_python
 
-MARKS = {'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
-         'rostest': 'as launch_test, for ROS 2 packages (edulaunch)'}
+MARKS = {
+    'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
+    'rostest': 'as launch_test, for ROS 2 packages (edulaunch)',
+}
 
 SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
 """Of a run: whether any of its test files has launch tests, or texts of some."""
@@ -29,6 +32,7 @@ def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
     """Offer `pytest_launch_collect_makemodule` to other plugins."""
     if not _other_launch_testing():
         from edulaunch.testing import hooks
+
         pluginmanager.add_hookspecs(hooks)
 
 
@@ -38,8 +42,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         return
     group = parser.getgroup('launch tests', 'launch tests in simulated time')
     group.addoption('--launch-args', action='append', nargs='*', default=[], metavar='name:=value', help='launch arguments')
-    group.addoption('--launch-workspace', action='append', metavar='DIR',
-                    help='folder with packages; default: the workspace of each test file')
+    group.addoption(
+        '--launch-workspace',
+        action='append',
+        metavar='DIR',
+        help='folder with packages; default: the workspace of each test file',
+    )
     group.addoption('--launch-seed', type=int, default=0, metavar='N', help='of all randomness in launch tests (default: 0)')
 
 
@@ -49,6 +57,7 @@ def pytest_load_initial_conftests(early_config: pytest.Config) -> None:
     if _other_launch_testing():
         return
     from edulaunch.testing.late_source import LateSource
+
     LateSource(early_config).install()
 
 
@@ -62,6 +71,7 @@ def pytest_collection_finish(session: pytest.Session) -> None:
     """Prepare for inner runs of pytest that have launch tests."""
     if session.config.stash.get(SPEAKS_OF_LAUNCH_TESTS, False) and session.config.pluginmanager.has_plugin('pytester'):
         from edulaunch.testing.inner_pytest import load_everything
+
         load_everything()
 
 
@@ -92,9 +102,11 @@ def _plain_module(source: bytes, module_path: Path, parent: pytest.Collector) ->
         module.linter = linter
         return module
     from edulaunch.testing.late_source import SOURCED_LATE
+
     is_ours = SOURCED_LATE in parent.config.stash or parent.config.pluginmanager.has_plugin('edulaunch_test_machine')
     if is_ours or underlay_python() not in sys.path:
         from edulaunch.testing.machine_plugin import put_on_machine
+
         put_on_machine(parent.config, module_path)
     return None
 
@@ -155,8 +167,13 @@ def uses_launch_pytest(source: bytes) -> bool:
 
 
 def _imports_launch_pytest(node: ast.AST) -> bool:
-    names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else \
-        [node.module or ''] if isinstance(node, ast.ImportFrom) else []
+    names = (
+        [alias.name for alias in node.names]
+        if isinstance(node, ast.Import)
+        else [node.module or '']
+        if isinstance(node, ast.ImportFrom)
+        else []
+    )
     return any(name.partition('.')[0] == 'launch_pytest' for name in names)
 
 
@@ -167,8 +184,10 @@ def _is_mark_launch(node: ast.AST) -> bool:
 def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
     """Let launch_pytest take part in this run, and let the file see simulated time."""
     from edulaunch.testing.machine_plugin import put_on_machine
+
     put_on_machine(config, module_path)
     from launch_pytest import plugin
+
     if not config.pluginmanager.is_registered(plugin):
         config.pluginmanager.register(plugin, 'launch_pytest')
 
@@ -201,8 +220,14 @@ def _entrypoint_in(source: bytes) -> Entrypoint | None:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
         return None
-    return next((Entrypoint(_marks(node.decorator_list)) for node in tree.body
-                 if isinstance(node, ast.FunctionDef) and node.name == 'generate_test_description'), None)
+    return next(
+        (
+            Entrypoint(_marks(node.decorator_list))
+            for node in tree.body
+            if isinstance(node, ast.FunctionDef) and node.name == 'generate_test_description'
+        ),
+        None,
+    )
 
 
 def _marks(decorators: Iterable[ast.expr]) -> list[pytest.Mark]:
@@ -233,8 +258,10 @@ class LaunchTestItem(pytest.Item):
         """
         from edulaunch.sourcing import source
         from edulaunch.testing.session import run_launch_test
+
         source()
         from launch_testing.launch_test import LaunchTest
+
         option = self.config.getoption
         test = LaunchTest(str(self.path), [word for words in option('--launch-args') for word in words])
         code = run_launch_test(test, workspaces=option('--launch-workspace'), seed=option('--launch-seed'))
@@ -253,6 +280,7 @@ class LaunchTestItem(pytest.Item):
 
 def _skip_if_skipped(test: Any) -> None:
     import unittest
+
     if isinstance(test.error, (unittest.SkipTest, pytest.skip.Exception)):
         pytest.skip(str(test.error))
     reasons = [reason for result in test.results.values() for _, reason in result.skipped if not result.testsRun]

@@ -1,4 +1,5 @@
 """The composition root: the only place that wires simulation, graph, packages, processes and recorder together."""
+
 from __future__ import annotations
 
 import os
@@ -38,9 +39,16 @@ class Session:
     :param turn_limit_s: a program that keeps its turn for so many seconds of real time is stopped; 0: none is.
     """
 
-    def __init__(self, *, seed: int = 0, workspaces: Sequence[PathLike] = (), env: Mapping[str, str] | None = None,
-                 stdin: Mapping[str, str | Sequence[tuple[float, str]] | TextIO] | None = None,
-                 console: Callable[[str, str], object] | None = None, turn_limit_s: float = TURN_LIMIT_S) -> None:
+    def __init__(
+        self,
+        *,
+        seed: int = 0,
+        workspaces: Sequence[PathLike] = (),
+        env: Mapping[str, str] | None = None,
+        stdin: Mapping[str, str | Sequence[tuple[float, str]] | TextIO] | None = None,
+        console: Callable[[str, str], object] | None = None,
+        turn_limit_s: float = TURN_LIMIT_S,
+    ) -> None:
         source()
         self.sim = Simulation(seed)
         self.recorder = Recorder(self.sim)
@@ -61,12 +69,20 @@ class Session:
 
     def _name_roots(self, workspaces: list[str]) -> None:
         import tempfile
+
         roots = [[underlay_prefix(), '@underlay'], [tempfile.gettempdir(), '@tmp']]
         roots += [[path, f'@workspace{number}'] for number, path in enumerate(workspaces)]
         self.recorder.roots = roots
 
-    def launch(self, path_or_package: PathLike, file: str | None = None, arguments: Mapping[str, str] | None = None, *,
-               interactive: bool = False, debug: bool = False) -> LaunchRun:
+    def launch(
+        self,
+        path_or_package: PathLike,
+        file: str | None = None,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        interactive: bool = False,
+        debug: bool = False,
+    ) -> LaunchRun:
         """Begin `ros2 launch`: a launch file by path, or by package and file name. It runs when the simulation does.
 
         :param arguments: launch arguments by name; values are used as text.
@@ -74,8 +90,9 @@ class Session:
         """
         path = find_launch_file(self.index, path_or_package, file)
         self.recorder.roots.append([os.path.dirname(path), '@launch'])
-        launch = LaunchRun(self.host, self.recorder, path, dict(arguments or {}), console=self.console,
-                           interactive=interactive, debug=debug)
+        launch = LaunchRun(
+            self.host, self.recorder, path, dict(arguments or {}), console=self.console, interactive=interactive, debug=debug
+        )
         self.launches.append(launch)
         launch.start()
         return launch
@@ -120,9 +137,16 @@ class Session:
         self.host.close()
 
 
-def run(path_or_package: PathLike, file: str | None = None, *, arguments: Mapping[str, object] | None = None,
-        duration_s: float = 20.0, seed: int = 0, workspaces: Sequence[PathLike] = (),
-        console: Callable[[str, str], object] | None = None) -> Recording:
+def run(
+    path_or_package: PathLike,
+    file: str | None = None,
+    *,
+    arguments: Mapping[str, object] | None = None,
+    duration_s: float = 20.0,
+    seed: int = 0,
+    workspaces: Sequence[PathLike] = (),
+    console: Callable[[str, str], object] | None = None,
+) -> Recording:
     """Run a launch file in the simulation and return the recording of it.
 
     :param path_or_package: path of a launch file; or a package, with `file` the name of a launch file in it.
@@ -165,4 +189,5 @@ def _environment(env: Mapping[str, str] | None) -> dict[str, str]:
 
 def _ros2_command(process: object) -> object:
     from edulaunch.cli.inside import main
+
     return main(process)  # type: ignore[arg-type]

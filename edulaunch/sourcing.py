@@ -1,4 +1,5 @@
 """The counterpart of sourcing ROS 2's setup files: putting the underlay on the path, and telling what overlays are."""
+
 from __future__ import annotations
 
 import os
@@ -29,6 +30,7 @@ def source() -> None:
     :raises ForeignRosError: when an `rclpy` that is not ours can be imported already; nothing is changed then.
     """
     from edulaunch.interfaces.importer import installed_registry
+
     place = underlay_python()
     if place in sys.path and installed_registry() is not None:
         return
@@ -36,8 +38,10 @@ def source() -> None:
     if foreign is not None:
         raise ForeignRosError(
             f'a ROS 2 installation is on the Python path: rclpy at {foreign}. edulaunch does not shadow it.',
-            help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment')
+            help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment',
+        )
     from edulaunch.interfaces import install
+
     if place not in sys.path:
         sys.path.insert(0, place)
     install()

@@ -1,4 +1,5 @@
 """Where the underlay is: the built-in packages, laid out like a ROS install prefix."""
+
 from __future__ import annotations
 
 import os

@@ -1,4 +1,5 @@
 """All tests see the underlay, as after `edulaunch.source()`, and leave the environment as they found it."""
+
 from __future__ import annotations
 
 import gc

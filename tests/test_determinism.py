@@ -1,4 +1,5 @@
 """The same launch file, arguments and seed give the same recording, byte for byte."""
+
 from __future__ import annotations
 
 import os
@@ -22,8 +23,13 @@ for package, file, arguments in (
 
 
 def digests(python: str, hash_seed: str, seed: int = 0) -> list[str]:
-    done = subprocess.run([python, '-c', PROGRAM, str(seed)], capture_output=True, text=True, check=True,
-                          env={**os.environ, 'PYTHONHASHSEED': hash_seed})
+    done = subprocess.run(
+        [python, '-c', PROGRAM, str(seed)],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, 'PYTHONHASHSEED': hash_seed},
+    )
     return done.stdout.split()
 
 

@@ -1,4 +1,5 @@
 """What `import edulaunch` gives and costs."""
+
 from __future__ import annotations
 
 import subprocess
@@ -12,8 +13,12 @@ ROOT = Path(__file__).resolve().parents[1]
 
 def fresh(code: str) -> str:
     """Run code in a fresh interpreter, as a user of the installed package would."""
-    done = subprocess.run([sys.executable, '-c', f'import sys\nsys.path.insert(0, {str(ROOT)!r})\n{code}'],
-                          capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, '-c', f'import sys\nsys.path.insert(0, {str(ROOT)!r})\n{code}'],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     return done.stdout.strip()
 
 
@@ -23,25 +28,41 @@ def test_all_names_are_there_sorted_and_few() -> None:
 
 
 def test_importing_changes_no_path_and_loads_nothing_heavy() -> None:
-    assert fresh('before = list(sys.path)\nimport edulaunch\n'
-                 'heavy = {"numpy", "matplotlib", "yaml", "asyncio", "greenlet", "typing"} & set(sys.modules)\n'
-                 'print(before == sys.path, sorted(heavy))') == 'True []'
+    assert (
+        fresh(
+            'before = list(sys.path)\nimport edulaunch\n'
+            'heavy = {"numpy", "matplotlib", "yaml", "asyncio", "greenlet", "typing"} & set(sys.modules)\n'
+            'print(before == sys.path, sorted(heavy))'
+        )
+        == 'True []'
+    )
 
 
 def test_running_a_launch_file_loads_neither_numpy_nor_matplotlib() -> None:
-    assert fresh('import edulaunch\nedulaunch.run("turtlesim", "multisim.launch.py", duration_s=0.5)\n'
-                 'print(sorted({"numpy", "matplotlib"} & set(sys.modules)))') == '[]'
+    assert (
+        fresh(
+            'import edulaunch\nedulaunch.run("turtlesim", "multisim.launch.py", duration_s=0.5)\n'
+            'print(sorted({"numpy", "matplotlib"} & set(sys.modules)))'
+        )
+        == '[]'
+    )
 
 
 def test_a_foreign_ros_is_not_shadowed(tmp_path: Path) -> None:
     foreign = tmp_path / 'rclpy'
     foreign.mkdir()
     (foreign / '__init__.py').write_text('')
-    assert fresh(f'sys.path.append({str(tmp_path)!r})\nimport edulaunch\nbefore = list(sys.path)\n'
-                 'try:\n    edulaunch.source()\nexcept edulaunch.EdulaunchError as error:\n'
-                 f'    print({str(foreign)!r} in str(error), before == sys.path)') == 'True True'
+    assert (
+        fresh(
+            f'sys.path.append({str(tmp_path)!r})\nimport edulaunch\nbefore = list(sys.path)\n'
+            'try:\n    edulaunch.source()\nexcept edulaunch.EdulaunchError as error:\n'
+            f'    print({str(foreign)!r} in str(error), before == sys.path)'
+        )
+        == 'True True'
+    )
 
 
 def test_a_wrong_name_is_an_attribute_error() -> None:
     assert fresh('import edulaunch\ntry:\n    edulaunch.runn\nexcept AttributeError as error:\n    print(error)') == (
-        "module 'edulaunch' has no attribute 'runn'")
+        "module 'edulaunch' has no attribute 'runn'"
+    )

@@ -1,4 +1,5 @@
 """A layer imports only from layers below it, and nothing imports in a circle."""
+
 from __future__ import annotations
 
 import ast
@@ -36,6 +37,7 @@ def files(layer: str) -> list[Path]:
 
 def imports(path: Path, *, at_import_time: bool = False) -> Iterator[str]:
     """Absolute names that a file imports; with `at_import_time` only those that loading it loads."""
+
     def walk(node: ast.AST) -> Iterator[str]:
         for child in ast.iter_child_nodes(node):
             if isinstance(child, ast.If) and 'TYPE_CHECKING' in ast.unparse(child.test) and at_import_time:
@@ -49,22 +51,32 @@ def imports(path: Path, *, at_import_time: bool = False) -> Iterator[str]:
                     yield from (f'{child.module}.{alias.name}' for alias in child.names)
             else:
                 yield from walk(child)
+
     yield from walk(ast.parse(path.read_text(encoding='utf-8')))
 
 
 @pytest.mark.parametrize('layer', [layer for layer in BELOW if layer != 'plan'])
 def test_a_layer_imports_only_from_below(layer: str) -> None:
     allowed = {*BELOW[layer], layer}
-    wrong = [f'{path.relative_to(ROOT)} imports {name}' for path in files(layer) for name in imports(path)
-             if name.startswith('edulaunch.') and name.split('.')[1] not in allowed
-             and not (layer == 'recording' and name.split('.')[1] in ('canvas', 'processes'))]
+    wrong = [
+        f'{path.relative_to(ROOT)} imports {name}'
+        for path in files(layer)
+        for name in imports(path)
+        if name.startswith('edulaunch.')
+        and name.split('.')[1] not in allowed
+        and not (layer == 'recording' and name.split('.')[1] in ('canvas', 'processes'))
+    ]
     assert wrong == []
 
 
 @pytest.mark.parametrize('layer', ENGINE)
 def test_engine_layers_know_no_ros_package(layer: str) -> None:
-    wrong = [f'{path.relative_to(ROOT)} imports {name}' for path in files(layer) for name in imports(path)
-             if name.split('.')[0] in FACES]
+    wrong = [
+        f'{path.relative_to(ROOT)} imports {name}'
+        for path in files(layer)
+        for name in imports(path)
+        if name.split('.')[0] in FACES
+    ]
     assert wrong == []
 
 
@@ -80,8 +92,11 @@ def modules() -> dict[str, Path]:
 
 def test_nothing_imports_in_a_circle_when_it_is_loaded() -> None:
     known = modules()
-    graph = {name: {item if item in known else item.rpartition('.')[0] for item in imports(path, at_import_time=True)}
-             & set(known) - {name} for name, path in known.items()}
+    graph = {
+        name: {item if item in known else item.rpartition('.')[0] for item in imports(path, at_import_time=True)}
+        & set(known) - {name}
+        for name, path in known.items()
+    }
     state: dict[str, int] = {}
     circles: list[str] = []
 
@@ -102,6 +117,11 @@ def test_nothing_imports_in_a_circle_when_it_is_loaded() -> None:
 
 def test_only_pacing_and_real_programs_look_at_the_real_clock() -> None:
     allowed = {'sim/pacing.py', 'sim/guests.py', 'processes/real.py', 'processes/views/time_view.py', 'processes/watchdog.py'}
-    wrong = [f'{path.relative_to(PACKAGE)} imports {name}' for layer in ENGINE for path in files(layer) for name in imports(path)
-             if name.split('.')[0] == 'time' and str(path.relative_to(PACKAGE)) not in allowed]
+    wrong = [
+        f'{path.relative_to(PACKAGE)} imports {name}'
+        for layer in ENGINE
+        for path in files(layer)
+        for name in imports(path)
+        if name.split('.')[0] == 'time' and str(path.relative_to(PACKAGE)) not in allowed
+    ]
     assert wrong == []

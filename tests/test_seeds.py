@@ -1,4 +1,5 @@
 """Every launch file, node and parameter file of the seeds does here what it does with ROS 2."""
+
 from __future__ import annotations
 
 import json
@@ -47,8 +48,12 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def make_workspace(folder: Path) -> Path:
-    for package in ('large_projects/launch_tutorial', 'launch_lesson/simple_robot_launch',
-                    'launch_lesson/week5_lesson1_launch_example', 'tf2_book/learning_tf2_py'):
+    for package in (
+        'large_projects/launch_tutorial',
+        'launch_lesson/simple_robot_launch',
+        'launch_lesson/week5_lesson1_launch_example',
+        'tf2_book/learning_tf2_py',
+    ):
         shutil.copytree(SEEDS / 'files' / package, folder / 'src' / package.rpartition('/')[2])
     return folder
 
@@ -84,6 +89,7 @@ def dies_in_ros_too(oracle: dict[str, Any], line: str) -> bool:
 
 def user() -> str:
     import os
+
     return os.environ.get('USER', 'student')
 
 
@@ -117,6 +123,9 @@ def test_the_large_project_behaves_as_the_tutorial_says(workspace: Path) -> None
     assert recording.parameters('/turtlesim2/sim')['background_r'].value == 150
     frames = recording.frames_at(12.0)
     assert {child: frame.parent for child, frame in frames.items()} == {
-        'turtle1': 'world', 'turtle2': 'world', 'carrot1': 'turtle1'}
+        'turtle1': 'world',
+        'turtle2': 'world',
+        'carrot1': 'turtle1',
+    }
     assert recording.series('/turtlesim2/turtle1/cmd_vel', 'linear.x') == recording.series('/turtle2/pose', 'linear_velocity')
     assert any('turtle_rviz.rviz' in log.message for log in recording.logs if log.process.startswith('rviz2'))

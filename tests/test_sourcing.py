@@ -1,4 +1,5 @@
 """What counts as an overlay."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -9,8 +10,15 @@ from edulaunch import Session
 from edulaunch.sourcing import install_folders
 
 
-@pytest.mark.parametrize(('sign', 'is_built'), [
-    ('.colcon_install_layout', True), ('local_setup.bash', True), ('share/ament_index/x', True), ('src/robo/package.xml', False)])
+@pytest.mark.parametrize(
+    ('sign', 'is_built'),
+    [
+        ('.colcon_install_layout', True),
+        ('local_setup.bash', True),
+        ('share/ament_index/x', True),
+        ('src/robo/package.xml', False),
+    ],
+)
 def test_folders_that_colcon_installed_into_are_told_from_sources(tmp_path: Path, sign: str, is_built: bool) -> None:
     (tmp_path / sign).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / sign).write_text('')

@@ -1,4 +1,5 @@
 """What could stand at the end of an unfinished `edulaunch` command line."""
+
 from __future__ import annotations
 
 import argparse
@@ -43,6 +44,7 @@ def _split(line: str) -> list[str]:
 
 def _possible(words: Sequence[str], typed: str) -> Iterable[str]:
     from edulaunch.cli.main import VERBS
+
     if not words:
         return [*VERBS, '--help', '--version']
     verb = words[0]
@@ -82,6 +84,7 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> 
             value = next(rest, '')
             workspaces += [value] if option.dest == 'workspace' else []
     from edulaunch.session import index_for
+
     index = index_for([path for path in workspaces if os.path.isdir(path)])
     if not positional:
         return [*index.packages(), *_paths(typed, LAUNCH_SUFFIXES)]
@@ -94,10 +97,12 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> 
 def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[str]:
     """`name:=` of each launch argument; behind that its choices."""
     from edulaunch.sourcing import source
+
     source()
     from ros2launch.api.api import load_launch_file
 
     from edulaunch.processes.current import current_process
+
     process = current_process()
     process.index = process.host.index = index
     try:

@@ -1,4 +1,5 @@
 """`edulaunch completion bash|zsh`: the script that lets a shell complete our commands with the Tab key."""
+
 from __future__ import annotations
 
 import argparse
@@ -40,6 +41,7 @@ def main(arguments: argparse.Namespace) -> int:
         print(SCRIPTS[arguments.shell], end='')
         return 0
     from edulaunch.cli.candidates import candidates
+
     for candidate in candidates(arguments.line, break_words=arguments.shell == 'bash'):
         print(candidate)
     return 0

@@ -1,4 +1,5 @@
 """`edulaunch launch`: a launch file in the simulation, with the console of `ros2 launch`."""
+
 from __future__ import annotations
 
 import argparse
@@ -21,15 +22,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('-n', '--noninteractive', action='store_true', help='run as if no terminal were there')
     parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
     look = parser.add_mutually_exclusive_group()
-    look.add_argument('-p', '--print', '--print-description', action='store_true',
-                      help='show the launch description, start nothing')
+    look.add_argument(
+        '-p', '--print', '--print-description', action='store_true', help='show the launch description, start nothing'
+    )
     look.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
     parser.add_argument('-a', '--show-all-subprocesses-output', action='store_true', help='show everything that programs print')
     parser.add_argument('--launch-prefix', metavar='PREFIX', help="put these words in front of each program, such as 'xterm -e'")
     parser.add_argument('--launch-prefix-filter', metavar='REGEX', help='put them only in front of programs whose name matches')
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
-    parser.add_argument('--stdin', action='append', default=[], type=_stdin, metavar='NAME=FILE',
-                        help='keyboard of the program NAME: a file, or - for this terminal; may be repeated')
+    parser.add_argument(
+        '--stdin',
+        action='append',
+        default=[],
+        type=_stdin,
+        metavar='NAME=FILE',
+        help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
+    )
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
@@ -55,8 +63,9 @@ def main(arguments: argparse.Namespace) -> int:
     given.update(_prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
-    with Session(seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env,
-                 stdin=dict(arguments.stdin)) as session:
+    with Session(
+        seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env, stdin=dict(arguments.stdin)
+    ) as session:
         if arguments.show_args or arguments.print:
             return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
@@ -106,6 +115,7 @@ def _look(session: Session, path: str, show_args: bool) -> int:
     from ros2launch.api import print_a_launch_file, print_arguments_of_launch_file
 
     from edulaunch.launch_process import explain
+
     process = current_process()
     process.index, process.host.index = session.index, session.index
     process.env.update(session.host.env)
@@ -159,6 +169,7 @@ class Terminal:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
         from edulaunch.processes.shared_streams import streams_of_programs
         from edulaunch.sim.pacing import Pacer
+
         sim = self._session.sim
         before = signal.signal(signal.SIGINT, self._press)
         try:

@@ -1,4 +1,5 @@
 """`edulaunch`: reads the verb, loads that verb's file only, and turns errors into one message and an exit code."""
+
 from __future__ import annotations
 
 import argparse
@@ -55,8 +56,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _parser(wanted: str | None) -> argparse.ArgumentParser:
     """The parser; only the wanted verb's own arguments are filled in, so that the others need not be loaded."""
     parser = argparse.ArgumentParser(
-        prog='edulaunch', description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
-        epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+        prog='edulaunch',
+        description='ROS 2 launch, tf2 and turtlesim in a deterministic simulation.',
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument('--version', action='version', version=f'edulaunch {__version__}')
     verbs = parser.add_subparsers(dest='verb', metavar='VERB')
     for verb, text in VERBS.items():

@@ -1,4 +1,5 @@
 """`edulaunch pkg create` makes a package as `ros2 pkg create` does; `edulaunch pkg check` looks for common mistakes."""
+
 from __future__ import annotations
 
 import argparse
@@ -23,6 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def add_create_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of `ros2 pkg create`."""
     from edulaunch.workspace.new_package import BUILD_TYPES, NewPackage
+
     parser.add_argument('package_name', help='the package name')
     parser.add_argument('--package-format', '--package_format', choices=['2', '3'], default='3', help='the format of package.xml')
     parser.add_argument('--description', default=NewPackage.description, help='the description given in package.xml')
@@ -45,6 +47,7 @@ def create(arguments: argparse.Namespace) -> int:
     """Make a package, and say what is made."""
     from edulaunch.errors import PackageError
     from edulaunch.workspace.new_package import create_package
+
     try:
         create_package(described_package(arguments, *maintainer()), print)
     except PackageError as error:
@@ -56,16 +59,26 @@ def create(arguments: argparse.Namespace) -> int:
 def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
     """What the options describe; `name` and `email` are those of the maintainer when no option says so."""
     from edulaunch.workspace.new_package import NewPackage
+
     return NewPackage(
-        arguments.package_name, arguments.destination_directory, arguments.build_type, arguments.license, arguments.description,
-        tuple(arguments.dependencies), arguments.maintainer_name or name, arguments.maintainer_email or email,
-        arguments.node_name, arguments.library_name)
+        arguments.package_name,
+        arguments.destination_directory,
+        arguments.build_type,
+        arguments.license,
+        arguments.description,
+        tuple(arguments.dependencies),
+        arguments.maintainer_name or name,
+        arguments.maintainer_email or email,
+        arguments.node_name,
+        arguments.library_name,
+    )
 
 
 def maintainer() -> tuple[str, str]:
     """Name and address of whoever works here: the user's, and what git knows, as `ros2 pkg create` takes them."""
     import getpass
     import subprocess
+
     try:
         name = getpass.getuser()
     except (OSError, KeyError):
@@ -81,12 +94,16 @@ def maintainer() -> tuple[str, str]:
 def check(path: str) -> int:
     """Print what is wrong in the packages below `path`."""
     from edulaunch.workspace.mistakes import find_mistakes
+
     if not os.path.isdir(path):
         raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')
     found = find_mistakes(path)
     for mistake in found.mistakes:
         print(mistake.text(os.path.abspath(path)))
     count = len(found.mistakes)
-    print(f'{len(found.packages)} package{"s" * (len(found.packages) != 1)} checked'
-          + (f' ({", ".join(found.packages)})' if found.packages else '') + f': {count or "no"} finding{"s" * (count != 1)}')
+    print(
+        f'{len(found.packages)} package{"s" * (len(found.packages) != 1)} checked'
+        + (f' ({", ".join(found.packages)})' if found.packages else '')
+        + f': {count or "no"} finding{"s" * (count != 1)}'
+    )
     return 1 if found.mistakes else 0

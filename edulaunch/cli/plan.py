@@ -1,4 +1,5 @@
 """`edulaunch plan`: what a launch file would start, without starting anything."""
+
 from __future__ import annotations
 
 import argparse
@@ -18,8 +19,16 @@ WIDEST = 10_000
 """Columns; the terminal breaks long lines better than a tree does."""
 TWIGS = ('├── ', '└── ', '│   ', '    ')
 ASCII_TWIGS = ('|-- ', '`-- ', '|   ', '    ')
-STYLES = {'node': 'bold green', 'process': 'bold green', 'include': 'bold cyan', 'detail': 'dim', 'event': 'magenta',
-          'timer': 'magenta', 'event_handler': 'magenta', 'argument': 'yellow'}
+STYLES = {
+    'node': 'bold green',
+    'process': 'bold green',
+    'include': 'bold cyan',
+    'detail': 'dim',
+    'event': 'magenta',
+    'timer': 'magenta',
+    'event_handler': 'magenta',
+    'argument': 'yellow',
+}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,20 +38,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     shape = parser.add_mutually_exclusive_group()
     shape.add_argument('--tree', action='store_true', help='as a tree (default; coloured in a terminal)')
     shape.add_argument('--json', action='store_true', help='as JSON (plan format 1)')
-    parser.add_argument('--assume-packages', action='store_true',
-                        help='go on when packages are missing, with empty ones instead, and say which')
+    parser.add_argument(
+        '--assume-packages', action='store_true', help='go on when packages are missing, with empty ones instead, and say which'
+    )
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
 def main(arguments: argparse.Namespace) -> int:
     """Print the plan. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
     from edulaunch.plan import rehearse
+
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     with Session(workspaces=arguments.workspace) as session:
         path = find_launch_file(session.index, package_or_path, file)
         rehearsal = rehearse(path, given, session.index, session.host.env, assume_packages=arguments.assume_packages)
     if arguments.json:
         import json
+
         print(json.dumps(rehearsal.plan, indent=1, sort_keys=True))
     else:
         _show(rehearsal)
@@ -52,14 +64,17 @@ def main(arguments: argparse.Namespace) -> int:
 
 def _show(rehearsal: Rehearsal) -> None:
     from edulaunch.plan.telling import told_launch
+
     lines = told_launch(rehearsal.outline, rehearsal.placeholders)
     if sys.stdout.isatty():
         _print_in_colour(rehearsal.plan['file'], lines)
     else:
         print('\n'.join((rehearsal.plan['file'], *_drawn(lines, _twigs()))))
     kinds = [item['kind'] for item in rehearsal.plan['items']]
-    print(f'nodes: {kinds.count("node")}, other processes: {kinds.count("process")}, '
-          f'reason of the shutdown: {rehearsal.plan["shutdown_reason"] or "none"}')
+    print(
+        f'nodes: {kinds.count("node")}, other processes: {kinds.count("process")}, '
+        f'reason of the shutdown: {rehearsal.plan["shutdown_reason"] or "none"}'
+    )
 
 
 def _report(rehearsal: Rehearsal) -> None:
@@ -105,6 +120,7 @@ def _print_in_colour(title: str, lines: Sequence[Line]) -> None:
             if line.place:
                 label.append(f'  <{line.place}>', style='dim')
             grow(tree.add(label), line.below)
+
     root = Tree(Text(title, style='bold'))
     grow(root, lines)
     Console(width=WIDEST).print(root)

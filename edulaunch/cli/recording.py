@@ -1,4 +1,5 @@
 """`edulaunch recording info`: what a recording holds, for people and as JSON."""
+
 from __future__ import annotations
 
 import argparse
@@ -21,6 +22,7 @@ def main(arguments: argparse.Namespace) -> int:
     summary = summarise(recording)
     if arguments.json:
         import json
+
         print(json.dumps(summary, indent=2))
     else:
         print('\n'.join(lines(summary)))
@@ -36,12 +38,27 @@ def summarise(recording: Recording) -> dict[str, Any]:
         'duration_s': recording.duration_s,
         'digest': recording.digest(),
         'processes': [
-            {'name': process.name, 'pid': process.pid, 'origin': process.origin, 'started_s': process.started_s,
-             'ended_s': process.ended_s, 'returncode': process.returncode} for process in recording.processes],
+            {
+                'name': process.name,
+                'pid': process.pid,
+                'origin': process.origin,
+                'started_s': process.started_s,
+                'ended_s': process.ended_s,
+                'returncode': process.returncode,
+            }
+            for process in recording.processes
+        ],
         'nodes': [{'name': node.name, 'process': node.process} for node in recording.nodes],
         'topics': [
-            {'name': topic.name, 'type': topic.type, 'messages': topic.count, 'publishers': topic.publishers,
-             'subscriptions': topic.subscriptions} for topic in recording.topics.values()],
+            {
+                'name': topic.name,
+                'type': topic.type,
+                'messages': topic.count,
+                'publishers': topic.publishers,
+                'subscriptions': topic.subscriptions,
+            }
+            for topic in recording.topics.values()
+        ],
         'log_messages': len(recording.logs),
         'warnings': recording.warnings,
     }
@@ -50,12 +67,20 @@ def summarise(recording: Recording) -> dict[str, Any]:
 def lines(summary: dict[str, Any]) -> list[str]:
     """The summary for people."""
     arguments = ' '.join(f'{name}:={value}' for name, value in summary['arguments'].items())
-    text = [f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),
-            f'Duration:     {summary["duration_s"]:.3f} s (seed {summary["seed"]})',
-            f'Digest:       {summary["digest"]}', f'Log messages: {summary["log_messages"]}', '', 'Processes:']
+    text = [
+        f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),
+        f'Duration:     {summary["duration_s"]:.3f} s (seed {summary["seed"]})',
+        f'Digest:       {summary["digest"]}',
+        f'Log messages: {summary["log_messages"]}',
+        '',
+        'Processes:',
+    ]
     for process in summary['processes']:
-        end = ('running at the end' if process['ended_s'] is None else
-               f'ended at {process["ended_s"]:.3f} s with code {process["returncode"]}')
+        end = (
+            'running at the end'
+            if process['ended_s'] is None
+            else f'ended at {process["ended_s"]:.3f} s with code {process["returncode"]}'
+        )
         place = '' if process['origin'] is None else f'  [{process["origin"][0]}:{process["origin"][1]}]'
         text.append(f'  {process["name"]} (pid {process["pid"]}): {end}{place}')
     text += ['', 'Nodes:', *(f'  {node["name"]} ({node["process"]})' for node in summary['nodes']), '', 'Topics:']

@@ -1,4 +1,5 @@
 """`edulaunch rosdep check`: which dependencies of package.xml files are not here."""
+
 from __future__ import annotations
 
 import argparse
@@ -17,13 +18,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(arguments: argparse.Namespace) -> int:
     """Print what is missing. 0 when nothing is, else 1."""
     from edulaunch.workspace.dependencies import missing_dependencies
+
     if not os.path.isdir(arguments.path):
         raise UnusableInput(f'{arguments.path!r} is not a directory.', help='name a workspace, or the folder of a package')
     packages, missing = missing_dependencies(arguments.path)
     for package, (name, tag, line), near in missing:
         place = f'{os.path.relpath(package.manifest_file)}:{line}' if line else os.path.relpath(package.manifest_file)
-        print(f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
-              + (f'; the nearest name is {near}' if near else ''))
+        print(
+            f'{place}: {package.name} needs {name} (<{tag}>), which is not here'
+            + (f'; the nearest name is {near}' if near else '')
+        )
     if missing:
         names = ', '.join(dict.fromkeys(package.name for package, *_ in missing))
         print(f'\nnodes of these packages that use what is missing cannot run: {names}')

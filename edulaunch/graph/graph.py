@@ -1,4 +1,5 @@
 """The graph of one simulation: who is there, and who hears whom."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -99,8 +100,9 @@ class Graph:
             connect(publisher, subscription)
         return publisher
 
-    def create_subscription(self, node: NodeEntry, topic: str, cls: Any, qos: QoS,
-                            on_ready: Callable[[], object]) -> Subscription:
+    def create_subscription(
+        self, node: NodeEntry, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> Subscription:
         """A subscription of `node`, connected to all publishers that suit it; old samples may stand in its queue at once."""
         subscription = Subscription(self, node, topic, cls, qos, on_ready)
         self._add(node, self.subscriptions, topic, subscription)

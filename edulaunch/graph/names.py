@@ -1,4 +1,5 @@
 """Names of nodes, topics and services: validation with ROS 2's reasons, expansion and remapping."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -212,8 +213,11 @@ def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: s
     :param kind: 'topic' or 'service'.
     """
     for rule in rules:
-        if rule.kind in (kind, 'any') and rule.node_name in (None, node_name) \
-                and expand_name(rule.match, node_name, namespace) == name:
+        if (
+            rule.kind in (kind, 'any')
+            and rule.node_name in (None, node_name)
+            and expand_name(rule.match, node_name, namespace) == name
+        ):
             return expand_name(rule.replacement, node_name, namespace)
     return name
 

@@ -1,4 +1,5 @@
 """Parameter files and `-p` values, read by the rules of rcl's YAML parser (stricter than YAML: typed lists, no aliases)."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -57,7 +58,7 @@ def read_value(text: str) -> Any:
         raise ParameterFileError('error not set')
     reader = _Reader(text, of_a_file=False)
     if not reader.skip_to_root(mapping=False):
-        return None   # nothing but a comment
+        return None  # nothing but a comment
     return _read_value(reader, reader.next())
 
 
@@ -66,6 +67,7 @@ class _Reader:
 
     def __init__(self, text: str, of_a_file: bool = True) -> None:
         import yaml
+
         self.of_a_file = of_a_file
         self._line = 1
         self._events: Iterator[Any] = yaml.parse(text, Loader=getattr(yaml, 'CLoader', yaml.Loader))
@@ -77,7 +79,7 @@ class _Reader:
         except self._error as error:
             reason = f'Error parsing a event near line {self._line}' if self.of_a_file else 'Error parsing an event'
             raise ParameterFileError(reason, _yaml_help(error)) from None
-        self._line = line_of(event)   # rcl names the line of what it could still read
+        self._line = line_of(event)  # rcl names the line of what it could still read
         if type(event).__name__ == 'AliasEvent':
             reason = f'Will not support aliasing at line {self._line}' if self.of_a_file else 'Unknown YAML event'
             raise ParameterFileError(reason)
@@ -153,7 +155,7 @@ def _read_value(reader: _Reader, event: Any) -> Any:
     if kind == 'ScalarEvent':
         return _scalar(event)
     if kind == 'SequenceStartEvent':
-        return _read_sequence(reader) or None   # rcl cannot tell of what an empty list would be: the parameter is not set
+        return _read_sequence(reader) or None  # rcl cannot tell of what an empty list would be: the parameter is not set
     if not reader.of_a_file:
         raise ParameterFileError('Unknown YAML event', 'write a value or a list of values')
     raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')
@@ -167,9 +169,11 @@ def _read_sequence(reader: _Reader) -> list[Any]:
             raise ParameterFileError(f'{what} cannot be values of a sequence. Error at line {line_of(event)}')
         item = _scalar(event)
         if items and type(item) is not type(items[0]):
-            raise ParameterFileError('Sequence should be of same type. Value type '
-                                     f"'{sequence_type_name(item)}' do not belong at line_num {line_of(event)}",
-                                     'numbers of one list are written all with a point, or all without')
+            raise ParameterFileError(
+                'Sequence should be of same type. Value type '
+                f"'{sequence_type_name(item)}' do not belong at line_num {line_of(event)}",
+                'numbers of one list are written all with a point, or all without',
+            )
         items.append(item)
     return items
 

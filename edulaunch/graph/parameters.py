@@ -1,12 +1,23 @@
 """Parameter values: their types, the text forms that ROS 2 reads, ranges, and which node a pattern means."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import isclose
 from typing import Any
 
-TYPE_NAMES = ('NOT_SET', 'BOOL', 'INTEGER', 'DOUBLE', 'STRING', 'BYTE_ARRAY', 'BOOL_ARRAY', 'INTEGER_ARRAY',
-              'DOUBLE_ARRAY', 'STRING_ARRAY')
+TYPE_NAMES = (
+    'NOT_SET',
+    'BOOL',
+    'INTEGER',
+    'DOUBLE',
+    'STRING',
+    'BYTE_ARRAY',
+    'BOOL_ARRAY',
+    'INTEGER_ARRAY',
+    'DOUBLE_ARRAY',
+    'STRING_ARRAY',
+)
 """The parameter types; the index is the number used in rcl_interfaces/ParameterType."""
 
 NOT_SET, BOOL, INTEGER, DOUBLE, STRING, BYTE_ARRAY, BOOL_ARRAY, INTEGER_ARRAY, DOUBLE_ARRAY, STRING_ARRAY = range(10)
@@ -15,8 +26,9 @@ _SCALAR_TYPES: dict[type, int] = {bool: BOOL, int: INTEGER, float: DOUBLE, str: 
 _ARRAY_TYPES = ((bytes, BYTE_ARRAY), (bool, BOOL_ARRAY), (int, INTEGER_ARRAY), (float, DOUBLE_ARRAY), (str, STRING_ARRAY))
 _TRUE = frozenset(('Y', 'y', 'yes', 'Yes', 'YES', 'true', 'True', 'TRUE', 'on', 'On', 'ON'))
 _FALSE = frozenset(('N', 'n', 'no', 'No', 'NO', 'false', 'False', 'FALSE', 'off', 'Off', 'OFF'))
-_DOTTED_FLOATS = {f'{sign}.{word}': f'{sign}{word}'
-                  for sign in ('', '+', '-') for word in ('nan', 'NaN', 'NAN', 'inf', 'Inf', 'INF')}
+_DOTTED_FLOATS = {
+    f'{sign}.{word}': f'{sign}{word}' for sign in ('', '+', '-') for word in ('nan', 'NaN', 'NAN', 'inf', 'Inf', 'INF')
+}
 _TOLERANCE = 1e-6
 _INT64 = range(-(1 << 63), 1 << 63)
 
@@ -124,8 +136,10 @@ def float_range_problem(name: str, value: float, lowest: float, highest: float, 
     if step:
         nearest = lowest + round((value - lowest) / step) * step
         if not _close(value, nearest):
-            return (f'The parameter value for {name} is not close enough to a valid step. '
-                    f'Min: {lowest}, max: {highest}, value: {value}, step: {step}')
+            return (
+                f'The parameter value for {name} is not close enough to a valid step. '
+                f'Min: {lowest}, max: {highest}, value: {value}, step: {step}'
+            )
     return None
 
 

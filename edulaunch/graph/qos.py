@@ -1,4 +1,5 @@
 """Quality of service: the policies of an endpoint, and when two endpoints can talk."""
+
 from __future__ import annotations
 
 from typing import NamedTuple

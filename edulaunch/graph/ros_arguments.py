@@ -1,4 +1,5 @@
 """The part of a command line between `--ros-args` and `--`: remap rules, parameters and log levels, by rcl's rules."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -109,9 +110,17 @@ def read_file(path: str) -> str:
 
 
 _FLAGS = {
-    '-r': 'remap', '--remap': 'remap', '-p': 'param', '--param': 'param', '--params-file': 'params-file',
-    '--log-level': 'log-level', '-e': 'enclave', '--enclave': 'enclave',
-    '--log-file-name': 'log-file-name', '--log-config-file': 'log-config-file', '--log-file': 'log-file-name',
+    '-r': 'remap',
+    '--remap': 'remap',
+    '-p': 'param',
+    '--param': 'param',
+    '--params-file': 'params-file',
+    '--log-level': 'log-level',
+    '-e': 'enclave',
+    '--enclave': 'enclave',
+    '--log-file-name': 'log-file-name',
+    '--log-config-file': 'log-config-file',
+    '--log-file': 'log-file-name',
 }
 _MISSING = {
     'remap': "Couldn't parse trailing {} flag. No remap rule found.",
@@ -192,10 +201,11 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
     try:
         node_name = reader.node_prefix()
         name = read_parameter_name(reader)
-        override = Override(read_value(text[reader.position:]), 'command line')
+        override = Override(read_value(text[reader.position :]), 'command line')
     except (RuleError, ParameterFileError) as error:
-        raise _refuse('parameter override rule', flag, text, str(error),
-                      "write 'name:=value', such as background_r:=200") from None
+        raise _refuse(
+            'parameter override rule', flag, text, str(error), "write 'name:=value', such as background_r:=200"
+        ) from None
     pattern = absolute_namespace(node_name) if node_name else '/**'
     result.parameters.setdefault(pattern, {})[name] = override
 

@@ -1,11 +1,23 @@
 """Reading what stands in one argument for ROS, as `from:=to` or `name:=value`: tokens, and rcl's words for what is wrong."""
+
 from __future__ import annotations
 
 import re
 
 _LEXEMES = (
-    ('~/', 2), ('rosservice://', 3), ('rostopic://', 4), (':=', 8), (':', 5), ('__node', 6), ('__name', 6), ('__ns', 7),
-    ('**', 21), ('*', 20), ('/', 19), ('.', 22))
+    ('~/', 2),
+    ('rosservice://', 3),
+    ('rostopic://', 4),
+    (':=', 8),
+    (':', 5),
+    ('__node', 6),
+    ('__name', 6),
+    ('__ns', 7),
+    ('**', 21),
+    ('*', 20),
+    ('/', 19),
+    ('.', 22),
+)
 _TOKEN = re.compile(r'(?:[a-zA-Z]|_(?!_))(?:_?[a-zA-Z0-9])*_?')
 _BACK_REFERENCE = re.compile(r'\\[1-9]')
 
@@ -43,7 +55,7 @@ class RuleReader:
 
     def take(self) -> str:
         """The lexeme, gone past."""
-        taken = self.text[self.position:self._end]
+        taken = self.text[self.position : self._end]
         self.position = self._end
         self.kind, self._end = self._lexeme_at(self.position)
         return taken
@@ -96,7 +108,7 @@ def read_parameter_name(reader: RuleReader) -> str:
         while reader.kind in (TOKEN, SLASH):
             reader.take()
         if reader.kind == SEPARATOR:
-            name = reader.text[start:reader.position]
+            name = reader.text[start : reader.position]
             reader.take()
             return name
         reader.expect(DOT)
@@ -114,7 +126,7 @@ def read_matched_name(reader: RuleReader) -> str:
     while reader.kind != SEPARATOR:
         reader.expect(SLASH)
         reader.expect_name_token()
-    name = reader.text[start:reader.position]
+    name = reader.text[start : reader.position]
     reader.take()
     return name
 

@@ -1,4 +1,5 @@
 """Services: requests find their server by name, replies find their client by number."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -19,8 +20,9 @@ class ServiceEnd:
 
     kind = 'service end'
 
-    def __init__(self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS,
-                 on_ready: Callable[[], object]) -> None:
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
         self.graph = graph
         self.node = node
         self.service_name = service_name
@@ -37,8 +39,9 @@ class ServiceServer(ServiceEnd):
 
     kind = 'service'
 
-    def __init__(self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS,
-                 on_ready: Callable[[], object]) -> None:
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
 
@@ -70,8 +73,9 @@ class ServiceClient(ServiceEnd):
 
     kind = 'client'
 
-    def __init__(self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS,
-                 on_ready: Callable[[], object]) -> None:
+    def __init__(
+        self, graph: Graph, node: NodeEntry, service_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
         super().__init__(graph, node, service_name, cls, qos, on_ready)
         self.queue: deque[tuple[int, Any]] = deque()
         self.lost = 0

@@ -1,4 +1,5 @@
 """Topics: publishers, subscriptions, and the delivery between them."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -109,8 +110,9 @@ class Subscription(Endpoint):
 
     kind = 'subscription'
 
-    def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS,
-                 on_ready: Callable[[], object]) -> None:
+    def __init__(
+        self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
+    ) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self.on_ready = on_ready
         self.queue: deque[Taken] = deque(maxlen=qos.queue_length)

@@ -1,4 +1,5 @@
 """What the graph and the processes tell whoever keeps the record; this one keeps nothing."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

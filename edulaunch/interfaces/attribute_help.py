@@ -38,11 +38,7 @@ def attribute_help(error: BaseException, registry: Registry) -> str | None:
         if field is not None:
             return f"did you mean '{field}'?"
     fields = classes[0]._FIELDS
-    return (
-        f'the fields of {classes[0].__name__} are: {", ".join(fields)}'
-        if fields
-        else f'{classes[0].__name__} has no fields'
-    )
+    return f'the fields of {classes[0].__name__} are: {", ".join(fields)}' if fields else f'{classes[0].__name__} has no fields'
 
 
 def _candidates(error: BaseException, name: str, registry: Registry) -> list[type[Message]]:

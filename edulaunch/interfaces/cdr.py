@@ -53,9 +53,7 @@ def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
     except (struct.error, Truncated, UnicodeDecodeError, OverflowError) as error:
         raise InterfaceError(f'these {len(data)} bytes are not a {cls.TYPE}: {error}') from None
     if len(body) - position > 3:  # a middleware may pad to a multiple of four
-        raise InterfaceError(
-            f'these {len(data)} bytes are not a {cls.TYPE}: {len(body) - position} bytes are left over'
-        )
+        raise InterfaceError(f'these {len(data)} bytes are not a {cls.TYPE}: {len(body) - position} bytes are left over')
     return wire
 
 

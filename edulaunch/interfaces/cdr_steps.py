@@ -1,5 +1,4 @@
-"""How CDR lays out each sort of field. Positions count from the end of the header, which alignment refers to.
-"""
+"""How CDR lays out each sort of field. Positions count from the end of the header, which alignment refers to."""
 
 from __future__ import annotations
 
@@ -104,8 +103,7 @@ class Text:
 
 
 class WideText:
-    """A wide string: the number of UTF-16 units, then each as 32 bits (so rmw_fastrtps does), no final zero.
-    """
+    """A wide string: the number of UTF-16 units, then each as 32 bits (so rmw_fastrtps does), no final zero."""
 
     takes = 1
 
@@ -152,9 +150,7 @@ class Numbers:
         end = position + count * self._width
         if end > len(data):
             raise Truncated(f'{count} values at byte {position} reach beyond the end')
-        values.append(
-            data[position:end] if self._raw else Struct(f'<{count}{self._code}').unpack_from(data, position)
-        )
+        values.append(data[position:end] if self._raw else Struct(f'<{count}{self._code}').unpack_from(data, position))
         return end
 
 

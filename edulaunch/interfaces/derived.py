@@ -43,10 +43,7 @@ def get_result_of(action: ActionSpec) -> ServiceSpec:
         name,
         MessageSpec(f'{name}_Request', (_GOAL_ID,), (), file),
         MessageSpec(
-            f'{name}_Response',
-            (Field('status', FieldType('int8')), Field('result', FieldType(action.result.type))),
-            (),
-            file,
+            f'{name}_Response', (Field('status', FieldType('int8')), Field('result', FieldType(action.result.type))), (), file
         ),
     )
 
@@ -54,16 +51,11 @@ def get_result_of(action: ActionSpec) -> ServiceSpec:
 def feedback_message_of(action: ActionSpec) -> MessageSpec:
     """The message of the feedback topic."""
     return MessageSpec(
-        f'{action.type}_FeedbackMessage',
-        (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))),
-        (),
-        action.goal.file,
+        f'{action.type}_FeedbackMessage', (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))), (), action.goal.file
     )
 
 
-def parts_of(
-    spec: MessageSpec | ServiceSpec | ActionSpec,
-) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
+def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
     """The interface itself and everything derived from it, by full type name."""
     if isinstance(spec, MessageSpec):
         return {spec.type: spec}

@@ -36,9 +36,7 @@ def _several(field_type: FieldType, message: type[Message] | None, name: str, va
     wanted = message or (kind.python if kind else object)
     for index, value in enumerate(values):
         if not isinstance(value, wanted):
-            return _one(field_type.element, message, f'{name}[{index}]', value).replace(
-                ' was given', f' is at index {index}', 1
-            )
+            return _one(field_type.element, message, f'{name}[{index}]', value).replace(' was given', f' is at index {index}', 1)
     if field_type.array != 'unbounded' and len(values) != field_type.size:
         return f'{len(values)} value{"s" * (len(values) != 1)} given'
     return 'a value is out of range'

@@ -67,13 +67,7 @@ class FieldRule:
         return f"of type '{self._python_name()}'"
 
     def _python_name(self) -> str:
-        return (
-            self.message.__name__
-            if self.kind is None and self.message
-            else self.kind.python.__name__
-            if self.kind
-            else ''
-        )
+        return self.message.__name__ if self.kind is None and self.message else self.kind.python.__name__ if self.kind else ''
 
     def _is_one(self, value: Any) -> bool:
         if self.kind is None:
@@ -88,9 +82,7 @@ class FieldRule:
             return True
         if kind.python is str:
             return self.type.string_bound is None or len(value) <= self.type.string_bound
-        return bool(kind.low <= value <= kind.high) or (
-            kind.python is float and (value != value or abs(value) == _INF)
-        )
+        return bool(kind.low <= value <= kind.high) or (kind.python is float and (value != value or abs(value) == _INF))
 
     # Several values
 
@@ -113,9 +105,7 @@ class FieldRule:
         return listed and self._is_right_length(len(value)) and self._each_is_right(value)
 
     def _is_right_length(self, length: int) -> bool:
-        return {'fixed': length == self.type.size, 'bounded': length <= self.type.size}.get(
-            self.type.array, True
-        )
+        return {'fixed': length == self.type.size, 'bounded': length <= self.type.size}.get(self.type.array, True)
 
     def _each_is_right(self, values: Collection[Any]) -> bool:
         return self._are_plain_numbers(values) or all(self._is_one(value) and self._is_in_range(value) for value in values)
@@ -152,8 +142,7 @@ class FieldRule:
             return array(self.kind.code, numbers)
         if not self._is_right_length(len(value)):
             raise AssertionError(
-                f"The '{self.name}' array.array() must have a size <= {self.type.size}"
-                f'\n  help: this one has {len(value)} values'
+                f"The '{self.name}' array.array() must have a size <= {self.type.size}\n  help: this one has {len(value)} values"
             )
         return value
 
@@ -193,9 +182,7 @@ class FieldRule:
     def _refuse(self, words: str, value: Any) -> NoReturn:
         from edulaunch.interfaces.field_help import help_for
 
-        raise AssertionError(
-            f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}"
-        )
+        raise AssertionError(f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}")
 
     # Snapshots of the fields whose content may have changed since it was assigned
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from edulaunch.interfaces.registry import Registry
 else:
-    Loader = object     # importlib.abc costs more to import than this whole module
+    Loader = object  # importlib.abc costs more to import than this whole module
 
 
 class InterfaceFinder(Loader):
@@ -32,9 +32,7 @@ class InterfaceFinder(Loader):
     def __repr__(self) -> str:
         return 'edulaunch interfaces'  # shown in the repr of the modules
 
-    def find_spec(
-        self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
         """The spec of a module that this finder provides, else None."""
         package, *rest = fullname.split('.')
         if len(rest) > 2 or not self.registry.has(package):
@@ -72,12 +70,7 @@ class InterfaceFinder(Loader):
 
         package, kind, module = fullname.split('.')
         return next(
-            (
-                f'{package}/{kind}/{name}'
-                for name in self.registry.names(package, kind)
-                if f'_{module_name(name)}' == module
-            ),
-            None,
+            (f'{package}/{kind}/{name}' for name in self.registry.names(package, kind) if f'_{module_name(name)}' == module), None
         )
 
 

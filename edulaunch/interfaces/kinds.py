@@ -14,9 +14,7 @@ class Kind:
     # Plain classes here and in `layout`: each NamedTuple would add half a millisecond to every start.
     __slots__ = ('name', 'python', 'code', 'size', 'low', 'high', 'ros', 'type_id')
 
-    def __init__(
-        self, name: str, python: type, code: str, size: int, low: float, high: float, ros: str, type_id: int
-    ) -> None:
+    def __init__(self, name: str, python: type, code: str, size: int, low: float, high: float, ros: str, type_id: int) -> None:
         self.name = name
         self.python = python
         self.code = code

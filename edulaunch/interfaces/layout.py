@@ -96,11 +96,7 @@ def is_fixed_numbers(field_type: FieldType) -> bool:
 
 def is_number_sequence(field_type: FieldType) -> bool:
     """Whether the field is an array.array to its reader."""
-    return (
-        field_type.array in ('bounded', 'unbounded')
-        and field_type.kind is not None
-        and field_type.kind.is_number
-    )
+    return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
 
 
 def zero(field_type: FieldType) -> Any:

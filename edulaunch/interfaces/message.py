@@ -108,6 +108,4 @@ def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
     unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
     words = did_you_mean(unknown[0], fields)
     listed = f'the fields of {type(message).__name__} are: {", ".join(fields) or "(none)"}'
-    raise AssertionError(
-        f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}'
-    )
+    raise AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}')

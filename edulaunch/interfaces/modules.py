@@ -44,12 +44,9 @@ class InterfaceModule(ModuleType):
         words = _help(self._registry, self.__name__, name)
         if _is_from_import(asker):
             return ImportError(
-                f'cannot import name {name!r} from {self.__name__!r} (unknown location){words}',
-                name=self.__name__,
+                f'cannot import name {name!r} from {self.__name__!r} (unknown location){words}', name=self.__name__
             )
-        return AttributeError(
-            f'module {self.__name__!r} has no attribute {name!r}{words}', name=name, obj=self
-        )
+        return AttributeError(f'module {self.__name__!r} has no attribute {name!r}{words}', name=name, obj=self)
 
 
 class PartModule(ModuleType):

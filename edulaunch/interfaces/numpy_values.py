@@ -29,5 +29,5 @@ def python_values(values: Any, kind: Kind) -> Any:
         return values
     try:
         return [kind.python(value) if isinstance(value, numbers) else value for value in values]
-    except (TypeError, OverflowError):   # no iterable; an integer that no float can hold
+    except (TypeError, OverflowError):  # no iterable; an integer that no float can hold
         return values

@@ -7,15 +7,7 @@ from keyword import iskeyword
 
 from edulaunch.interfaces.literals import constant_value, default_value
 from edulaunch.interfaces.sections import Line, sections_of
-from edulaunch.interfaces.spec import (
-    ActionSpec,
-    Constant,
-    Field,
-    FieldType,
-    InterfaceSpec,
-    MessageSpec,
-    ServiceSpec,
-)
+from edulaunch.interfaces.spec import ActionSpec, Constant, Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
 from edulaunch.interfaces.type_text import field_type
 
 FIELD_NAME = '^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'
@@ -24,10 +16,9 @@ CONSTANT_NAME = '^[A-Z]([A-Z0-9_]?[A-Z0-9]+)*$'
 _CONSTANT_NAME = re.compile('[A-Z](?:_?[A-Z0-9])*$')
 _CONSTANT = re.compile(r'(?P<name>\w+)\s*=\s*(?P<value>.*)$')
 # Names that the generated classes use themselves.
-_RESERVED = frozenset((
-    'to_wire', 'from_wire', 'wire_type', 'get_fields_and_field_types', 'check_fields', 'TYPE', 'SLOT_TYPES',
-    'LAYOUT',
-))
+_RESERVED = frozenset(
+    ('to_wire', 'from_wire', 'wire_type', 'get_fields_and_field_types', 'check_fields', 'TYPE', 'SLOT_TYPES', 'LAYOUT')
+)
 
 
 def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
@@ -41,10 +32,7 @@ def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
     file = file or type_name
     parts = {'msg': [''], 'srv': ['_Request', '_Response'], 'action': ['_Goal', '_Result', '_Feedback']}[kind]
     sections = sections_of(text, file, kind, len(parts))
-    messages = [
-        _message(lines, f'{package}/{kind}/{name}{part}', file)
-        for lines, part in zip(sections, parts, strict=True)
-    ]
+    messages = [_message(lines, f'{package}/{kind}/{name}{part}', file) for lines, part in zip(sections, parts, strict=True)]
     if kind == 'srv':
         return ServiceSpec(type_name, *messages)
     return ActionSpec(type_name, *messages) if kind == 'action' else messages[0]
@@ -80,10 +68,7 @@ def _entry(line: Line, package: str) -> Field | Constant:
 
 def _constant(line: Line, type_: FieldType, name: str, text: str) -> Constant:
     if type_.array or type_.kind is None:
-        line.fail(
-            f"a constant must have a primitive type, not '{type_.text}'",
-            help='a default has no =: int32[] values [1, 2]',
-        )
+        line.fail(f"a constant must have a primitive type, not '{type_.text}'", help='a default has no =: int32[] values [1, 2]')
     if not _CONSTANT_NAME.match(name):
         line.fail(
             f"'{name}' is an invalid constant name. It should have the pattern '{CONSTANT_NAME}'",
@@ -108,10 +93,7 @@ def _field(line: Line, type_: FieldType, rest: str) -> Field:
     if not text:
         return Field(name, type_, None, line.number)
     if type_.kind is None:
-        line.fail(
-            f"field '{name}' of type '{type_.text}' cannot have a default",
-            help='only primitive types have defaults',
-        )
+        line.fail(f"field '{name}' of type '{type_.text}' cannot have a default", help='only primitive types have defaults')
     try:
         return Field(name, type_, default_value(type_, text), line.number)
     except ValueError as error:
@@ -121,6 +103,4 @@ def _field(line: Line, type_: FieldType, rest: str) -> Field:
 def _refuse_reserved(line: Line, name: str) -> None:
     if name in _RESERVED or iskeyword(name):
         why = 'a word of Python' if iskeyword(name) else 'used by every message class'
-        line.fail(
-            f"'{name}' cannot be a name here: it is {why}", help=f"choose another, such as '{name}_value'"
-        )
+        line.fail(f"'{name}' cannot be a name here: it is {why}", help=f"choose another, such as '{name}_value'")

@@ -53,9 +53,7 @@ class Forms:
     """
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
-        self._forms = {
-            name: tuple((path, _type_of(text)) for path, text in form) for name, form in forms.items()
-        }
+        self._forms = {name: tuple((path, _type_of(text)) for path, text in form) for name, form in forms.items()}
 
     def columns(self, type_name: str, wires: Iterable[tuple[Any, ...]]) -> dict[str, tuple[Any, ...]]:
         """The entries of many wire tuples by path: {'linear.x': (2.0, 2.0, ...), ...}."""
@@ -66,8 +64,7 @@ class Forms:
     def to_json(self, type_name: str, wire: tuple[Any, ...]) -> list[Any]:
         """The wire tuple as lists, numbers and strings; bytes become strings of the characters 0 to 255."""
         return [
-            self._entry_to_json(field_type, value)
-            for (_, field_type), value in zip(self._form(type_name), wire, strict=True)
+            self._entry_to_json(field_type, value) for (_, field_type), value in zip(self._form(type_name), wire, strict=True)
         ]
 
     def _entry_to_json(self, field_type: FieldType, value: Any) -> Any:
@@ -86,8 +83,7 @@ class Forms:
         if not isinstance(data, (list, tuple)) or len(data) != len(form):
             raise InterfaceError(f'{type_name}: expected {len(form)} values, not {_brief(data)}')
         return tuple(
-            self._entry(f'{type_name}: {path}', field_type, value)
-            for (path, field_type), value in zip(form, data, strict=True)
+            self._entry(f'{type_name}: {path}', field_type, value) for (path, field_type), value in zip(form, data, strict=True)
         )
 
     def _form(self, type_name: str) -> tuple[tuple[str, FieldType], ...]:
@@ -115,7 +111,7 @@ class Forms:
 
 def _single(where: str, field_type: FieldType, given: Any) -> Any:
     kind = field_type.kind
-    if kind is None:    # a damaged form: nested messages have no entry of their own
+    if kind is None:  # a damaged form: nested messages have no entry of their own
         _refuse(where, field_type, given)
     value: Any = _bytes(where, given) if kind.python is bytes else given
     if not _has_type(value, kind.python):
@@ -125,16 +121,14 @@ def _single(where: str, field_type: FieldType, given: Any) -> Any:
     elif kind.python is str:
         legal = field_type.string_bound is None or len(value) <= field_type.string_bound
     else:
-        legal = kind.low <= value <= kind.high or (
-            kind.python is float and (value != value or abs(value) == float('inf'))
-        )
+        legal = kind.low <= value <= kind.high or (kind.python is float and (value != value or abs(value) == float('inf')))
     if not legal:
         _refuse(where, field_type, value)
     return _ROUND.unpack(_ROUND.pack(value))[0] if kind.name == 'float32' else value
 
 
 def _has_type(value: Any, wanted: type) -> bool:
-    return type(value) is wanted    # True is no int, and 1 no float
+    return type(value) is wanted  # True is no int, and 1 no float
 
 
 def _bytes(where: str, value: Any) -> bytes:

@@ -26,12 +26,7 @@ class Registry:
     :param leave: packages that are the base's though a root has them too.
     """
 
-    def __init__(
-        self,
-        roots: Sequence[str | os.PathLike[str]],
-        base: Registry | None = None,
-        leave: Iterable[str] = (),
-    ) -> None:
+    def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None, leave: Iterable[str] = ()) -> None:
         self.roots = tuple(os.fspath(root) for root in roots)
         self.base = base
         self._leave = frozenset(leave)
@@ -133,9 +128,7 @@ class Registry:
     def _made(self, type_name: str) -> type[Any]:
         if type_name in self._making:
             ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
-            raise InterfaceError(
-                f'{type_name} contains itself: {ring}', help='a message must have a finite size'
-            )
+            raise InterfaceError(f'{type_name} contains itself: {ring}', help='a message must have a finite size')
         self._making.append(type_name)
         try:
             cls = self._classes[type_name] = self._make(self.spec(type_name))
@@ -160,11 +153,7 @@ class Registry:
             self._folders = {}
             for root in reversed(self.roots):
                 if os.path.isdir(root):
-                    self._folders.update(
-                        (name, os.path.join(root, name))
-                        for name in os.listdir(root)
-                        if name not in self._leave
-                    )
+                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root) if name not in self._leave)
         return self._folders
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:
@@ -172,9 +161,7 @@ class Registry:
         if folder is None:
             return {}
         if package not in self._packages:
-            self._packages[package] = {
-                kind: files for kind in KINDS_OF_INTERFACE if (files := _interface_files(folder, kind))
-            }
+            self._packages[package] = {kind: files for kind in KINDS_OF_INTERFACE if (files := _interface_files(folder, kind))}
         return self._packages[package]
 
     def _split(self, type_name: str) -> tuple[str, str, str]:
@@ -196,11 +183,7 @@ class Registry:
         from edulaunch.interfaces.derived import parts_of
         from edulaunch.interfaces.parser import parse
 
-        whole = (
-            type_name
-            if '_' not in type_name.rpartition('/')[2]
-            else type_name[: type_name.index('_', type_name.rindex('/'))]
-        )
+        whole = type_name if '_' not in type_name.rpartition('/')[2] else type_name[: type_name.index('_', type_name.rindex('/'))]
         parts = parts_of(parse(self.text(whole), whole, self.path(whole)))
         if type_name not in parts:
             raise self._unknown(type_name)
@@ -224,8 +207,7 @@ class Registry:
             if field is None or not str(error.message).startswith('unknown'):
                 raise
             raise InterfaceError(
-                f"{spec.file}:{field.line}: {error.message}, the type of field '{field.name}'",
-                help=error.help,
+                f"{spec.file}:{field.line}: {error.message}, the type of field '{field.name}'", help=error.help
             ) from None
 
     def _unknown(self, type_name: str) -> InterfaceError:

@@ -31,7 +31,7 @@ def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]
                 line.fail(f"expected '---' alone on its line, not '{line.text}'")
             sections.append([])
             if len(sections) > wanted:
-                lines = f"{wanted - 1 or 'no'} line{'s' * (wanted > 2)}"
+                lines = f'{wanted - 1 or "no"} line{"s" * (wanted > 2)}'
                 line.fail(f"a .{kind} file has {lines} with '---'; this is one too many")
         elif line.text:
             sections[-1].append(line)

@@ -9,15 +9,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from edulaunch.interfaces.layout import (
-    Branch,
-    Layout,
-    Leaf,
-    default_wire,
-    is_byte_like,
-    is_fixed_numbers,
-    is_number_sequence,
-)
+from edulaunch.interfaces.layout import Branch, Layout, Leaf, default_wire, is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.interfaces.spec import Field, FieldType, MessageSpec
 
 
@@ -44,13 +36,7 @@ class ClassSource:
         """The whole class."""
         slots = ', '.join(f"'_{field.name}'" for field in self._spec.fields)
         lines = [f'class {self._name}(_Message):', f' __slots__ = ({slots}{"," if slots else ""})']
-        for part in (
-            self._init(),
-            self._to_wire(),
-            self._from_wire(),
-            self._eq(),
-            *map(self._field, self._spec.fields),
-        ):
+        for part in (self._init(), self._to_wire(), self._from_wire(), self._eq(), *map(self._field, self._spec.fields)):
             lines += [f' {line}' for line in part]
         return '\n'.join(lines) + '\n'
 
@@ -63,9 +49,7 @@ class ClassSource:
         return self._global('rule', leaf.owner, leaf.field.name)
 
     def _create(self, branch: Branch) -> str:
-        return (
-            f' {branch.variable} = {branch.holder}.{branch.slot} = _new({self._global("class", branch.type)})'
-        )
+        return f' {branch.variable} = {branch.holder}.{branch.slot} = _new({self._global("class", branch.type)})'
 
     # Construction
 
@@ -74,8 +58,7 @@ class ClassSource:
         lines = ['def __init__(m, /, **kwargs):', *map(self._create, self._branches)]
         if single:
             targets, values = (
-                ', '.join(part)
-                for part in zip(*((leaf.target, self._constant(leaf)) for leaf in single), strict=True)
+                ', '.join(part) for part in zip(*((leaf.target, self._constant(leaf)) for leaf in single), strict=True)
             )
             lines.append(f' {targets} = {values}')
         lines += [f' {leaf.target} = {self._fresh(leaf)}' for leaf in self._leaves if leaf.type.array]
@@ -83,11 +66,7 @@ class ClassSource:
 
     def _constant(self, leaf: Leaf) -> str:
         value = default_wire(leaf.field)
-        return (
-            self._global('default', leaf.path, value)
-            if isinstance(value, float) and not isfinite(value)
-            else repr(value)
-        )
+        return self._global('default', leaf.path, value) if isinstance(value, float) and not isfinite(value) else repr(value)
 
     def _fresh(self, leaf: Leaf) -> str:
         """An expression for the default of a repeated field: a new object unless it is immutable."""
@@ -131,10 +110,7 @@ class ClassSource:
 
     def _check_elements(self, leaf: Leaf) -> list[str]:
         """Lists of messages stay ordinary lists, so a student may have appended anything."""
-        cls, refuse = (
-            self._global('class', leaf.type.base),
-            f'{self._rule(leaf)}.refuse_elements({leaf.target})',
-        )
+        cls, refuse = (self._global('class', leaf.type.base), f'{self._rule(leaf)}.refuse_elements({leaf.target})')
         lines = [f' for i in {leaf.target}:', f'  if type(i) is not {cls}: {refuse}']
         if leaf.type.array != 'unbounded':
             operator = '!=' if leaf.type.array == 'fixed' else '>'
@@ -156,25 +132,16 @@ class ClassSource:
         return f'{self._rule(leaf)}.{"array" if is_number_sequence(field_type) else "list"}_to_wire({target})'
 
     def _from_wire(self) -> list[str]:
-        lines = [
-            '@staticmethod',
-            'def from_wire(wire):',
-            f' m = _new({self._name})',
-            *map(self._create, self._branches),
-        ]
+        lines = ['@staticmethod', 'def from_wire(wire):', f' m = _new({self._name})', *map(self._create, self._branches)]
         names = {
             leaf.path: f'v{index}'
             for index, leaf in enumerate(self._leaves)
             if leaf.type.array and not is_fixed_numbers(leaf.type)
         }
         if self._leaves:
-            lines.append(
-                f' {"".join(f"{names.get(leaf.path, leaf.target)}, " for leaf in self._leaves)} = wire'
-            )
+            lines.append(f' {"".join(f"{names.get(leaf.path, leaf.target)}, " for leaf in self._leaves)} = wire')
         lines += [
-            f' {leaf.target} = {self._object_of(leaf.type, names[leaf.path])}'
-            for leaf in self._leaves
-            if leaf.path in names
+            f' {leaf.target} = {self._object_of(leaf.type, names[leaf.path])}' for leaf in self._leaves if leaf.path in names
         ]
         return [*lines, ' return m']
 
@@ -183,16 +150,10 @@ class ClassSource:
             return f'[{self._global("from_wire", field_type.base)}(i) for i in {name}]'
         if is_number_sequence(field_type):
             return f"_array('{field_type.kind.code}', {name})"
-        return (
-            f'[{name}[i:i + 1] for i in range(len({name}))]' if is_byte_like(field_type) else f'list({name})'
-        )
+        return f'[{name}[i:i + 1] for i in range(len({name}))]' if is_byte_like(field_type) else f'list({name})'
 
     def _eq(self) -> list[str]:
-        fixed = {
-            leaf.field.name: leaf
-            for leaf in self._leaves
-            if is_fixed_numbers(leaf.type) and leaf.holder == 'm'
-        }
+        fixed = {leaf.field.name: leaf for leaf in self._leaves if is_fixed_numbers(leaf.type) and leaf.holder == 'm'}
         tests = []
         for field in self._spec.fields:
             leaf = fixed.get(field.name)
@@ -219,24 +180,15 @@ class ClassSource:
         if is_fixed_numbers(field.type):
             getter = f'_read_{field.name}'
             stored = 'bytes' if is_byte_like(field.type) else 'tuple'
-            lines += [
-                f'def {getter}(m):',
-                f' if type({slot}) is {stored}: {slot} = {rule}.to_numpy({slot})',
-                f' return {slot}',
-            ]
+            lines += [f'def {getter}(m):', f' if type({slot}) is {stored}: {slot} = {rule}.to_numpy({slot})', f' return {slot}']
         return [*lines, f'{field.name} = _property({getter}, {field.name})']
 
     def _is_right(self, field_type: FieldType) -> str:
-        """A quick test that accepts the common right value; whatever fails it goes through the field's rule.
-        """
+        """A quick test that accepts the common right value; whatever fails it goes through the field's rule."""
         kind = field_type.kind
         if field_type.array or field_type.string_bound is not None or field_type.base == 'byte':
             return ''
         if kind is None:
             return f'type(value) is {self._global("class", field_type.base)}'
-        limits = (
-            f' and {kind.low!r} <= value <= {kind.high!r}'
-            if kind.is_number and kind.name != 'float64'
-            else ''
-        )
+        limits = f' and {kind.low!r} <= value <= {kind.high!r}' if kind.is_number and kind.name != 'float64' else ''
         return f'type(value) is {kind.python.__name__}{limits}'

@@ -38,9 +38,7 @@ class FieldType(NamedTuple):
 
     @property
     def _brackets(self) -> str:
-        return {'': '', 'fixed': f'[{self.size}]', 'bounded': f'[<={self.size}]', 'unbounded': '[]'}[
-            self.array
-        ]
+        return {'': '', 'fixed': f'[{self.size}]', 'bounded': f'[<={self.size}]', 'unbounded': '[]'}[self.array]
 
     @property
     def ros_text(self) -> str:

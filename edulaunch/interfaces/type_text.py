@@ -12,7 +12,9 @@ from edulaunch.interfaces.spec import FieldType
 
 _TYPE = re.compile(
     r'(?P<base>[A-Za-z][\w/]*)(?:<=(?P<string>\d{1,9}))?'
-    r'(?P<array>\[(?:(?P<upper><=)?(?P<size>\d{1,9}))?\])?$', re.ASCII)
+    r'(?P<array>\[(?:(?P<upper><=)?(?P<size>\d{1,9}))?\])?$',
+    re.ASCII,
+)
 _NESTED = re.compile(r'(?:(?P<package>[a-z]\w*)/(?:msg/)?)?(?P<name>[A-Z][A-Za-z0-9]*)$', re.ASCII)
 # Where students most often reach for a word of another language, or of ROS 1.
 _OTHER_WORDS = {
@@ -53,12 +55,10 @@ def field_type(line: Line, text: str, package: str) -> FieldType:
     """
     written = split_type(text)
     if written is None:
-        line.fail(f"'{text}' is not a type",
-                  help='types look like float64, string<=10, int32[], int32[3], int32[<=3], pkg/Type')
+        line.fail(f"'{text}' is not a type", help='types look like float64, string<=10, int32[], int32[3], int32[<=3], pkg/Type')
     bound = written.string_bound
     if bound is not None and written.base not in ('string', 'wstring'):
-        line.fail(f"only strings have a bound, not '{written.base}'",
-                  help=f'for a bounded list write {written.base}[<={bound}]')
+        line.fail(f"only strings have a bound, not '{written.base}'", help=f'for a bounded list write {written.base}[<={bound}]')
     if bound == 0 or (written.array in ('fixed', 'bounded') and written.size == 0):
         line.fail(f"'{text}' has room for nothing: a size must be at least 1")
     return written._replace(base=_base(line, written.base, package))
@@ -78,6 +78,9 @@ def _base(line: Line, name: str, package: str) -> str:
 
 def _refuse_name(line: Line, name: str) -> NoReturn:
     other = _OTHER_WORDS.get(name)
-    help = (f'did you mean {other}?' if other else did_you_mean(name, PRIMITIVE_NAMES)
-            or 'a message type starts with a capital letter: Name, or other_package/Name')
+    help = (
+        f'did you mean {other}?'
+        if other
+        else did_you_mean(name, PRIMITIVE_NAMES) or 'a message type starts with a capital letter: Name, or other_package/Name'
+    )
     line.fail(f"unknown type '{name}'", help=help)

@@ -33,8 +33,4 @@ def type_help(registry: Registry, type_name: str) -> str | None:
 
 def homes(registry: Registry, name: str, kind: str | None = None) -> list[str]:
     """The modules that have an interface of this name: homes(registry, 'Twist') -> ['geometry_msgs.msg']."""
-    return [
-        full.rpartition('/')[0].replace('/', '.')
-        for full in registry.types(kind)
-        if full.endswith(f'/{name}')
-    ]
+    return [full.rpartition('/')[0].replace('/', '.') for full in registry.types(kind) if full.endswith(f'/{name}')]

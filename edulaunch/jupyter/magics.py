@@ -49,8 +49,7 @@ class RosMagics(Magics):
         return found
 
     def _told(self, action: Callable[[], Any]) -> Any:
-        """Do it, and print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed.
-        """
+        """Print what it said in one piece: both streams in order, one output in the cell whatever the machine's speed."""
         try:
             return action()
         finally:

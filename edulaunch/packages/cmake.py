@@ -69,12 +69,7 @@ class _CMakeLists:
             'CMAKE_INSTALL_LIBDIR': ['lib'],
             'CMAKE_INSTALL_BINDIR': ['bin'],
             **dict.fromkeys(
-                (
-                    'CMAKE_CURRENT_SOURCE_DIR',
-                    'CMAKE_SOURCE_DIR',
-                    'PROJECT_SOURCE_DIR',
-                    'CMAKE_CURRENT_LIST_DIR',
-                ),
+                ('CMAKE_CURRENT_SOURCE_DIR', 'CMAKE_SOURCE_DIR', 'PROJECT_SOURCE_DIR', 'CMAKE_CURRENT_LIST_DIR'),
                 [manifest.folder],
             ),
         }
@@ -88,9 +83,7 @@ class _CMakeLists:
             text = ''
         self._follow(list(commands(text)))
         for needed in (f'share/{self.package}/package.xml', f'{_MARKERS}/{self.package}'):
-            self.contents.files.setdefault(
-                needed, os.path.join(self.folder, 'package.xml')
-            )  # ament_package() installs both
+            self.contents.files.setdefault(needed, os.path.join(self.folder, 'package.xml'))  # ament_package() installs both
         return self.contents
 
     def warn(self, line: int, sentence: str) -> None:
@@ -159,9 +152,7 @@ class _CMakeLists:
 
     def _set(self, line: int, words: list[str]) -> None:
         if words:
-            self.variables[words[0]] = [
-                word for word in words[1:] if word not in ('CACHE', 'PARENT_SCOPE', 'FORCE')
-            ]
+            self.variables[words[0]] = [word for word in words[1:] if word not in ('CACHE', 'PARENT_SCOPE', 'FORCE')]
 
     def _list(self, line: int, words: list[str]) -> None:
         if len(words) > 1 and words[0] == 'APPEND':
@@ -172,11 +163,7 @@ class _CMakeLists:
             return
         from glob import glob
 
-        patterns = [
-            word
-            for word in words[2:]
-            if word not in ('CONFIGURE_DEPENDS', 'LIST_DIRECTORIES', 'true', 'false')
-        ]
+        patterns = [word for word in words[2:] if word not in ('CONFIGURE_DEPENDS', 'LIST_DIRECTORIES', 'true', 'false')]
         base = ''
         if patterns[0] == 'RELATIVE':
             base, patterns = patterns[1], patterns[2:]
@@ -185,15 +172,10 @@ class _CMakeLists:
             folder, name = os.path.split(os.path.join(self.folder, pattern))
             found += sorted(
                 glob(
-                    os.path.join(folder, '**', name)
-                    if words[0] == 'GLOB_RECURSE'
-                    else os.path.join(folder, name),
-                    recursive=True,
+                    os.path.join(folder, '**', name) if words[0] == 'GLOB_RECURSE' else os.path.join(folder, name), recursive=True
                 )
             )
-        self.variables[words[1]] = [
-            os.path.relpath(path, os.path.join(self.folder, base)) if base else path for path in found
-        ]
+        self.variables[words[1]] = [os.path.relpath(path, os.path.join(self.folder, base)) if base else path for path in found]
 
     def _add_executable(self, line: int, words: list[str]) -> None:
         if words:
@@ -215,10 +197,7 @@ class _CMakeLists:
         if os.path.isfile(os.path.join(path, '__init__.py')):
             self.contents.python_modules[words[0]] = path
         else:
-            self.warn(
-                line,
-                f'ament_python_install_package({words[0]}) needs {place}/__init__.py, which is not there',
-            )
+            self.warn(line, f'ament_python_install_package({words[0]}) needs {place}/__init__.py, which is not there')
 
     def _rosidl_generate_interfaces(self, line: int, words: list[str]) -> None:
         for word in words[1:]:
@@ -226,9 +205,7 @@ class _CMakeLists:
                 self._file_at(line, word, f'share/{self.package}/{os.path.splitext(word)[1][1:]}')
         self.contents.interfaces |= any(word.endswith(_INTERFACES) for word in words)
         if words and words[0] != self.package:
-            self.warn(
-                line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}'
-            )
+            self.warn(line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}')
 
     def _install(self, line: int, words: list[str]) -> None:
         mode, items, destination, rest = _clauses(words)
@@ -253,9 +230,7 @@ class _CMakeLists:
     def _file_at(self, line: int, item: str, destination: str, name: str = '', program: bool = False) -> None:
         path = os.path.normpath(os.path.join(self.folder, item))
         if not os.path.isfile(path):
-            self.warn(
-                line, f'{os.path.relpath(path, self.folder)} is not there, so the package does not build'
-            )
+            self.warn(line, f'{os.path.relpath(path, self.folder)} is not there, so the package does not build')
             return
         target = os.path.normpath(os.path.join(destination, name or os.path.basename(path)))
         self._add(target, path, program)

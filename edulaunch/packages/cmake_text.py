@@ -45,9 +45,7 @@ def commands(text: str) -> Iterator[Command]:
         elif depth:
             depth -= 1
             if depth == 0:
-                yield Command(
-                    name, line, tuple(word for word, _ in words), tuple(quoted for _, quoted in words)
-                )
+                yield Command(name, line, tuple(word for word, _ in words), tuple(quoted for _, quoted in words))
 
 
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:

@@ -39,9 +39,7 @@ class Index:
         underlay: str | None = underlay_prefix(),
     ) -> None:
         self._warnings: list[PackageWarning] = []
-        expanded = [
-            path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))
-        ]
+        expanded = [path for prefix in prefixes for path in expand_prefixes(os.path.abspath(os.fspath(prefix)))]
         self._places: list[Place] = [
             *(Workspace(os.fspath(folder), self._warnings) for folder in workspaces),
             *map(Prefix, dict.fromkeys(path for path in expanded if path != underlay)),
@@ -117,10 +115,7 @@ class Index:
         if not isinstance(place, Workspace):
             return {}
         folder = place.package_folder(package)
-        return {
-            name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}'
-            for name, line in place.contents(package).native.items()
-        }
+        return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
 
     @property
     def workspaces(self) -> list[Workspace]:
@@ -148,8 +143,11 @@ class Index:
             return None
         for place in self._places:
             if place.path == prefix and package in place.packages():
-                return (place.program(package, executable) or self._stand_in(place, package, executable)
-                        or self._native(package, executable, path))
+                return (
+                    place.program(package, executable)
+                    or self._stand_in(place, package, executable)
+                    or self._native(package, executable, path)
+                )
         kind = self.absent(package) if prefix == self._underlay else None
         return None if kind is None else Program('absent', package, executable, path, file=kind)
 

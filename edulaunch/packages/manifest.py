@@ -29,9 +29,7 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
         root = ElementTree.parse(file).getroot()
     except ElementTree.ParseError as error:
         warnings.append(
-            PackageWarning(
-                file, error.position[0], f'this is not well-formed XML ({error}), so colcon skips the package'
-            )
+            PackageWarning(file, error.position[0], f'this is not well-formed XML ({error}), so colcon skips the package')
         )
         return None
     except OSError as error:
@@ -40,11 +38,7 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
     name = (root.findtext('name') or '').strip()
     if root.tag != 'package' or not _NAME.fullmatch(name):
         warnings.append(
-            PackageWarning(
-                file,
-                0,
-                f'has no usable <name> inside <package> (found {name!r}), so colcon skips the package',
-            )
+            PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so colcon skips the package')
         )
         return None
     build_type = (root.findtext('export/build_type') or '').strip() or _guess_build_type(folder)
@@ -54,8 +48,4 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
 def _guess_build_type(folder: str) -> str:
     """ROS takes ament_cmake for packages that do not say; a lone setup.py can only mean the other one."""
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
-    return (
-        'ament_python'
-        if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py'))
-        else 'ament_cmake'
-    )
+    return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'

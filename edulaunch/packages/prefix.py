@@ -17,9 +17,7 @@ def expand_prefixes(path: str) -> list[str]:
     if os.path.isdir(os.path.join(path, MARKERS)) or not os.path.isdir(path):
         return [path]
     return [
-        folder
-        for name in sorted(os.listdir(path))
-        if os.path.isdir(os.path.join(folder := os.path.join(path, name), MARKERS))
+        folder for name in sorted(os.listdir(path)) if os.path.isdir(os.path.join(folder := os.path.join(path, name), MARKERS))
     ] or [path]
 
 
@@ -46,11 +44,7 @@ class Prefix:
         """Executable files in lib/<package>."""
         folder = os.path.join(self.path, 'lib', package)
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
-        return [
-            name
-            for name in names
-            if os.path.isfile(file := os.path.join(folder, name)) and os.access(file, os.X_OK)
-        ]
+        return [name for name in names if os.path.isfile(file := os.path.join(folder, name)) and os.access(file, os.X_OK)]
 
     def program(self, package: str, executable: str) -> Program | None:
         """An entry point of an installed Python package, or a Python script."""
@@ -59,25 +53,10 @@ class Prefix:
             return None
         entry = self._entry_points().get(executable) if _starts_entry_point(path) else None
         if entry is not None:
-            return Program(
-                'entry_point',
-                package,
-                executable,
-                path,
-                entry[0],
-                entry[1],
-                python_roots=tuple(self._site_folders()),
-            )
+            return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=tuple(self._site_folders()))
         if not is_python(path):
             return None
-        return Program(
-            'script',
-            package,
-            executable,
-            path,
-            file=os.path.realpath(path),
-            python_roots=tuple(self._site_folders()),
-        )
+        return Program('script', package, executable, path, file=os.path.realpath(path), python_roots=tuple(self._site_folders()))
 
     def modules(self) -> dict[str, str]:
         """Every module in the prefix's site-packages."""
@@ -108,9 +87,7 @@ class Prefix:
             (name for name in (os.listdir(lib) if os.path.isdir(lib) else ()) if name.startswith('python3')),
             key=lambda name: (name != f'python3.{sys.version_info.minor}', name),
         )
-        for folder in [
-            os.path.join(lib, name, kind) for name in versions for kind in ('site-packages', 'dist-packages')
-        ]:
+        for folder in [os.path.join(lib, name, kind) for name in versions for kind in ('site-packages', 'dist-packages')]:
             if os.path.isdir(folder):
                 found += [folder, *_egg_links(folder)]
         return found
@@ -129,9 +106,7 @@ def is_python(path: str) -> bool:
     """Whether a file is Python: by its first line, or by its name."""
     with open(path, 'rb') as stream:
         first = stream.readline(200)
-    return (
-        first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')
-    )
+    return first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')
 
 
 def _starts_entry_point(path: str) -> bool:
@@ -161,7 +136,4 @@ def _console_scripts(file: str) -> dict[str, tuple[str, str]]:
     parser.read(file, encoding='utf-8')
     section = parser['console_scripts'] if parser.has_section('console_scripts') else {}
     pairs = {name: target.partition(':') for name, target in section.items()}
-    return {
-        name: (module.strip(), function.partition('[')[0].strip())
-        for name, (module, _, function) in pairs.items()
-    }
+    return {name: (module.strip(), function.partition('[')[0].strip()) for name, (module, _, function) in pairs.items()}

@@ -32,8 +32,7 @@ def find_packages(workspace: str, warnings: list[PackageWarning]) -> list[str]:
                 PackageWarning(
                     workspace,
                     0,
-                    f'more than {_MAX_FOLDERS} folders; the rest was not searched for packages. '
-                    'Name the workspace folder itself',
+                    f'more than {_MAX_FOLDERS} folders; the rest was not searched for packages. Name the workspace folder itself',
                 )
             )
             break

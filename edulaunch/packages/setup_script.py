@@ -50,9 +50,7 @@ class _SetupScript:
         return self.contents
 
     def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
-        self.contents.warnings.append(
-            PackageWarning(file or self.file, self.line if line is None else line, sentence)
-        )
+        self.contents.warnings.append(PackageWarning(file or self.file, self.line if line is None else line, sentence))
 
     def _options(self) -> dict[str, Any] | None:
         """The keywords of the setup() call."""
@@ -64,8 +62,11 @@ class _SetupScript:
             with open(self.file, 'rb') as stream:
                 tree = ast.parse(stream.read(), self.file)
         except FileNotFoundError:
-            self.warn('is missing, so this ament_python package cannot be built; when setup.cfg or pyproject.toml '
-                      'say everything, it needs one line: from setuptools import setup; setup()', 0)
+            self.warn(
+                'is missing, so this ament_python package cannot be built; when setup.cfg or pyproject.toml '
+                'say everything, it needs one line: from setuptools import setup; setup()',
+                0,
+            )
             return None
         except (SyntaxError, ValueError) as error:
             self.warn(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
@@ -80,6 +81,7 @@ class _SetupScript:
 
     def _with_tables(self, options: dict[str, Any]) -> dict[str, Any]:
         """All options: setup() stands above setup.cfg, and pyproject.toml above both."""
+
         def warn(file: str, sentence: str) -> None:
             self.warn(sentence, 0, file)
 
@@ -96,17 +98,14 @@ class _SetupScript:
         value = options.get(name)
         for unknown in _unknowns(value):
             self.warn(
-                f'{name}= contains {unknown.why}, which is not followed without running the file; '
-                'write the value out',
+                f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out',
                 unknown.line,
             )
         return None if isinstance(value, Unknown) else value
 
     def _data_files(self, options: dict[str, Any]) -> None:
         for entry in self._known(options, 'data_files') or ():
-            if first_unknown(entry) is not None and not (
-                isinstance(entry, tuple | list) and isinstance(entry[0], str)
-            ):
+            if first_unknown(entry) is not None and not (isinstance(entry, tuple | list) and isinstance(entry[0], str)):
                 continue
             try:
                 target, sources = entry
@@ -114,9 +113,7 @@ class _SetupScript:
                 self.warn(f'data_files holds {entry!r}; a pair (folder, [files]) was expected')
                 continue
             if isinstance(sources, str):
-                self.warn(
-                    f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]'
-                )
+                self.warn(f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]')
                 sources = [sources]
             for source in sources if isinstance(sources, list | tuple) else ():
                 if isinstance(source, str):
@@ -130,9 +127,7 @@ class _SetupScript:
             self.contents.interfaces |= path.endswith(('.msg', '.srv', '.action'))
         else:
             kind = 'a folder; only files can be listed, so use glob()' if os.path.isdir(path) else 'not there'
-            self.warn(
-                f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")'
-            )
+            self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
 
     def _modules(self, options: dict[str, Any]) -> None:
         """Top-level import names, from packages= and py_modules=."""
@@ -140,9 +135,7 @@ class _SetupScript:
         for name in self._known(options, 'packages') or ():
             if not isinstance(name, str) or '.' in name:
                 continue
-            path = os.path.normpath(
-                os.path.join(self.folder, folders.get(name) or os.path.join(folders.get('') or '', name))
-            )
+            path = os.path.normpath(os.path.join(self.folder, folders.get(name) or os.path.join(folders.get('') or '', name)))
             if os.path.isdir(path):
                 self.contents.python_modules[name] = path
             else:
@@ -152,10 +145,7 @@ class _SetupScript:
                 )
         for name in self._known(options, 'py_modules') or ():
             if isinstance(name, str):
-                path = (
-                    os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.')))
-                    + '.py'
-                )
+                path = os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.'))) + '.py'
                 self.contents.python_modules[name.partition('.')[0]] = path
 
     def _executables(self, options: dict[str, Any]) -> None:
@@ -165,7 +155,8 @@ class _SetupScript:
         self.contents.version = version.strip() if isinstance(version, str) else ''
         self.contents.announced = {
             group: [line.strip() for line in _lines(lines) if isinstance(line, str) and _ENTRY.fullmatch(line)]
-            for group, lines in groups.items() if isinstance(group, str)
+            for group, lines in groups.items()
+            if isinstance(group, str)
         }
         scripts = [script for script in self._known(options, 'scripts') or () if isinstance(script, str)]
         if not entries and not scripts:
@@ -195,10 +186,7 @@ class _SetupScript:
                 continue
             match = _ENTRY.fullmatch(line)
             if match is None or not match[3]:
-                self.warn(
-                    f'console_scripts has {line.strip()!r}; '
-                    "'executable = package.module:function' was expected"
-                )
+                self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:
                 yield match[1], match[2], match[3]
 

@@ -74,7 +74,8 @@ def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
     options['data_files'] = _pairs(folder, tool.get('data-files', {}))
     options['entry_points'] = {
         group: [f'{name} = {place}' for name, place in project.get(table, {}).items()]
-        for table, group in SCRIPTS.items() if project.get(table)
+        for table, group in SCRIPTS.items()
+        if project.get(table)
     }
     for group, announced in project.get('entry-points', {}).items():
         options['entry_points'][group] = [f'{name} = {place}' for name, place in announced.items()]
@@ -99,8 +100,9 @@ def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
 
 def _pairs(folder: str, sections: dict[str, list[str]]) -> list[tuple[str, list[str]]]:
     """data_files= of {folder: patterns}; other than in setup(), patterns are expanded here."""
-    return [(target, [name for pattern in patterns for name in _expanded(folder, pattern)])
-            for target, patterns in sections.items()]
+    return [
+        (target, [name for pattern in patterns for name in _expanded(folder, pattern)]) for target, patterns in sections.items()
+    ]
 
 
 def _expanded(folder: str, pattern: str) -> list[str]:
@@ -108,8 +110,9 @@ def _expanded(folder: str, pattern: str) -> list[str]:
 
     if not any(sign in pattern for sign in '*?['):
         return [pattern]
-    return sorted(os.path.relpath(path, folder) for path in glob(os.path.join(folder, pattern), recursive=True)
-                  if os.path.isfile(path))
+    return sorted(
+        os.path.relpath(path, folder) for path in glob(os.path.join(folder, pattern), recursive=True) if os.path.isfile(path)
+    )
 
 
 def _listed(text: str) -> list[str]:

@@ -10,7 +10,5 @@ _KINDS = ('msg', 'srv', 'action')
 def interface_packages(prefix: str, packages: list[str]) -> list[str]:
     """Those of `packages` whose share folder has msg/, srv/ or action/."""
     return [
-        package
-        for package in packages
-        if any(os.path.isdir(os.path.join(prefix, 'share', package, kind)) for kind in _KINDS)
+        package for package in packages if any(os.path.isdir(os.path.join(prefix, 'share', package, kind)) for kind in _KINDS)
     ]

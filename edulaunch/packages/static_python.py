@@ -106,18 +106,13 @@ class StaticPython:
 
     def _do_AugAssign(self, node: ast.AugAssign) -> None:
         target = ast.copy_location(
-            ast.BinOp(
-                left=ast.parse(ast.unparse(node.target), mode='eval').body, op=node.op, right=node.value
-            ),
-            node,
+            ast.BinOp(left=ast.parse(ast.unparse(node.target), mode='eval').body, op=node.op, right=node.value), node
         )
         self._bind(node.target, self.value(target))
 
     def _do_If(self, node: ast.If) -> None:
         test = self.value(node.test)
-        for body in (
-            [node.body, node.orelse] if isinstance(test, Unknown) else [node.body if test else node.orelse]
-        ):
+        for body in [node.body, node.orelse] if isinstance(test, Unknown) else [node.body if test else node.orelse]:
             self.run(body)
 
     def _do_For(self, node: ast.For) -> None:
@@ -333,7 +328,7 @@ class StaticPython:
         only = zip((parameter.arg for parameter in parameters.kwonlyargs), map(self.value, parameters.kw_defaults), strict=True)
         bound = {**dict(defaults), **dict(only), **dict(zip(names, arguments, strict=False)), **keywords}
         if parameters.vararg is not None:
-            bound[parameters.vararg.arg] = tuple(arguments[len(names):])
+            bound[parameters.vararg.arg] = tuple(arguments[len(names) :])
         if parameters.kwarg is not None:
             known = {*names, *(parameter.arg for parameter in parameters.kwonlyargs)}
             bound[parameters.kwarg.arg] = {name: value for name, value in keywords.items() if name not in known}

@@ -206,17 +206,14 @@ class _Listing:
         start = self.local(top)
         found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(start))
         return [
-            (os.path.normpath(os.path.join(top, os.path.relpath(path, start))), folders, files)
-            for path, folders, files in found
+            (os.path.normpath(os.path.join(top, os.path.relpath(path, start))), folders, files) for path, folders, files in found
         ]
 
     def find_packages(self, where: str = '.', exclude: Any = (), include: Any = ('*',)) -> list[str]:
         """setuptools.find_packages."""
         return find_packages(self.local(where), exclude, include)
 
-    def find_namespace_packages(
-        self, where: str = '.', exclude: Any = (), include: Any = ('*',)
-    ) -> list[str]:
+    def find_namespace_packages(self, where: str = '.', exclude: Any = (), include: Any = ('*',)) -> list[str]:
         """setuptools.find_namespace_packages."""
         return find_packages(self.local(where), exclude, include, '')
 
@@ -240,8 +237,9 @@ METHODS: dict[type, frozenset[str]] = {
             'removesuffix',
         )
     ),
-    PathText: frozenset(('glob', 'rglob', 'iterdir', 'joinpath', 'is_file', 'is_dir', 'exists', 'relative_to', 'as_posix',
-                         'resolve', 'absolute')),
+    PathText: frozenset(
+        ('glob', 'rglob', 'iterdir', 'joinpath', 'is_file', 'is_dir', 'exists', 'relative_to', 'as_posix', 'resolve', 'absolute')
+    ),
     list: frozenset(('append', 'extend', 'insert', 'copy', 'index', 'count', 'remove')),
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),
@@ -249,9 +247,7 @@ METHODS: dict[type, frozenset[str]] = {
 """Methods of plain values that may be called while reading."""
 
 
-def find_packages(
-    where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py'
-) -> list[str]:
+def find_packages(where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py') -> list[str]:
     """setuptools' find_packages: dotted names of the folders below `where` that hold `marker`."""
     from fnmatch import fnmatchcase
 
@@ -260,15 +256,11 @@ def find_packages(
         folders[:] = sorted(
             name
             for name in folders
-            if name.isidentifier()
-            and os.path.isfile(os.path.join(path, name, marker))
-            or not marker
-            and name.isidentifier()
+            if name.isidentifier() and os.path.isfile(os.path.join(path, name, marker)) or not marker and name.isidentifier()
         )
         names += [os.path.relpath(os.path.join(path, name), where).replace(os.sep, '.') for name in folders]
     return sorted(
         name
         for name in names
-        if any(fnmatchcase(name, pattern) for pattern in include)
-        and not any(fnmatchcase(name, pattern) for pattern in exclude)
+        if any(fnmatchcase(name, pattern) for pattern in include) and not any(fnmatchcase(name, pattern) for pattern in exclude)
     )

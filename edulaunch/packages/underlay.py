@@ -30,11 +30,7 @@ class Underlay:
         if self._packages is None:
             share = os.path.join(self.path, 'share')
             names = sorted(os.listdir(share)) if os.path.isdir(share) else []
-            shared = [
-                name
-                for name in names
-                if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)
-            ]
+            shared = [name for name in names if any(os.path.exists(os.path.join(share, name, sign)) for sign in _SIGNS)]
             self._packages = sorted({*shared, *_faces(os.path.join(self.path, 'python'))})
         return self._packages
 
@@ -51,12 +47,7 @@ class Underlay:
         if entry is None:
             return None
         return Program(
-            'entry_point',
-            package,
-            executable,
-            os.path.join(self.path, 'lib', package, executable),
-            entry[0],
-            entry[1],
+            'entry_point', package, executable, os.path.join(self.path, 'lib', package, executable), entry[0], entry[1]
         )
 
     def modules(self) -> dict[str, str]:
@@ -76,9 +67,7 @@ class Underlay:
         if entries is None:
             entries = self._scripts[package] = {}
             try:
-                with open(
-                    os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8'
-                ) as stream:
+                with open(os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8') as stream:
                     lines = [line.partition('#')[0] for line in stream]
             except OSError:
                 lines = []  # a package without executables

@@ -43,9 +43,7 @@ class Workspace:
         folder = f'lib/{package}'
         contents = self.contents(package)
         return sorted(
-            os.path.basename(name)
-            for name in {*contents.entry_points, *contents.programs}
-            if os.path.dirname(name) == folder
+            os.path.basename(name) for name in {*contents.entry_points, *contents.programs} if os.path.dirname(name) == folder
         )
 
     def program(self, package: str, executable: str) -> Program | None:
@@ -109,8 +107,7 @@ class Workspace:
                 PackageWarning(
                     os.path.join(manifest.folder, 'package.xml'),
                     0,
-                    f'there is a package {manifest.name!r} in {other}/ already, which is used; '
-                    'colcon refuses duplicate names',
+                    f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
                 )
             )
 

@@ -1,4 +1,5 @@
 """A launch file that goes on for ever: a timer that starts itself again, a `while True`, a handler that feeds itself."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -17,14 +17,7 @@ if TYPE_CHECKING:
 Item = dict[str, Any]
 _ADDRESS = re.compile(' at 0x[0-9a-f]+')
 SILENT = frozenset(
-    (
-        'GroupAction',
-        'PushLaunchConfigurations',
-        'PopLaunchConfigurations',
-        'PushEnvironment',
-        'PopEnvironment',
-        'OpaqueFunction',
-    )
+    ('GroupAction', 'PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'OpaqueFunction')
 )
 
 
@@ -91,11 +84,7 @@ def _event_handler(action: Any, context: LaunchContext) -> Item:
 
 def _set_parameter(action: Any, context: LaunchContext) -> Item:
     name, value = context.launch_configurations['global_params'][-1]
-    return {
-        'kind': 'set_parameter',
-        'name': name,
-        'value': list(value) if isinstance(value, tuple) else value,
-    }
+    return {'kind': 'set_parameter', 'name': name, 'value': list(value) if isinstance(value, tuple) else value}
 
 
 def _set_remap(action: Any, context: LaunchContext) -> Item:
@@ -133,14 +122,8 @@ _MAKERS: dict[str, Callable[[Any, LaunchContext], Item]] = {
     'PushROSNamespace': _push_namespace,
     'SetEnvironmentVariable': _set_env,
     'AppendEnvironmentVariable': _set_env,
-    'UnsetEnvironmentVariable': lambda action, context: {
-        'kind': 'unset_env',
-        'name': _text(context, action.name),
-    },
-    'UnsetLaunchConfiguration': lambda action, context: {
-        'kind': 'unset_configuration',
-        'name': _text(context, action.name),
-    },
+    'UnsetEnvironmentVariable': lambda action, context: {'kind': 'unset_env', 'name': _text(context, action.name)},
+    'UnsetLaunchConfiguration': lambda action, context: {'kind': 'unset_configuration', 'name': _text(context, action.name)},
     'ResetLaunchConfigurations': lambda action, context: {
         'kind': 'reset_configurations',
         'kept': dict(context.launch_configurations),

@@ -1,4 +1,5 @@
 """Lifecycle nodes in a plan: every transition that they are asked for succeeds, so that what waits for it is planned too."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

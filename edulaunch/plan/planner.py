@@ -91,8 +91,10 @@ class Planner:
         branch = self._watch.branch
         origin = None if branch.origin is None else str(branch.origin)
         where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
-        help_text = (f'{where}a handler whose own actions cause its event, a timer that starts itself again, '
-                     'or a coroutine that never returns needs something that ends it')
+        help_text = (
+            f'{where}a handler whose own actions cause its event, a timer that starts itself again, '
+            'or a coroutine that never returns needs something that ends it'
+        )
         return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
 
     def _let_something_end(self) -> None:
@@ -140,12 +142,8 @@ class Planner:
         context = self._service.context
         self._watch.context(context)
         context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
-        include = IncludeLaunchDescription(
-            AnyLaunchDescriptionSource(self._path), launch_arguments=list(self._given.items())
-        )
-        self._service.include_launch_description(
-            LaunchDescription([self._watch.entity(include), self._end_of_first_visit()])
-        )
+        include = IncludeLaunchDescription(AnyLaunchDescriptionSource(self._path), launch_arguments=list(self._given.items()))
+        self._service.include_launch_description(LaunchDescription([self._watch.entity(include), self._end_of_first_visit()]))
         code: int = self._service.run()
         return code
 

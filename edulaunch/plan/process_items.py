@@ -52,9 +52,7 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
     """Variables that the process sees differently from launch at its start; None: taken away."""
     if env == base:
         return {}
-    changed: dict[str, str | None] = {
-        name: value for name, value in sorted(env.items()) if base.get(name) != value
-    }
+    changed: dict[str, str | None] = {name: value for name, value in sorted(env.items()) if base.get(name) != value}
     return {**changed, **{name: None for name in sorted(base) if name not in env}}
 
 
@@ -62,10 +60,7 @@ def _node_part(action: Any, context: LaunchContext, details: Any) -> Item:
     own = len(details.cmd)
     prefix, command = details.final_cmd[:-own], details.final_cmd[-own:]
     package = None if action.node_package is None else _text(context, action.node_package)
-    name, namespace = (
-        _given(action.node_name.rpartition('/')[2], action),
-        _given(action.expanded_node_namespace, action),
-    )
+    name, namespace = (_given(action.node_name.rpartition('/')[2], action), _given(action.expanded_node_namespace, action))
     arguments, others = _split(command[1:])
     return {
         'kind': 'node',
@@ -113,7 +108,7 @@ def add_parameters(item: Item) -> dict[str, str]:
 
     :returns: where each parameter was given: 'file.yaml line 12' or 'command line'.
     """
-    command = item['cmd'][len(item['prefix']):]
+    command = item['cmd'][len(item['prefix']) :]
     texts: dict[str, str] = {}
 
     def read_text(path: str) -> str:

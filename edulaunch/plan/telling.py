@@ -9,13 +9,7 @@ from typing import Any, NamedTuple
 from edulaunch.plan.outline import Branch, Item
 
 _HIDDEN = frozenset(
-    (
-        'PushLaunchConfigurations',
-        'PopLaunchConfigurations',
-        'PushEnvironment',
-        'PopEnvironment',
-        'ResetEnvironment',
-    )
+    ('PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'ResetEnvironment')
 )
 
 
@@ -162,8 +156,11 @@ def _process_details(item: Item, branch: Branch) -> list[str]:
     if item['respawn']:
         delay = item['respawn_delay']
         limit = branch.action._respawn_limit
-        lines.append('started again when it ends' + (f', {delay:g} s later' if delay else '')
-                     + (f', at most {limit} times' if limit >= 0 else ''))
+        lines.append(
+            'started again when it ends'
+            + (f', {delay:g} s later' if delay else '')
+            + (f', at most {limit} times' if limit >= 0 else '')
+        )
     if item['output'] != 'log':
         lines.append(f'output {item["output"]}')
     return lines

@@ -24,17 +24,8 @@ if TYPE_CHECKING:
 
 Executed = Callable[[Branch, 'LaunchContext'], object]
 
-_PHASES = {
-    'ProcessStarted': 'on_start',
-    'TimerEvent': 'timer',
-    'ProcessExited': 'on_exit',
-    'Shutdown': 'on_shutdown',
-}
-_EVENTS = {
-    'ProcessStarted': 'when {name} has started',
-    'ProcessExited': 'when {name} has ended',
-    'Shutdown': 'at shutdown',
-}
+_PHASES = {'ProcessStarted': 'on_start', 'TimerEvent': 'timer', 'ProcessExited': 'on_exit', 'Shutdown': 'on_shutdown'}
+_EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {name} has ended', 'Shutdown': 'at shutdown'}
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
 """What follows these events hangs below the action itself."""
 

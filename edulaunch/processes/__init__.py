@@ -1,4 +1,5 @@
 """Launched programs: what to start (`spec`), what runs (`process`), who starts it (`host`), its private modules (`loader`)."""
+
 from __future__ import annotations
 
 from edulaunch.processes.current import current_process

@@ -3,11 +3,12 @@
 Beginners print futures, nodes and methods. The real addresses differ from run to run, and recordings must not; so they are shown
 numbered, in the order of their appearance.
 """
+
 from __future__ import annotations
 
 import re
 
-FIRST = 0x7f0000000010
+FIRST = 0x7F0000000010
 SIGN = ' at 0x'
 """What to look for before anything else is done with a text."""
 _ADDRESS = re.compile(r'(?<= at )0x[0-9a-f]{5,16}\b')

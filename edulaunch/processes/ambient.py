@@ -1,4 +1,5 @@
 """The process that stands for code outside any launched program."""
+
 from __future__ import annotations
 
 import os
@@ -27,6 +28,7 @@ class AmbientProcess(Process):
         """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
         if current_task().is_guest:
             from edulaunch.sim.guests import start_guest
+
             return start_guest(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)
 

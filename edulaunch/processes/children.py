@@ -1,4 +1,5 @@
 """Programs that a simulated program starts itself: what `subprocess.Popen` is inside the simulation."""
+
 from __future__ import annotations
 
 import io
@@ -17,13 +18,19 @@ if TYPE_CHECKING:
     from edulaunch.sim.task import Task
 
 
-def spec_of(process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None,
-            **_: Any) -> ProcessSpec:
+def spec_of(
+    process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None, **_: Any
+) -> ProcessSpec:
     """What to start for the arguments of `subprocess.Popen`."""
     words = [args] if isinstance(args, (str, bytes)) or not isinstance(args, Sequence) else list(args)
-    return ProcessSpec(argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words), name=process.name,
-                       cwd=str(cwd) if cwd is not None else process.cwd, env=dict(process.env if env is None else env),
-                       shell=shell, origin=process.spec.origin)
+    return ProcessSpec(
+        argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
+        name=process.name,
+        cwd=str(cwd) if cwd is not None else process.cwd,
+        env=dict(process.env if env is None else env),
+        shell=shell,
+        origin=process.spec.origin,
+    )
 
 
 class Child:
@@ -34,9 +41,20 @@ class Child:
     :raises FileNotFoundError: when there is no such command.
     """
 
-    def __init__(self, process: Process, args: Any, *, stdout: Any = None, stderr: Any = None, text: bool | None = None,
-                 universal_newlines: bool | None = None, encoding: str | None = None, input: Any = None, stdin: Any = None,
-                 **options: Any) -> None:
+    def __init__(
+        self,
+        process: Process,
+        args: Any,
+        *,
+        stdout: Any = None,
+        stderr: Any = None,
+        text: bool | None = None,
+        universal_newlines: bool | None = None,
+        encoding: str | None = None,
+        input: Any = None,
+        stdin: Any = None,
+        **options: Any,
+    ) -> None:
         self.args = args
         self.text = bool(text or universal_newlines or encoding)
         self.returncode: int | None = None
@@ -44,8 +62,9 @@ class Child:
         self.stdout = Pipe(self) if stdout == subprocess.PIPE else None
         self.stderr = Pipe(self) if stderr == subprocess.PIPE else None
         self._outlets = {'stdout': _outlet(process, 'stdout', stdout, self.stdout)}
-        self._outlets['stderr'] = (self._outlets['stdout'] if stderr == subprocess.STDOUT else
-                                   _outlet(process, 'stderr', stderr, self.stderr))
+        self._outlets['stderr'] = (
+            self._outlets['stdout'] if stderr == subprocess.STDOUT else _outlet(process, 'stderr', stderr, self.stderr)
+        )
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
         program.is_heard = False  # what nobody captures, this program writes in its place
         self._program = program

@@ -1,4 +1,5 @@
 """The compiled code of a program's files."""
+
 from __future__ import annotations
 
 import warnings

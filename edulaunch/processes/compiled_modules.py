@@ -1,4 +1,5 @@
 """Modules of the workspace that are compiled code, or would be after a build: they cannot run in the simulation."""
+
 from __future__ import annotations
 
 import os
@@ -9,7 +10,9 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 ENDINGS = {
-    '.so': 'compiled code', '.dylib': 'compiled code', '.pyd': 'compiled code for Windows',
+    '.so': 'compiled code',
+    '.dylib': 'compiled code',
+    '.pyd': 'compiled code for Windows',
     '.pyx': 'Cython, which must be compiled',
 }
 _TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|cython_add_module)\s*\(\s*{name}\b'

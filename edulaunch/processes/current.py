@@ -1,4 +1,5 @@
 """Whose code is running."""
+
 from __future__ import annotations
 
 from edulaunch.processes.process import Process
@@ -20,5 +21,6 @@ def current_process() -> Process:
 
 def _ambient_process(task: object) -> Process:
     from edulaunch.processes.ambient import make_ambient_process
+
     assert isinstance(task, AmbientTask)
     return make_ambient_process(task)

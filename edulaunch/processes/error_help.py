@@ -1,4 +1,5 @@
 """One line of help for an exception that ended a program: what Python and ROS leave unsaid."""
+
 from __future__ import annotations
 
 import os
@@ -24,7 +25,7 @@ def error_help(process: Process, error: BaseException) -> str | None:
     hint: str | None = getattr(error, 'edulaunch_hint', None)
     if hint is not None:
         return hint
-    if type(error) is ModuleNotFoundError and error.name:   # importlib.metadata's kind of it is not about modules
+    if type(error) is ModuleNotFoundError and error.name:  # importlib.metadata's kind of it is not about modules
         return _module_help(process, error.name)
     if isinstance(error, ImportError | OSError) and (library := missing_library(error)):
         return f'{wanted_by(process)} needs the native library {library!r}, which this machine does not have'
@@ -37,6 +38,7 @@ def error_help(process: Process, error: BaseException) -> str | None:
             return hiding
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.attribute_help import attribute_help
+
         return attribute_help(error, current_registry())
     return None
 
@@ -59,17 +61,25 @@ def _module_help(process: Process, name: str) -> str | None:
         return _part_help(process, name) or _package_help(process, top)
     for kind, modules in KINDS.items():
         if top in modules:
-            return (f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; '
-                    'the other programs go on without it')
-    return (_package_help(process, top)
-            or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(process, top))
+            return (
+                f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; the other programs go on without it'
+            )
+    return _package_help(process, top) or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(
+        process, top
+    )
 
 
 def _compiled_help(process: Process, name: str) -> str | None:
     """For a module that is there, but is no Python."""
     compiled = compiled_module(process, name)
-    return None if compiled is None else (f'{wanted_by(process)} needs the module {name!r}, which is {compiled}; '
-                                          'only Python runs here, and the other programs go on without it')
+    return (
+        None
+        if compiled is None
+        else (
+            f'{wanted_by(process)} needs the module {name!r}, which is {compiled}; '
+            'only Python runs here, and the other programs go on without it'
+        )
+    )
 
 
 def wanted_by(process: Process) -> str:
@@ -84,8 +94,10 @@ def _package_help(process: Process, top: str) -> str | None:
         return None
     if top in process.overlay.interface_packages:
         return f'{top} has other interfaces: {", ".join(_kinds(process, top))}'
-    return (f'the package {top!r} is there but installs no module of that name: are its interfaces in '
-            'rosidl_generate_interfaces() of CMakeLists.txt, or its Python package in packages= of setup.py?')
+    return (
+        f'the package {top!r} is there but installs no module of that name: are its interfaces in '
+        'rosidl_generate_interfaces() of CMakeLists.txt, or its Python package in packages= of setup.py?'
+    )
 
 
 def _kinds(process: Process, package: str) -> list[str]:
@@ -122,8 +134,15 @@ def _part_help(process: Process, name: str) -> str | None:
     """For a missing part of a package that is there: the nearest module beside it."""
     parent, _, leaf = name.rpartition('.')
     module: Any = process.loader.modules.get(parent) or sys.modules[parent]
-    beside = sorted({os.path.splitext(entry)[0] for folder in getattr(module, '__path__', ()) if os.path.isdir(folder)
-                     for entry in os.listdir(folder) if not entry.startswith('_') and _is_module(os.path.join(folder, entry))})
+    beside = sorted(
+        {
+            os.path.splitext(entry)[0]
+            for folder in getattr(module, '__path__', ())
+            if os.path.isdir(folder)
+            for entry in os.listdir(folder)
+            if not entry.startswith('_') and _is_module(os.path.join(folder, entry))
+        }
+    )
     near = nearest(leaf, beside)
     if near is not None:
         return f'did you mean {parent}.{near}?'
@@ -133,11 +152,13 @@ def _part_help(process: Process, name: str) -> str | None:
 def _alike(name: str, near: str) -> bool:
     """Whether only a letter or two differ: modules of other projects are called much like ROS's."""
     from difflib import SequenceMatcher
+
     return SequenceMatcher(None, name, near).ratio() >= 0.8
 
 
 def _near(process: Process, top: str) -> str:
     from edulaunch.interfaces import current_registry
+
     known = {*current_registry().packages(), *process.overlay.modules, *SPELLING}
     ending = next((ending for ending in INTERFACE_ENDINGS if top.endswith(ending)), '')
     near = nearest(top.removesuffix(ending), [name.removesuffix(ending) for name in known if name.endswith(ending)])

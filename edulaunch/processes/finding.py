@@ -1,4 +1,5 @@
 """Where one program's own modules are: its script's folder, its package, the workspace, and what it put on `sys.path`."""
+
 from __future__ import annotations
 
 import os

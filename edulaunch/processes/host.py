@@ -1,4 +1,5 @@
 """Starts programs: those it knows as simulated processes, any other as a real program of this machine."""
+
 from __future__ import annotations
 
 import os
@@ -23,10 +24,38 @@ if TYPE_CHECKING:
     from edulaunch.processes.watchdog import Watchdog
 
 FIRST_PID = 1001
-WRAPPERS = ('alacritty', 'chrt', 'env', 'gdb', 'gdbserver', 'gnome-terminal', 'gnome-terminal.wrapper', 'ionice', 'kitty',
-            'konsole', 'lxterminal', 'mate-terminal', 'nice', 'nohup', 'perf', 'python', 'python3', 'screen', 'setsid', 'stdbuf',
-            'strace', 'sudo', 'taskset', 'terminator', 'time', 'tmux', 'valgrind', 'x-terminal-emulator', 'xfce4-terminal',
-            'xterm')
+WRAPPERS = (
+    'alacritty',
+    'chrt',
+    'env',
+    'gdb',
+    'gdbserver',
+    'gnome-terminal',
+    'gnome-terminal.wrapper',
+    'ionice',
+    'kitty',
+    'konsole',
+    'lxterminal',
+    'mate-terminal',
+    'nice',
+    'nohup',
+    'perf',
+    'python',
+    'python3',
+    'screen',
+    'setsid',
+    'stdbuf',
+    'strace',
+    'sudo',
+    'taskset',
+    'terminator',
+    'time',
+    'tmux',
+    'valgrind',
+    'x-terminal-emulator',
+    'xfce4-terminal',
+    'xterm',
+)
 SHELLS = ('bash', 'dash', 'sh', 'zsh')
 SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
 
@@ -47,8 +76,16 @@ class Host:
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
-    def __init__(self, sim: Simulation, graph: Graph, index: Index, *, env: Mapping[str, str],
-                 ros2: CommandRunner | None = None, stdin: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        sim: Simulation,
+        graph: Graph,
+        index: Index,
+        *,
+        env: Mapping[str, str],
+        ros2: CommandRunner | None = None,
+        stdin: Mapping[str, Any] | None = None,
+    ) -> None:
         self.sim = sim
         self.graph = graph
         self.index = index
@@ -83,6 +120,7 @@ class Host:
         """What the program reads: what is given for its launch name or executable, else nothing."""
         from edulaunch.processes.inputs import Input, TypedInput
         from edulaunch.processes.real_input import RealInput
+
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
         name = next((name for name in names if name in self._stdin), None)
         if name is None:
@@ -104,6 +142,7 @@ class Host:
         known = self._known_command(spec)
         if known is None:
             from edulaunch.processes.real import RealProcess
+
             real = RealProcess(self, spec, on_output, on_exit)
             self.real_programs.append(real)
             return real
@@ -140,8 +179,8 @@ class Host:
                 return words[position:], program
             if os.path.basename(word) == 'ros2' and self._ros2 is not None:
                 return words[position:], None
-            if words[position + 1:position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
-                return self._known_line(*words[position + 2:]) if words[position + 2:] else None
+            if words[position + 1 : position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
+                return self._known_line(*words[position + 2 :]) if words[position + 2 :] else None
             if position == 0 and os.path.basename(word) not in WRAPPERS:
                 break
         return python_command(words, spec.cwd, frozenset(self.overlay(self.index).modules)) if _names_python(words) else None
@@ -149,6 +188,7 @@ class Host:
     def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
         """A shell line of which the simulation knows each command."""
         from edulaunch.processes.shell_lines import is_simulated, parts_of, with_arguments
+
         line = with_arguments(line, list(arguments))
         parts = parts_of(line)
         if parts is None or not is_simulated(parts, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):

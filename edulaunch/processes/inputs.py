@@ -2,6 +2,7 @@
 
 Reading waits in simulated time: the other programs go on meanwhile.
 """
+
 from __future__ import annotations
 
 from collections import deque

@@ -6,6 +6,7 @@ comes here first. Everything else (the standard library, numpy, the ROS faces) i
 know time, chance, threads or the process itself are replaced by views (`processes/views/`), and a few more are executed
 privately too, so that they use those views.
 """
+
 from __future__ import annotations
 
 import builtins
@@ -109,8 +110,14 @@ class Loader:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
         return self.load_file(name, found)
 
-    def import_(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
-                fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:
+    def import_(
+        self,
+        name: str,
+        globals: Mapping[str, Any] | None = None,
+        locals: Mapping[str, Any] | None = None,
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
         """What `import` statements of this program call."""
         if level:
             name = absolute_name(name, globals or {}, level)
@@ -165,8 +172,12 @@ class Loader:
 
     def is_private(self, top: str) -> bool:
         """Whether a top-level name is this program's own module (or a view)."""
-        return (top in self.modules or top in PRIVATE_COPIES or self.finder.first_match(top) is not None
-                or top in self.process.overlay.interface_packages)
+        return (
+            top in self.modules
+            or top in PRIVATE_COPIES
+            or self.finder.first_match(top) is not None
+            or top in self.process.overlay.interface_packages
+        )
 
     def _import_top(self, name: str) -> ModuleType:
         found = self.finder.first_match(name)
@@ -303,5 +314,5 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
     parts = package.split('.')
     if level > len(parts):
         raise ImportError('attempted relative import beyond top-level package')
-    base = '.'.join(parts[:len(parts) - level + 1])
+    base = '.'.join(parts[: len(parts) - level + 1])
     return f'{base}.{name}' if name else base

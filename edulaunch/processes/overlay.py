@@ -1,4 +1,5 @@
 """What a student's workspaces add to the underlay: modules and interfaces. Read once per index, when first asked for."""
+
 from __future__ import annotations
 
 import os
@@ -33,12 +34,14 @@ class Overlay:
     def interface_packages(self) -> frozenset[str]:
         """Packages whose interfaces come from a workspace."""
         from edulaunch.interfaces.underlay import underlay_registry
+
         shared, folders = underlay_registry(), self._interface_folders
         return frozenset(name for name in folders if not shared.has(name) or _adds(folders[name], name, shared))
 
     @cached_property
     def _interface_folders(self) -> dict[str, str]:
         from edulaunch.underlay_place import underlay_prefix
+
         inside = os.path.join(underlay_prefix(), 'share')
         return {os.path.basename(folder): folder for folder in self._index.interface_roots() if os.path.dirname(folder) != inside}
 
@@ -47,6 +50,7 @@ class Overlay:
         """The interfaces that programs over this index see."""
         from edulaunch.interfaces.registry import Registry
         from edulaunch.interfaces.underlay import underlay_registry
+
         own = self.interface_packages
         if not own:
             return underlay_registry()
@@ -57,14 +61,19 @@ class Overlay:
     def finder(self) -> InterfaceFinder:
         """Makes the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so nobody else sees them."""
         from edulaunch.interfaces.importer import InterfaceFinder
+
         return InterfaceFinder(self.registry)
 
 
 def _adds(folder: str, package: str, shared: Registry) -> bool:
     """Whether a share folder has an interface that the underlay's package of that name lacks."""
-    return any(name.removesuffix(f'.{kind}') not in shared.names(package, kind)
-               for kind in ('msg', 'srv', 'action') if os.path.isdir(os.path.join(folder, kind))
-               for name in sorted(os.listdir(os.path.join(folder, kind))) if name.endswith(f'.{kind}'))
+    return any(
+        name.removesuffix(f'.{kind}') not in shared.names(package, kind)
+        for kind in ('msg', 'srv', 'action')
+        if os.path.isdir(os.path.join(folder, kind))
+        for name in sorted(os.listdir(os.path.join(folder, kind)))
+        if name.endswith(f'.{kind}')
+    )
 
 
 def _registry_of_the_running_program() -> Registry | None:

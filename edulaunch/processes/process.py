@@ -1,4 +1,5 @@
 """A launched program in the simulation: its own pid, arguments, environment, streams, modules and end."""
+
 from __future__ import annotations
 
 import signal
@@ -80,6 +81,7 @@ class Process:
         """The private modules of this program."""
         if self._loader is None:
             from edulaunch.processes.loader import Loader
+
             self._loader = Loader(self)
         return self._loader
 
@@ -228,6 +230,7 @@ class Process:
     def _print_traceback(self, error: BaseException) -> None:
         from edulaunch.processes.error_help import error_help
         from edulaunch.processes.traceback_text import student_traceback
+
         view = self.loader.modules.get('sys')
         if view is not None and 'excepthook' in view.__dict__:
             view.excepthook(type(error), error, error.__traceback__)
@@ -239,6 +242,7 @@ class Process:
 
     def _print_runaway(self, error: RunawayProgram) -> None:
         from edulaunch.processes.traceback_text import runaway_text
+
         text, place = runaway_text(self, error)
         self.write('stderr', text)
         self.state['exception'] = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
@@ -251,6 +255,7 @@ class Process:
                 function(*arguments, **options)
             except Exception as error:
                 from edulaunch.processes.traceback_text import student_traceback
+
                 self.write('stderr', f'Exception ignored in atexit callback:\n{student_traceback(error)[0]}')
 
     def _join_threads(self) -> None:

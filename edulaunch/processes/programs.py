@@ -1,4 +1,5 @@
 """What runs inside a simulated process: an entry point's function, or a script or module as `__main__`."""
+
 from __future__ import annotations
 
 import errno
@@ -26,6 +27,7 @@ def run_program(process: Process, program: Program) -> object:
         return None
     if program.kind == 'shell':
         from edulaunch.processes.shell_lines import run_line
+
         return run_line(process, program.file)
     if program.kind in ('native', 'absent'):
         raise _cannot_run(process, program)
@@ -37,8 +39,11 @@ def _cannot_run(process: Process, program: Program) -> OSError:
     absent = program.kind == 'absent'
     number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
     error: Any = OSError(number, os.strerror(number), name)
-    why = (f'{process.name} needs the package {program.package!r} ({program.file}), which is not here; ' if absent else
-           f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, and ')
+    why = (
+        f'{process.name} needs the package {program.package!r} ({program.file}), which is not here; '
+        if absent
+        else f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, and '
+    )
     error.edulaunch_hint = f'{why}the other programs go on without it'
     said: OSError = error
     return said
@@ -70,8 +75,12 @@ def _modules_beside(process: Process, module: str) -> list[str]:
     """Full names of the modules in the package of `module`."""
     parent = module.rpartition('.')[0]
     package = process.loader.modules.get(parent)
-    return [f'{parent}.{entry[:-3]}' for folder in getattr(package, '__path__', ()) for entry in sorted(os.listdir(folder))
-            if entry.endswith('.py') and not entry.startswith('_')]
+    return [
+        f'{parent}.{entry[:-3]}'
+        for folder in getattr(package, '__path__', ())
+        for entry in sorted(os.listdir(folder))
+        if entry.endswith('.py') and not entry.startswith('_')
+    ]
 
 
 def _add_hint(process: Process, program: Program, error: Any, kind: str, known: list[str], name: str) -> None:

@@ -2,6 +2,7 @@
 
 Such a program runs in the simulation, as the ROS nodes that it probably holds need it.
 """
+
 from __future__ import annotations
 
 import os

@@ -3,6 +3,7 @@
 While one of them runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
 cannot repeat exactly; a recording says so.
 """
+
 from __future__ import annotations
 
 import codecs
@@ -39,8 +40,16 @@ class RealProcess:
         environment = dict(spec.env) if spec.env is not None else host.env
         outputs = [_terminal() if spec.emulate_tty else os.pipe() for _ in range(2)]
         try:
-            self._child = subprocess.Popen(command, shell=spec.shell, cwd=spec.cwd, env=environment, stdin=subprocess.DEVNULL,
-                                           stdout=outputs[0][1], stderr=outputs[1][1], start_new_session=True)
+            self._child = subprocess.Popen(
+                command,
+                shell=spec.shell,
+                cwd=spec.cwd,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=outputs[0][1],
+                stderr=outputs[1][1],
+                start_new_session=True,
+            )
         except BaseException:
             for reader, _ in outputs:
                 os.close(reader)
@@ -117,6 +126,7 @@ def _terminal() -> tuple[int, int]:
     """Both ends of a new terminal, ours first, which leaves the ends of lines as they are."""
     import pty
     import termios
+
     ours, theirs = pty.openpty()
     settings = termios.tcgetattr(theirs)
     settings[1] &= ~termios.OPOST

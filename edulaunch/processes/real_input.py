@@ -1,4 +1,5 @@
 """A file of the real machine, such as the terminal, as what a simulated program reads."""
+
 from __future__ import annotations
 
 import os
@@ -60,6 +61,7 @@ class RealInput(Input):
 
     def _look(self, seconds: float) -> bool:
         import select
+
         assert self._number is not None
         if self._ended or not select.select([self._number], [], [], seconds)[0]:
             return self._ended
@@ -84,6 +86,7 @@ class RealInput(Input):
 def _waitable(file: Any) -> int | None:
     """The file's number, when the operating system can tell whether reading it would wait."""
     import select
+
     try:
         number: int = file.fileno()
         select.select([number], [], [], 0)

@@ -3,6 +3,7 @@
 A student's own modules see streams of their program through the `sys` view. What the standard library or an installed package
 writes (warnings, `help()`, progress bars) goes through the real `sys`, which has these in their place while a simulation runs.
 """
+
 from __future__ import annotations
 
 import sys

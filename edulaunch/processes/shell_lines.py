@@ -2,6 +2,7 @@
 
 A real shell could not reach the simulated programs, so such a line is followed here, in simulated time.
 """
+
 from __future__ import annotations
 
 import os
@@ -56,7 +57,7 @@ def parts_of(line: str) -> list[Part] | None:
         except ValueError:  # a quote is open
             return None
         if words:
-            parts.append(Part(joint, words[words[0] == 'exec':] or ['true'], outlets, sign == '&'))
+            parts.append(Part(joint, words[words[0] == 'exec' :] or ['true'], outlets, sign == '&'))
         if sign == '&' and words and (joint in ('&&', '||') or _own(words) is not None):  # all of `a && b &` runs beside
             while parts[-1].joint in ('&&', '||'):
                 parts.pop()
@@ -88,7 +89,7 @@ def _signs(line: str) -> Iterator[tuple[int, str]]:
     quote, position = '', 0
     while position < len(line):
         letter = line[position]
-        sign = line[position:position + 2] if line[position:position + 2] in _JOINTS else letter
+        sign = line[position : position + 2] if line[position : position + 2] in _JOINTS else letter
         redirection = None if quote else _REDIRECTION.match(line, position)
         if redirection is not None:
             yield position, redirection[0]
@@ -204,7 +205,13 @@ def _export(process: Process, words: list[str]) -> int:
 
 
 _OWN: dict[str, Callable[[Process, list[str]], int]] = {
-    'sleep': _sleep, 'echo': _echo, 'cd': _cd, 'export': _export,
-    'true': _nothing, 'exit': _nothing, 'source': _nothing, '.': _nothing,
+    'sleep': _sleep,
+    'echo': _echo,
+    'cd': _cd,
+    'export': _export,
+    'true': _nothing,
+    'exit': _nothing,
+    'source': _nothing,
+    '.': _nothing,
 }
 """`source` reads setup files of ROS 2, which the simulation does not need."""

@@ -1,4 +1,5 @@
 """What to start: the frozen description of a program, made by launch actions and judged by most checks."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping

@@ -1,4 +1,5 @@
 """What a simulated program writes to."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

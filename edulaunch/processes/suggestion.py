@@ -1,4 +1,5 @@
 """`Did you mean: 'x'?` at the end of an error, as Python 3.12, that of ROS 2 Jazzy, says it; the same on every Python."""
+
 from __future__ import annotations
 
 import re
@@ -40,7 +41,7 @@ def _suggestion(error: BaseException) -> str:
 def _names_of(error: Any) -> list[str]:
     try:
         return dir(error.obj)
-    except Exception:   # a student's __dir__ may do anything
+    except Exception:  # a student's __dir__ may do anything
         return []
 
 

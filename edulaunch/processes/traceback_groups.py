@@ -1,4 +1,5 @@
 """The frame that Python draws around the members of an exception group in a traceback."""
+
 from __future__ import annotations
 
 import textwrap

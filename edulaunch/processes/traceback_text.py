@@ -1,4 +1,5 @@
 """A traceback cut to what the student wrote."""
+
 from __future__ import annotations
 
 import os
@@ -67,8 +68,9 @@ def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> I
 def _one(error: BaseException) -> Iterator[str]:
     """One error without those before it."""
     own = _own(error)
-    knowingly = (hasattr(error, 'edulaunch_hint') or isinstance(error, KeyboardInterrupt)
-                 or type(error).__module__.startswith('rclpy.'))
+    knowingly = (
+        hasattr(error, 'edulaunch_hint') or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
+    )
     explained = knowingly or _unread_file(error) is not None
     shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
     if shown:
@@ -105,7 +107,8 @@ def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | 
     where = f' at {place}' if place is not None else ''
     told = RunawayProgramError(
         f'{process.name} kept its turn for {seconds:g} s of real time without waiting for anything; it was stopped{where}.',
-        help='a loop must wait: time.sleep(), rclpy.spin_once(), rate.sleep() or a timer give the others their turn')
+        help='a loop must wait: time.sleep(), rclpy.spin_once(), rate.sleep() or a timer give the others their turn',
+    )
     return f'{frames}RunawayProgramError: {told}\n', place
 
 

@@ -3,6 +3,7 @@
 A thread looks every now and then at what the simulation's thread is doing. Nothing is counted or checked while programs run, so
 this costs them nothing.
 """
+
 from __future__ import annotations
 
 import ctypes

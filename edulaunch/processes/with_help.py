@@ -1,4 +1,5 @@
 """The line of help for `with` around something of ROS that is no context manager."""
+
 from __future__ import annotations
 
 import linecache
@@ -8,9 +9,16 @@ from types import TracebackType
 INIT = 'in ROS 2 Jazzy rclpy.init() gives nothing for `with`, as it does in later versions: call it on a line of its own'
 
 ENDINGS = {
-    'Node': 'destroy_node()', 'LifecycleNode': 'destroy_node()', 'Publisher': 'destroy()', 'LifecyclePublisher': 'destroy()',
-    'Subscription': 'destroy()', 'Client': 'destroy()', 'Service': 'destroy()', 'Timer': 'destroy()',
-    'GuardCondition': 'destroy()', 'Rate': 'destroy()',
+    'Node': 'destroy_node()',
+    'LifecycleNode': 'destroy_node()',
+    'Publisher': 'destroy()',
+    'LifecyclePublisher': 'destroy()',
+    'Subscription': 'destroy()',
+    'Client': 'destroy()',
+    'Service': 'destroy()',
+    'Timer': 'destroy()',
+    'GuardCondition': 'destroy()',
+    'Rate': 'destroy()',
 }
 """What ends something that rclpy makes, by its class."""
 
@@ -26,8 +34,11 @@ def with_help(error: BaseException) -> str | None:
         return INIT
     said = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
     ending = None if said is None else ENDINGS.get(_kind(said[1], trace))
-    return None if said is None or ending is None else (
-        f'in ROS 2 a {said[1]} is not for `with`: make it on a line of its own and call its {ending} at the end')
+    return (
+        None
+        if said is None or ending is None
+        else (f'in ROS 2 a {said[1]} is not for `with`: make it on a line of its own and call its {ending} at the end')
+    )
 
 
 def _innermost(trace: TracebackType | None) -> TracebackType | None:

@@ -1,4 +1,5 @@
 """What a recording answers when it is asked for something that did not happen: one message, and no frames of ours."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -22,10 +23,12 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
     :param text: what is not there, in words that end with the name.
     """
     from difflib import get_close_matches
+
     names = list(dict.fromkeys(among))
     near = get_close_matches(name, names, n=1)
-    return NotRecorded(f'{text} in this recording; there are: {", ".join(names) or "none"}',
-                       help=f'did you mean {near[0]!r}?' if near else None)
+    return NotRecorded(
+        f'{text} in this recording; there are: {", ".join(names) or "none"}', help=f'did you mean {near[0]!r}?' if near else None
+    )
 
 
 class NoMessages(list[Any]):

@@ -1,4 +1,5 @@
 """The part of a recording that its digest covers: what happened, without where files lie on this machine."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -14,8 +15,10 @@ def canonical(content: dict[str, Any]) -> dict[str, Any]:
     """
     roots = sorted(content['roots'], key=lambda root: -len(root[0]))
     short = {part: _shorten(content[part], roots) for part in TEXT_PARTS}
-    topics = [{**topic, 'messages': _shorten(topic['messages'], roots)} if topic['type'] in TEXT_TYPES else topic
-              for topic in content['topics']]
+    topics = [
+        {**topic, 'messages': _shorten(topic['messages'], roots)} if topic['type'] in TEXT_TYPES else topic
+        for topic in content['topics']
+    ]
     return {**content, **short, 'topics': topics, 'roots': []}
 
 

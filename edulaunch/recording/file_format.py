@@ -4,6 +4,7 @@ The first line is the header, then one line per part, then one line with the tex
 are any, then one line per topic. Messages are wire tuples written as JSON
 lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
 """
+
 from __future__ import annotations
 
 import json
@@ -54,8 +55,9 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     lines = data.split(b'\n')
     header = _parse(lines[0], name, 1)
     if header.get('format') != FORMAT:
-        raise RecordingError(f'{name} is not a recording of edulaunch.',
-                             help='recordings are written by `edulaunch launch ... --record FILE`')
+        raise RecordingError(
+            f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`'
+        )
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
     content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'interfaces': {}, 'topics': []}
@@ -89,8 +91,7 @@ def _check(content: dict[str, Any], name: str) -> None:
         if not isinstance(content.get(part), expected):
             raise RecordingError(f'{name} is damaged: the part {part!r} is missing or cut off.')
     texts = content['interfaces']
-    if not isinstance(texts, dict) or not all(
-            TYPE_NAME.fullmatch(key) and isinstance(text, str) for key, text in texts.items()):
+    if not isinstance(texts, dict) or not all(TYPE_NAME.fullmatch(key) and isinstance(text, str) for key, text in texts.items()):
         raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
     for topic in content['topics']:
         columns = [topic['times'], topic['publishers'], topic['messages']]

@@ -1,4 +1,5 @@
 """Collects what happens in a simulation. The only cost on the hot path is one `list.extend` per publication."""
+
 from __future__ import annotations
 
 from bisect import bisect_right
@@ -53,6 +54,7 @@ class Recorder(Tracer):
     def recording(self) -> Recording:
         """What has been collected, as a Recording. Stops first."""
         from edulaunch.recording.recording import Recording
+
         self.stop()
         return Recording(self.content())
 
@@ -61,17 +63,30 @@ class Recorder(Tracer):
         start = self.sim.start_ns
         end = start + self._duration_ns
         topics = [_column(topic, kind, flat, start, end) for (topic, kind), flat in sorted(self.columns.items())]
-        return {'seed': self.sim.seed, 'start_ns': start, 'duration_ns': self._duration_ns, 'roots': self.roots,
-                'launch': self.launch, 'processes': self.processes,
-                'nodes': self.nodes, 'endpoints': self.endpoints, 'parameters': self.parameters, 'calls': self.calls,
-                'logs': self.logs, 'output': self.output_lines, 'notes': self.notes, 'interfaces': self._interfaces(),
-                'topics': topics}
+        return {
+            'seed': self.sim.seed,
+            'start_ns': start,
+            'duration_ns': self._duration_ns,
+            'roots': self.roots,
+            'launch': self.launch,
+            'processes': self.processes,
+            'nodes': self.nodes,
+            'endpoints': self.endpoints,
+            'parameters': self.parameters,
+            'calls': self.calls,
+            'logs': self.logs,
+            'output': self.output_lines,
+            'notes': self.notes,
+            'interfaces': self._interfaces(),
+            'topics': topics,
+        }
 
     def _interfaces(self) -> dict[str, str]:
         """The texts of the student's own types that were used, so that messages can be read without the workspace."""
         if self.overlay is None or not self.overlay.interface_packages:
             return {}
         from edulaunch.interfaces.texts import texts_of
+
         return texts_of(self.overlay.registry, {row[2] for row in (*self.endpoints, *self.calls)})
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
@@ -98,8 +113,9 @@ class Recorder(Tracer):
     def endpoint_added(self, kind: str, endpoint: Any) -> None:
         if self.on:
             name = endpoint.topic_name if kind in ('publisher', 'subscription') else endpoint.service_name
-            self.endpoints.append([kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(),
-                                   list(endpoint.qos)])
+            self.endpoints.append(
+                [kind, name, endpoint.type_name, endpoint.node.index, endpoint.index, self._now(), list(endpoint.qos)]
+            )
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         if self.on:
@@ -113,8 +129,10 @@ class Recorder(Tracer):
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
         if self.on:
-            text = (f'{publisher.topic_name}: {publisher.node.fully_qualified_name} ({publisher.type_name}) and '
-                    f'{subscription.node.fully_qualified_name} ({subscription.type_name}) cannot talk because of {policy}')
+            text = (
+                f'{publisher.topic_name}: {publisher.node.fully_qualified_name} ({publisher.type_name}) and '
+                f'{subscription.node.fully_qualified_name} ({subscription.type_name}) cannot talk because of {policy}'
+            )
             self.notes.append([self._now(), publisher.node.process.name, 'incompatible', text])
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
@@ -124,10 +142,20 @@ class Recorder(Tracer):
     def process_started(self, process: Process) -> None:
         if self.on:
             spec = process.spec
-            row = {'name': spec.name, 'pid': process.pid, 'argv': list(spec.argv), 'package': spec.package,
-                   'executable': spec.executable, 'file': spec.origin.file if spec.origin else None,
-                   'line': spec.origin.line if spec.origin else None, 'parameter_origins': dict(spec.parameter_origins),
-                   'started': self._now(), 'ended': None, 'returncode': None, 'exception': None}
+            row = {
+                'name': spec.name,
+                'pid': process.pid,
+                'argv': list(spec.argv),
+                'package': spec.package,
+                'executable': spec.executable,
+                'file': spec.origin.file if spec.origin else None,
+                'line': spec.origin.line if spec.origin else None,
+                'parameter_origins': dict(spec.parameter_origins),
+                'started': self._now(),
+                'ended': None,
+                'returncode': None,
+                'exception': None,
+            }
             self._process_row[process] = row
             self.processes.append(row)
 
@@ -157,5 +185,10 @@ def _column(topic: str, kind: str, flat: list[Any], start_ns: int, end_ns: int) 
     """The record of one topic up to `end_ns`, from (time, publisher, message, time, publisher, message ...)."""
     times = flat[::3]
     count = bisect_right(times, end_ns)
-    return {'topic': topic, 'type': kind, 'times': [time - start_ns for time in times[:count]],
-            'publishers': flat[1::3][:count], 'messages': flat[2::3][:count]}
+    return {
+        'topic': topic,
+        'type': kind,
+        'times': [time - start_ns for time in times[:count]],
+        'publishers': flat[1::3][:count],
+        'messages': flat[2::3][:count],
+    }

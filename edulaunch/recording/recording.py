@@ -1,4 +1,5 @@
 """What a run leaves behind, and the questions one asks it."""
+
 from __future__ import annotations
 
 import os
@@ -48,8 +49,10 @@ class Recording:
         self.duration_s: float = content['duration_ns'] / 1e9
 
     def __repr__(self) -> str:
-        return (f'<Recording {self.duration_s:.3f} s: {len(self.processes)} processes, {len(self.nodes)} nodes, '
-                f'{sum(topic.count for topic in self.topics.values())} messages>')
+        return (
+            f'<Recording {self.duration_s:.3f} s: {len(self.processes)} processes, {len(self.nodes)} nodes, '
+            f'{sum(topic.count for topic in self.topics.values())} messages>'
+        )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Recording:
@@ -90,6 +93,7 @@ class Recording:
         import hashlib
 
         from edulaunch.recording.canonical import canonical
+
         return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
 
     @cached_property
@@ -107,10 +111,23 @@ class Recording:
     @cached_property
     def processes(self) -> list[ProcessRecord]:
         """The programs that were started, in order."""
-        return [ProcessRecord(
-            row['name'], row['pid'], row['argv'], row['package'], row['executable'], row['file'], row['line'],
-            row['parameter_origins'], row['started'] / 1e9, _seconds(row['ended']), row['returncode'], row['exception'])
-            for row in self._content['processes']]
+        return [
+            ProcessRecord(
+                row['name'],
+                row['pid'],
+                row['argv'],
+                row['package'],
+                row['executable'],
+                row['file'],
+                row['line'],
+                row['parameter_origins'],
+                row['started'] / 1e9,
+                _seconds(row['ended']),
+                row['returncode'],
+                row['exception'],
+            )
+            for row in self._content['processes']
+        ]
 
     @cached_property
     def nodes(self) -> list[NodeRecord]:
@@ -120,9 +137,16 @@ class Recording:
             of_kind = ends.setdefault(node, {}).setdefault(kind, [])
             if (name, type_name) not in of_kind:
                 of_kind.append((name, type_name))
-        return [NodeRecord(name, process, start / 1e9, _seconds(end), *(
-            ends.get(index, {}).get(kind, []) for kind in ('publisher', 'subscription', 'service', 'client')))
-            for name, process, start, end, index in self._content['nodes']]
+        return [
+            NodeRecord(
+                name,
+                process,
+                start / 1e9,
+                _seconds(end),
+                *(ends.get(index, {}).get(kind, []) for kind in ('publisher', 'subscription', 'service', 'client')),
+            )
+            for name, process, start, end, index in self._content['nodes']
+        ]
 
     @cached_property
     def topics(self) -> dict[str, TopicRecord]:
@@ -196,6 +220,7 @@ class Recording:
         """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.texts import TextRegistry
+
         own = self._content.get('interfaces')
         return TextRegistry(own, current_registry()) if own else current_registry()
 
@@ -213,11 +238,13 @@ class Recording:
         :raises KeyError: when nothing of that name was recorded; the message names what was.
         """
         from edulaunch.recording.trajectory import read_trajectory
+
         return read_trajectory(self, turtle)
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
         """The newest transform of each tf child frame at a time, by child name in order of first appearance."""
         from edulaunch.recording.frames import frames_at
+
         return frames_at(self, time_s)
 
     @cached_property
@@ -238,8 +265,11 @@ class Recording:
     @property
     def warnings(self) -> list[str]:
         """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
-        silent = [f'{note.process}: {note.text}' for note in self.notes
-                  if note.kind in SILENT or (note.kind == 'incompatible' and note.text.endswith('TYPE'))]
+        silent = [
+            f'{note.process}: {note.text}'
+            for note in self.notes
+            if note.kind in SILENT or (note.kind == 'incompatible' and note.text.endswith('TYPE'))
+        ]
         return [*self.launch.warnings, *dict.fromkeys(silent)]
 
     @cached_property
@@ -249,43 +279,51 @@ class Recording:
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
             cls = self._class(kind)
             answer = cls.Response.from_wire(response) if replied is not None else None
-            calls.append(ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served,
-                                     _seconds(replied), answer))
+            calls.append(
+                ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served, _seconds(replied), answer)
+            )
         return calls
 
     def plot_turtles(self, time_s: float | None = None) -> Picture:
         """The turtle windows at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_turtles`."""
         from edulaunch.canvas import plot_turtles
+
         return plot_turtles(self, time_s)
 
     def plot_frames(self, time_s: float | None = None) -> Picture:
         """tf frames from above at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_frames`."""
         from edulaunch.canvas import plot_frames
+
         return plot_frames(self, time_s)
 
     def plot_tf_tree(self) -> Picture:
         """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""
         from edulaunch.canvas import plot_tf_tree
+
         return plot_tf_tree(self)
 
     def plot_graph(self, *, unused: bool = False, services: bool = False) -> Picture:
         """Nodes and topics; see :func:`edulaunch.canvas.plot_graph`."""
         from edulaunch.canvas import plot_graph
+
         return plot_graph(self, unused=unused, services=services)
 
     def plot_distance(self, first: str, second: str, close_m: float = 1.0) -> Picture:
         """How far a turtle, robot or tf frame is from another over time; see :func:`edulaunch.canvas.plot_distance`."""
         from edulaunch.canvas import plot_distance
+
         return plot_distance(self, first, second, close_m)
 
     def parameter_table(self, node: str | None = None, *, every: bool = False) -> Table:
         """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""
         from edulaunch.canvas import parameter_table
+
         return parameter_table(self, node, every=every)
 
     def replay(self) -> Replay:
         """A player for turtles, robots and tf frames; see :func:`edulaunch.canvas.replay`."""
         from edulaunch.canvas import replay
+
         return replay(self)
 
 

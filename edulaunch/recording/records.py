@@ -1,4 +1,5 @@
 """What a recording holds: plain frozen data. Times are seconds since the start of the simulation."""
+
 from __future__ import annotations
 
 from typing import Any, NamedTuple

@@ -1,4 +1,5 @@
 """Where a turtle or a robot was, over time."""
+
 from __future__ import annotations
 
 import math
@@ -37,6 +38,7 @@ def moving_things(recording: Recording) -> dict[str, str]:
 def read_trajectory(recording: Recording, name: str) -> Trajectory:
     """See `Recording.trajectory`."""
     import numpy as np
+
     things = moving_things(recording)
     topic = things.get(name) or things.get(name.removeprefix('/')) or things.get('/' + name)
     if topic is None:
@@ -46,7 +48,9 @@ def read_trajectory(recording: Recording, name: str) -> Trajectory:
     else:
         place = 'pose.pose.position.{}'.format
         turn = 'pose.pose.orientation.{}'.format
-        rows = [(t, x, y, 2.0 * math.atan2(z, w)) for t, x, y, z, w in
-                recording.series(topic, place('x'), place('y'), turn('z'), turn('w'))]
+        rows = [
+            (t, x, y, 2.0 * math.atan2(z, w))
+            for t, x, y, z, w in recording.series(topic, place('x'), place('y'), turn('z'), turn('w'))
+        ]
     table = np.array(rows, dtype=float).reshape(-1, 4)
     return Trajectory(*(table[:, column] for column in range(4)))

@@ -3,6 +3,7 @@
 Waiting for the next timer parks the task that runs the loop, so coroutines, futures and `asyncio.sleep` take turns with all
 other programs. Launch runs on it.
 """
+
 from __future__ import annotations
 
 import asyncio

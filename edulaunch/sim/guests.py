@@ -4,6 +4,7 @@ In a plain script `threading` is Python's own: `threading.Thread(target=rclpy.sp
 are guests in the simulation of the main thread. Only that one takes items off the agenda; a guest waits, in real time, until it
 is woken or its deadline has come. As long as there are guests simulated time keeps pace with real time, and runs do not repeat.
 """
+
 from __future__ import annotations
 
 import threading

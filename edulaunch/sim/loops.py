@@ -2,6 +2,7 @@
 
 Simulated time passes inside of loops: that of a notebook, that of a program. Whatever runs meanwhile has to find no loop.
 """
+
 from __future__ import annotations
 
 import sys

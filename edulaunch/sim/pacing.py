@@ -1,4 +1,5 @@
 """Real time as an add-on: waiting between the steps of a simulation so that it keeps pace with a clock on the wall."""
+
 from __future__ import annotations
 
 import time
@@ -15,8 +16,14 @@ class Pacer:
     :param clock, wait: what tells and lets pass real time, in seconds (for tests).
     """
 
-    def __init__(self, sim: Simulation, speed: float = 1.0, *, clock: Callable[[], float] = time.monotonic,
-                 wait: Callable[[float], object] = time.sleep) -> None:
+    def __init__(
+        self,
+        sim: Simulation,
+        speed: float = 1.0,
+        *,
+        clock: Callable[[], float] = time.monotonic,
+        wait: Callable[[float], object] = time.sleep,
+    ) -> None:
         self.sim = sim
         self.speed = speed
         self._clock = clock

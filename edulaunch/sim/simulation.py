@@ -1,4 +1,5 @@
 """Simulated time and the agenda: the whole kernel in one class."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -137,4 +138,5 @@ class Simulation:
     def random(self, name: str) -> random.Random:
         """A random generator of its own for `name`; the same seed and name give the same numbers on every machine."""
         import random
+
         return random.Random(f'{self.seed}/{name}')

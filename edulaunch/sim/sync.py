@@ -1,4 +1,5 @@
 """Waiting in simulated time: what `time.sleep` and `threading` mean inside a simulation."""
+
 from __future__ import annotations
 
 from collections import deque

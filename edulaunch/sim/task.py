@@ -3,6 +3,7 @@
 A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time; which
 one is the agenda's choice. Everything else that blocks (sleeping, locks, waiting for a message) is `park` and `wake`.
 """
+
 from __future__ import annotations
 
 import threading
@@ -230,8 +231,11 @@ class AmbientTask(Task):
             if next_ns != sim.now_ns and threading.active_count() != self._threads:
                 self._let_threads_begin()
                 continue
-            if self.guests is not None and self.guests.are_here() and not self.guests.await_turn(
-                    deadline_ns if is_over else next_ns):
+            if (
+                self.guests is not None
+                and self.guests.are_here()
+                and not self.guests.await_turn(deadline_ns if is_over else next_ns)
+            ):
                 break
             if is_over:
                 assert deadline_ns is not None
@@ -246,6 +250,7 @@ class AmbientTask(Task):
     def _let_threads_begin(self) -> None:
         """Threads were started (or have ended): before time passes, let them come to be guests."""
         from edulaunch.sim.guests import let_threads_begin
+
         self._threads = threading.active_count()
         let_threads_begin()
 
@@ -286,6 +291,7 @@ def _ambient_task() -> AmbientTask:
     host = getattr(_MAIN, 'task', None)
     if isinstance(host, AmbientTask) and host.owner is not None and threading.current_thread() is not threading.main_thread():
         from edulaunch.sim.guests import GuestTask
+
         return GuestTask(host)
     return AmbientTask(Simulation())
 

@@ -1,4 +1,5 @@
 """The hook that the plugin for launch tests offers to other plugins."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -1,6 +1,7 @@
 """Modules of the packages under test, for whoever imports them past the test files: `unittest.mock.patch('my_package.node.x')`,
 `monkeypatch.setattr`, conftest files and modules beside the tests.
 """
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """Finding ROS packages for the `conftest.py` files of a pytest run; runs that need none of them notice nothing."""
+
 from __future__ import annotations
 
 import os
@@ -39,9 +40,11 @@ class LateSource:
             return None
         if is_of_own_package(conftest):
             from edulaunch.testing.machine_plugin import put_on_machine
+
             put_on_machine(self._config, Path(conftest))
         elif _is_ros_name(name):
             from edulaunch.sourcing import source
+
             source()
             self._config.stash[SOURCED_LATE] = True
         else:

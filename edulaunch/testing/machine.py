@@ -3,6 +3,7 @@
 pytest itself is a plain script on it: fixtures, tests and launches share one ROS graph and one simulated time, as they share the
 machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing.
 """
+
 from __future__ import annotations
 
 import builtins
@@ -56,6 +57,7 @@ class TestMachine:
         watchdog = self.session.host.watchdog
         if watchdog is not None:
             import threading
+
             watchdog.thread = threading.get_ident()
 
     def close(self) -> None:
@@ -90,8 +92,14 @@ class TestMachine:
         if self.session.host.watchdog is not None:
             self.session.host.watchdog.asleep = person_is_here
 
-    def _import_for_tests(self, name: str, globals: Mapping[str, Any] | None = None, locals: Mapping[str, Any] | None = None,
-                          fromlist: Sequence[str] | None = (), level: int = 0) -> ModuleType:
+    def _import_for_tests(
+        self,
+        name: str,
+        globals: Mapping[str, Any] | None = None,
+        locals: Mapping[str, Any] | None = None,
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
         """What `import` statements call: those of test files get what a simulated program gets."""
         here = None if globals is None else globals.get('__file__')
         if here is None or here not in self._files or name.partition('.')[0] in SHARED:

@@ -1,4 +1,5 @@
 """The pytest plugin that keeps the machine of a test run. Ours registers it for the first test file that needs it."""
+
 from __future__ import annotations
 
 from collections.abc import Generator
@@ -18,6 +19,7 @@ def machine_of(config: pytest.Config) -> TestMachine:
         import sys
 
         from edulaunch.sourcing import source
+
         source()
         option = {**vars(config.known_args_namespace), **vars(config.option)}  # the second comes after the conftest files
         machine = config.stash[MACHINE] = TestMachine(option.get('launch_seed', 0), option.get('launch_workspace'))

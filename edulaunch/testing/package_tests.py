@@ -1,4 +1,5 @@
 """Test files of ROS packages: which they are, which packages they see, and which of them need what is not here."""
+
 from __future__ import annotations
 
 import ast
@@ -18,7 +19,7 @@ def workspaces_of(path: str) -> list[str]:
         return []
     parts = folder.split(os.sep)
     if 'src' in parts:
-        return [os.sep.join(parts[:parts.index('src') + 1])]
+        return [os.sep.join(parts[: parts.index('src') + 1])]
     above = os.path.dirname(folder)
     return [above if _packages_in(above) > 1 else folder]
 
@@ -55,5 +56,11 @@ def absent_linter(source: bytes) -> str | None:
     names = [node.module or '' for node in statements if isinstance(node, ast.ImportFrom) and not node.level]
     names += [alias.name for node in statements if isinstance(node, ast.Import) for alias in node.names]
     tops = [name.partition('.')[0] for name in names]
-    return next((top for top in tops if top.startswith('ament_') and top != 'ament_index_python'
-                 and importlib.util.find_spec(top) is None), None)
+    return next(
+        (
+            top
+            for top in tops
+            if top.startswith('ament_') and top != 'ament_index_python' and importlib.util.find_spec(top) is None
+        ),
+        None,
+    )

@@ -1,4 +1,5 @@
 """Launch tests in a simulation of their own: what `launch_test FILE` and the pytest plugin both use."""
+
 from __future__ import annotations
 
 import os
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 LONGEST_TEST_S = 3600.0
 
 
-def run_launch_test(test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0,
-                    body: Callable[[], int] | None = None) -> int:
+def run_launch_test(
+    test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0, body: Callable[[], int] | None = None
+) -> int:
     """Run a launch test in a fresh simulation; its console goes to this program's own.
 
     :param workspaces: folders with packages; None: the workspace in which the test file lies.
@@ -43,7 +45,8 @@ def run_launch_test(test: LaunchTest, *, workspaces: Sequence[str] | None = None
             test.error = UnusableInput(
                 f'{os.path.basename(test.path)}: the launch test was still waiting '
                 f'after {session.sim.elapsed_s:.1f} s of simulated time.',
-                help='give waits a timeout, such as event.wait(timeout=10)')
+                help='give waits a timeout, such as event.wait(timeout=10)',
+            )
         return 1 if process.returncode is None else process.returncode
 
 
@@ -92,8 +95,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     import argparse
 
     from edulaunch.sourcing import source
+
     source()
     from launch_testing.launch_test import LaunchTest, add_arguments
+
     parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
     add_arguments(parser)
     given = parser.parse_args(argv)

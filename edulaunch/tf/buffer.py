@@ -36,13 +36,7 @@ class TransformBuffer:
         self._paths: dict[tuple[str, str], Path] = {}
 
     def set(
-        self,
-        parent: str,
-        child: str,
-        stamp_ns: int,
-        pose: Transform,
-        authority: str = 'default_authority',
-        static: bool = False,
+        self, parent: str, child: str, stamp_ns: int, pose: Transform, authority: str = 'default_authority', static: bool = False
     ) -> tuple[Rejection, ...]:
         """Take one transform: `pose` of the child seen from the parent at a time.
 
@@ -61,14 +55,7 @@ class TransformBuffer:
             square = pose[6]
         check = square + x + y + z  # nan when any of them is
         history = self._frames.get(child)
-        if (
-            history is None
-            or history.static
-            or static
-            or not history.stamps
-            or history.parents[-1] != parent
-            or check != check
-        ):
+        if history is None or history.static or static or not history.stamps or history.parents[-1] != parent or check != check:
             return self._set_with_care(parent, child, stamp_ns, pose, authority, static)
         newest = history.stamps[-1]
         horizon = newest - self.cache_ns
@@ -134,9 +121,7 @@ class TransformBuffer:
                 return found
         return walk(self._frames, target, source, time_ns)
 
-    def lookup_full(
-        self, target: str, target_ns: int, source: str, source_ns: int, fixed: str
-    ) -> tuple[int, Transform]:
+    def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
         """The same between two times, over a frame that does not move meanwhile; the stamp is that of the
         target.
 
@@ -153,9 +138,7 @@ class TransformBuffer:
             return True, ''
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
-    def can_transform_full(
-        self, target: str, target_ns: int, source: str, source_ns: int, fixed: str
-    ) -> tuple[bool, str]:
+    def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
         """(whether :meth:`lookup_full` would succeed, why not)."""
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)

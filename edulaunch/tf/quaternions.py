@@ -90,11 +90,7 @@ def to_matrix(q: Quaternion) -> Matrix:
     wx, wy, wz = w * xs, w * ys, w * zs
     xx, xy, xz = x * xs, x * ys, x * zs
     yy, yz, zz = y * ys, y * zs, z * zs
-    return (
-        (1.0 - (yy + zz), xy - wz, xz + wy),
-        (xy + wz, 1.0 - (xx + zz), yz - wx),
-        (xz - wy, yz + wx, 1.0 - (xx + yy)),
-    )
+    return ((1.0 - (yy + zz), xy - wz, xz + wy), (xy + wz, 1.0 - (xx + zz), yz - wx), (xz - wy, yz + wx, 1.0 - (xx + yy)))
 
 
 def from_matrix(m: Matrix) -> Quaternion:
@@ -121,12 +117,7 @@ def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)
     cy, sy = cos(yaw / 2.0), sin(yaw / 2.0)
-    return (
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        cr * cp * cy + sr * sp * sy,
-    )
+    return (sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy, cr * cp * cy + sr * sp * sy)
 
 
 def to_euler(q: Quaternion) -> Vector:

@@ -25,10 +25,7 @@ def reasons_against(parent: str, child: str, pose: Transform, authority: str) ->
             f'child_frame_id "{child}" because they are the same'
         )
     if not child:
-        found.append(
-            f'TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "{authority}" because '
-            'child_frame_id not set '
-        )
+        found.append(f'TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "{authority}" because child_frame_id not set ')
     if not parent:
         found.append(
             f'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "{child}"  from authority "{authority}" '

@@ -23,10 +23,7 @@ def lookup_velocity(
     start_ns = max(averaging_ns, end_ns) - averaging_ns
     if end_ns == start_ns:
         return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-    start, end = (
-        buffer.lookup(observation, tracking, start_ns)[1],
-        buffer.lookup(observation, tracking, end_ns)[1],
-    )
+    start, end = (buffer.lookup(observation, tracking, start_ns)[1], buffer.lookup(observation, tracking, end_ns)[1])
     span_s = (end_ns - start_ns) * 1e-9
     linear = ((end[0] - start[0]) / span_s, (end[1] - start[1]) / span_s, (end[2] - start[2]) / span_s)
     return linear, _turn_rate(multiply(end[3:], conjugate(start[3:])), span_s)

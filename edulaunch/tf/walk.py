@@ -38,9 +38,7 @@ def walk(frames: Frames, target: str, source: str, time_ns: int) -> tuple[int, T
     if failed is None:
         raise _unconnected(target, source)
     raise TransformFailure(
-        EXTRAPOLATION,
-        f'{_extrapolation(failed, time_ns)}, when looking up transform '
-        f'from frame [{source}] to frame [{target}]',
+        EXTRAPOLATION, f'{_extrapolation(failed, time_ns)}, when looking up transform from frame [{source}] to frame [{target}]'
     )
 
 
@@ -91,9 +89,7 @@ def _ancestors(frames: Frames, frame: str, time_ns: int) -> list[str]:
     return found
 
 
-def _climb(
-    frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int
-) -> tuple[Transform, str, History | None]:
+def _climb(frames: Frames, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
     """(reached_from_start, frame reached, history that had no sample at that time or None)."""
     pose = IDENTITY
     steps = 0
@@ -151,6 +147,4 @@ def _unconnected(target: str, source: str) -> TransformFailure:
 
 
 def _loop(frames: Frames) -> TransformFailure:
-    return TransformFailure(
-        LOOKUP, f'The tf tree is invalid because it contains a loop.\n{all_frames_as_string(frames)}\n'
-    )
+    return TransformFailure(LOOKUP, f'The tf tree is invalid because it contains a loop.\n{all_frames_as_string(frames)}\n')

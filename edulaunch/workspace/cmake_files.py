@@ -1,4 +1,5 @@
 """The files of a new ament_cmake package."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -101,8 +102,12 @@ def write(package: NewPackage, writer: Any) -> None:
     if node:
         writer.file(f'src/{node}.cpp', MAIN.format(name=name))
     if library:
-        words = {'name': name, 'library': library, 'type': ''.join(part.capitalize() for part in library.split('_')),
-                 'guard': f'{name}__{library}_HPP_'.upper()}
+        words = {
+            'name': name,
+            'library': library,
+            'type': ''.join(part.capitalize() for part in library.split('_')),
+            'guard': f'{name}__{library}_HPP_'.upper(),
+        }
         writer.file(f'include/{name}/{library}.hpp', HEADER.format(**words))
         writer.file(f'src/{library}.cpp', SOURCE.format(**words))
 

@@ -1,4 +1,5 @@
 """Dependencies of package.xml files that are not here: the counterpart of `rosdep check`."""
+
 from __future__ import annotations
 
 import os
@@ -8,23 +9,85 @@ from typing import NamedTuple
 from edulaunch.packages import Index, nearest
 from edulaunch.workspace.sources import Dependency, SourcePackage, source_packages
 
-BUILD_ONLY = ('ament_cmake', 'ament_cmake_auto', 'ament_cmake_python', 'ament_cmake_gtest', 'ament_cmake_pytest', 'ament_python',
-              'ament_package', 'ament_lint_auto', 'ament_lint_common', 'ament_copyright', 'ament_flake8', 'ament_pep257',
-              'ament_xmllint', 'ament_mypy', 'ament_cmake_ros', 'ament_cmake_core', 'rosidl_default_generators',
-              'rosidl_default_runtime', 'rosidl_interface_packages', 'rosidl_cmake', 'rosidl_generator_py',
-              'rosidl_typesupport_cpp', 'python3-pytest', 'python3-setuptools', 'cmake', 'catkin', 'pkg-config', 'eigen',
-              'rosidl_runtime_py', 'launch_testing_ament_cmake')
+BUILD_ONLY = (
+    'ament_cmake',
+    'ament_cmake_auto',
+    'ament_cmake_python',
+    'ament_cmake_gtest',
+    'ament_cmake_pytest',
+    'ament_python',
+    'ament_package',
+    'ament_lint_auto',
+    'ament_lint_common',
+    'ament_copyright',
+    'ament_flake8',
+    'ament_pep257',
+    'ament_xmllint',
+    'ament_mypy',
+    'ament_cmake_ros',
+    'ament_cmake_core',
+    'rosidl_default_generators',
+    'rosidl_default_runtime',
+    'rosidl_interface_packages',
+    'rosidl_cmake',
+    'rosidl_generator_py',
+    'rosidl_typesupport_cpp',
+    'python3-pytest',
+    'python3-setuptools',
+    'cmake',
+    'catkin',
+    'pkg-config',
+    'eigen',
+    'rosidl_runtime_py',
+    'launch_testing_ament_cmake',
+)
 """Needed to build, to lint or to generate, all of which is not needed here."""
-COMPILED_ONLY = ('rclcpp', 'rclcpp_action', 'rclcpp_components', 'rclcpp_lifecycle', 'rcutils', 'rmw', 'rmw_implementation',
-                 'tf2', 'tf2_eigen', 'class_loader', 'pluginlib', 'yaml-cpp', 'qtbase5-dev', 'libqt5-core', 'libqt5-gui', 'boost')
+COMPILED_ONLY = (
+    'rclcpp',
+    'rclcpp_action',
+    'rclcpp_components',
+    'rclcpp_lifecycle',
+    'rcutils',
+    'rmw',
+    'rmw_implementation',
+    'tf2',
+    'tf2_eigen',
+    'class_loader',
+    'pluginlib',
+    'yaml-cpp',
+    'qtbase5-dev',
+    'libqt5-core',
+    'libqt5-gui',
+    'boost',
+)
 """Libraries of C++ programs, which do not run here anyway."""
-COMMAND_LINE = ('ros2cli', 'ros2launch', 'ros2run', 'ros2topic', 'ros2service', 'ros2action', 'ros2param', 'ros2node', 'ros2pkg',
-                'ros2interface', 'ros2bag')
+COMMAND_LINE = (
+    'ros2cli',
+    'ros2launch',
+    'ros2run',
+    'ros2topic',
+    'ros2service',
+    'ros2action',
+    'ros2param',
+    'ros2node',
+    'ros2pkg',
+    'ros2interface',
+    'ros2bag',
+)
 """What edulaunch does itself."""
 SAME = {'tf2_ros_py': 'tf2_ros'}
 """Packages whose part for Python goes by another name."""
-PYTHON_NAMES = {'opencv-python': 'cv2', 'opencv': 'cv2', 'pil': 'PIL', 'serial': 'serial', 'pyyaml': 'yaml', 'tk': 'tkinter',
-                'pyqt5': 'PyQt5', 'sklearn': 'sklearn', 'matplotlib': 'matplotlib'}
+PYTHON_NAMES = {
+    'opencv-python': 'cv2',
+    'opencv': 'cv2',
+    'pil': 'PIL',
+    'serial': 'serial',
+    'pyyaml': 'yaml',
+    'tk': 'tkinter',
+    'pyqt5': 'PyQt5',
+    'sklearn': 'sklearn',
+    'matplotlib': 'matplotlib',
+}
 
 
 class Missing(NamedTuple):
@@ -71,4 +134,5 @@ def _importable(module: str) -> bool:
 def faces() -> list[str]:
     """The import packages of the underlay: they have no share folder of their own, and are there."""
     from edulaunch.underlay_place import underlay_python
+
     return sorted(name for name in os.listdir(underlay_python()) if os.path.isdir(os.path.join(underlay_python(), name)))

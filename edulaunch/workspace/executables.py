@@ -1,4 +1,5 @@
 """Mistakes that end in "No executable found": entry points that name nothing, and nodes that nothing names."""
+
 from __future__ import annotations
 
 import ast
@@ -26,18 +27,24 @@ def _wrong_entry_points(package: SourcePackage) -> Iterator[Mistake]:
         file = _module_file(package, module)
         if file is None:
             near = nearest(module, _modules(package))
-            yield Mistake(package.build_file(), line,
-                          f'the entry point {entry!r} names the module {module!r}, which is not there',
-                          f'did you mean {near!r}?' if near else None)
+            yield Mistake(
+                package.build_file(),
+                line,
+                f'the entry point {entry!r} names the module {module!r}, which is not there',
+                f'did you mean {near!r}?' if near else None,
+            )
             continue
         tree = parsed(file)
         names = [] if tree is None else _defined(tree)
         wanted = function.partition('.')[0]
         if tree is not None and wanted not in names:
             near = nearest(wanted, names)
-            yield Mistake(package.build_file(), line, f'the entry point {entry!r} names the function {wanted!r}, '
-                          f'which {package.relative(file)} does not have', f'did you mean {near!r}?' if near else
-                          f'define it: def {wanted}(args=None): ...')
+            yield Mistake(
+                package.build_file(),
+                line,
+                f'the entry point {entry!r} names the function {wanted!r}, which {package.relative(file)} does not have',
+                f'did you mean {near!r}?' if near else f'define it: def {wanted}(args=None): ...',
+            )
 
 
 def _module_file(package: SourcePackage, module: str) -> str | None:
@@ -81,14 +88,19 @@ def _nodes_without_entry_point(package: SourcePackage) -> Iterator[Mistake]:
         tree = parsed(path)
         if module not in named and tree is not None and 'rclpy' in read_text(path) and _starts_rclpy(tree):
             leaf = module.rpartition('.')[2]
-            yield Mistake(path, 0, f'this node has no entry point, so `ros2 run {package.name} {leaf}` does not find it',
-                          f"add '{leaf} = {module}:main' to console_scripts of setup.py")
+            yield Mistake(
+                path,
+                0,
+                f'this node has no entry point, so `ros2 run {package.name} {leaf}` does not find it',
+                f"add '{leaf} = {module}:main' to console_scripts of setup.py",
+            )
 
 
 def _starts_rclpy(tree: ast.Module) -> bool:
     """Whether there is a main() that starts rclpy."""
-    return any(isinstance(node, ast.FunctionDef) and node.name == 'main' and 'rclpy.init' in ast.unparse(node)
-               for node in tree.body)
+    return any(
+        isinstance(node, ast.FunctionDef) and node.name == 'main' and 'rclpy.init' in ast.unparse(node) for node in tree.body
+    )
 
 
 def _scripts(package: SourcePackage) -> Iterator[Mistake]:
@@ -101,16 +113,24 @@ def _scripts(package: SourcePackage) -> Iterator[Mistake]:
         real, text = os.path.realpath(path), read_text(path)
         runs = '\nif __name__' in text or 'rclpy.init' in text
         if real in programs and runs and not text.startswith('#!'):
-            yield Mistake(path, 1, 'this program has no first line that says what runs it, so it fails with "Exec format error"',
-                          'make the first line: #!/usr/bin/env python3')
+            yield Mistake(
+                path,
+                1,
+                'this program has no first line that says what runs it, so it fails with "Exec format error"',
+                'make the first line: #!/usr/bin/env python3',
+            )
         elif real not in programs and runs and 'rclpy.init' in text and not path.startswith(modules):
             if real in installed and installed[real].startswith('lib/'):
                 sentence = 'this program is installed as a plain file that may not be executed'
             else:
                 command = f'ros2 run {package.name} {os.path.basename(path)}'
                 sentence = f'this program is not installed, so `{command}` does not find it'
-            yield Mistake(path, 0, sentence, f'add install(PROGRAMS {package.relative(path)} DESTINATION lib/${{PROJECT_NAME}}) '
-                                             'to CMakeLists.txt')
+            yield Mistake(
+                path,
+                0,
+                sentence,
+                f'add install(PROGRAMS {package.relative(path)} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt',
+            )
 
 
 def _line_with(file: str, word: str) -> int:

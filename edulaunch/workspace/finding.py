@@ -1,4 +1,5 @@
 """One mistake, and how it is shown."""
+
 from __future__ import annotations
 
 import os

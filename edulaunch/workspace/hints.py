@@ -1,4 +1,5 @@
 """One line of help for what a launch does not find: it is in the sources, but no build would install it."""
+
 from __future__ import annotations
 
 import os
@@ -46,12 +47,16 @@ def _why_no_package(folder: str, files: list[str]) -> str:
     if 'package.xml' not in files:
         return f'there is a folder {folder}, but it has no package.xml'
     from edulaunch.packages.manifest import read_manifest
+
     wrong: list[PackageWarning] = []
     if read_manifest(folder, wrong) is None and wrong:
         return f'{wrong[0].file}:{wrong[0].line}: {wrong[0].sentence}'
     ignored = [name for name in ('COLCON_IGNORE', 'AMENT_IGNORE') if name in files]
-    return (f'{folder} is left out because of the file {ignored[0]} in it' if ignored else
-            f'the package.xml in {folder} has another <name>')
+    return (
+        f'{folder} is left out because of the file {ignored[0]} in it'
+        if ignored
+        else f'the package.xml in {folder} has another <name>'
+    )
 
 
 def source_package(index: Index, package: str) -> SourcePackage | None:
@@ -66,8 +71,11 @@ def launch_file_hint(index: Index, package: str, file: str | None) -> str | None
     if found is None:
         return _built(index, package)
     installed = {os.path.realpath(path) for path in found.contents.files.values()}
-    missing = [path for path in found.files() if os.path.realpath(path) not in installed and found.is_launch_file(path)
-               and file in (None, os.path.basename(path))]
+    missing = [
+        path
+        for path in found.files()
+        if os.path.realpath(path) not in installed and found.is_launch_file(path) and file in (None, os.path.basename(path))
+    ]
     return f'{missing[0]} is there but not installed: {install_help(found, missing[0])}' if missing else None
 
 
@@ -80,8 +88,10 @@ def executable_hint(index: Index, package: str, executable: str) -> str | None:
     if broken:
         return f'{broken[0].file}:{broken[0].line}: {broken[0].sentence}'
     if found.is_python and any(not place.startswith(f'lib/{package}/') for place in found.contents.entry_points):
-        return (f'setup.cfg does not put executables into lib/{package}; it must have '
-                f'[install] with install_scripts=$base/lib/{package}')
+        return (
+            f'setup.cfg does not put executables into lib/{package}; it must have '
+            f'[install] with install_scripts=$base/lib/{package}'
+        )
     name = executable.removesuffix('.py')
     for path in found.python_files:
         if os.path.basename(path) == f'{name}.py' and 'rclpy' in read_text(path):
@@ -91,8 +101,10 @@ def executable_hint(index: Index, package: str, executable: str) -> str | None:
 
 def _how_to_install(package: SourcePackage, path: str, name: str) -> str:
     if not package.is_python:
-        return (f'CMakeLists.txt does not install it as a program: add install(PROGRAMS {package.relative(path)} '
-                'DESTINATION lib/${PROJECT_NAME})')
+        return (
+            f'CMakeLists.txt does not install it as a program: add install(PROGRAMS {package.relative(path)} '
+            'DESTINATION lib/${PROJECT_NAME})'
+        )
     module = package.relative(path)[:-3].replace(os.sep, '.')
     return f"setup.py has no entry point for it: add '{name} = {module}:main' to console_scripts"
 

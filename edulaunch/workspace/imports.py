@@ -1,4 +1,5 @@
 """Mistakes of package.xml: what the code needs at run time and the manifest does not name."""
+
 from __future__ import annotations
 
 import ast
@@ -10,8 +11,15 @@ from edulaunch.workspace.dependencies import faces
 from edulaunch.workspace.finding import Mistake
 from edulaunch.workspace.sources import RUNTIME_TAGS, SourcePackage, parsed
 
-FROM_OTHERS = {'launch_xml': 'launch', 'launch_yaml': 'launch', 'action_msgs': 'rclpy', 'builtin_interfaces': 'rclpy',
-               'unique_identifier_msgs': 'rclpy', 'rcl_interfaces': 'rclpy', 'ros2launch': 'launch'}
+FROM_OTHERS = {
+    'launch_xml': 'launch',
+    'launch_yaml': 'launch',
+    'action_msgs': 'rclpy',
+    'builtin_interfaces': 'rclpy',
+    'unique_identifier_msgs': 'rclpy',
+    'rcl_interfaces': 'rclpy',
+    'ros2launch': 'launch',
+}
 """Packages that come with another one, so that nobody misses them in a package.xml."""
 SAME = {'tf2_ros': ('tf2_ros', 'tf2_ros_py'), 'tf_transformations': ('tf_transformations', 'python3-transforms3d')}
 _LAUNCHED = re.compile(r"""package\s*=\s*["'](\w+)["']""")
@@ -29,8 +37,12 @@ def of_package(index: Index, package: SourcePackage) -> Iterator[Mistake]:
             continue
         told.add(name)
         only = f' (it is named for another purpose only: {_tags(package, name)})' if name in others else ''
-        yield Mistake(file, line, f'{name} is {how} here, but package.xml does not name it{only}',
-                      f'add <exec_depend>{name}</exec_depend> to package.xml')
+        yield Mistake(
+            file,
+            line,
+            f'{name} is {how} here, but package.xml does not name it{only}',
+            f'add <exec_depend>{name}</exec_depend> to package.xml',
+        )
 
 
 def _tags(package: SourcePackage, name: str) -> str:

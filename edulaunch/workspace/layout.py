@@ -1,4 +1,5 @@
 """Mistakes of files and folders: launch files that no build installs, files that are no Python, build output in the sources."""
+
 from __future__ import annotations
 
 import os
@@ -8,8 +9,11 @@ from edulaunch.workspace.finding import Mistake
 from edulaunch.workspace.sources import SourcePackage
 
 DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', 'meshes')
-BUILD_SIGNS = {'install': ('local_setup.bash', 'setup.bash', '.colcon_install_layout'), 'build': ('COLCON_IGNORE', '.built_by'),
-               'log': ('COLCON_IGNORE', 'latest_build')}
+BUILD_SIGNS = {
+    'install': ('local_setup.bash', 'setup.bash', '.colcon_install_layout'),
+    'build': ('COLCON_IGNORE', '.built_by'),
+    'log': ('COLCON_IGNORE', 'latest_build'),
+}
 
 
 def of_package(package: SourcePackage) -> Iterator[Mistake]:
@@ -27,11 +31,19 @@ def _not_installed(package: SourcePackage) -> Iterator[Mistake]:
             continue
         top = package.relative(path).split(os.sep)[0]
         if package.is_launch_file(path):
-            yield Mistake(path, 0, f'this launch file is not installed, so `ros2 launch {package.name} {os.path.basename(path)}` '
-                                   'does not find it', install_help(package, path))
+            yield Mistake(
+                path,
+                0,
+                f'this launch file is not installed, so `ros2 launch {package.name} {os.path.basename(path)}` does not find it',
+                install_help(package, path),
+            )
         elif top in DATA_FOLDERS and not os.path.basename(path).startswith('.'):
-            yield Mistake(path, 0, f'this file is not installed, so it is not in the share folder of {package.name}',
-                          install_help(package, path))
+            yield Mistake(
+                path,
+                0,
+                f'this file is not installed, so it is not in the share folder of {package.name}',
+                install_help(package, path),
+            )
 
 
 def install_help(package: SourcePackage, path: str) -> str:
@@ -39,8 +51,10 @@ def install_help(package: SourcePackage, path: str) -> str:
     folder = os.path.dirname(package.relative(path)) or 'launch'
     if package.is_python:
         ending = '*launch.[pxy][yma]*' if package.is_launch_file(path) else '*'
-        return (f"add (os.path.join('share', package_name, {folder!r}), glob({os.path.join(folder, ending)!r})) "
-                'to data_files of setup.py')
+        return (
+            f"add (os.path.join('share', package_name, {folder!r}), glob({os.path.join(folder, ending)!r})) "
+            'to data_files of setup.py'
+        )
     return f'add install(DIRECTORY {folder.split(os.sep)[0]} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt'
 
 
@@ -50,12 +64,20 @@ def _no_python(path: str) -> Iterator[Mistake]:
         with open(path, 'rb') as file:
             compile(file.read(), path, 'exec', dont_inherit=True)
     except TabError as error:
-        yield Mistake(path, error.lineno or 0, f'Python cannot read this file: {error.msg}',
-                      'use four spaces for each level everywhere; most editors can convert tabs')
+        yield Mistake(
+            path,
+            error.lineno or 0,
+            f'Python cannot read this file: {error.msg}',
+            'use four spaces for each level everywhere; most editors can convert tabs',
+        )
     except SyntaxError as error:
         wrong_bytes = 'utf-8' in (error.msg or '').lower()
-        yield Mistake(path, error.lineno or 0, f'Python cannot read this file: {error.msg}',
-                      'save the file as UTF-8' if wrong_bytes else None)
+        yield Mistake(
+            path,
+            error.lineno or 0,
+            f'Python cannot read this file: {error.msg}',
+            'save the file as UTF-8' if wrong_bytes else None,
+        )
     except ValueError as error:
         yield Mistake(path, 0, f'Python cannot read this file: {error}', 'save the file as UTF-8 text')
 
@@ -65,14 +87,26 @@ def of_workspace(path: str, packages: list[str]) -> Iterator[Mistake]:
     for name, signs in BUILD_SIGNS.items():
         folder = os.path.join(path, name)
         if any(os.path.exists(os.path.join(folder, sign)) for sign in signs) and _is_committed(path):
-            yield Mistake(folder, 0, 'colcon made this folder; it belongs to one machine and is ignored here',
-                          f'put {name}/ into .gitignore, and take it out of the repository with: git rm -r --cached {name}')
+            yield Mistake(
+                folder,
+                0,
+                'colcon made this folder; it belongs to one machine and is ignored here',
+                f'put {name}/ into .gitignore, and take it out of the repository with: git rm -r --cached {name}',
+            )
     if path in packages and os.path.isdir(os.path.join(path, '.git')):
-        yield Mistake(os.path.join(path, 'package.xml'), 0, 'the package is the root of the repository, which works; '
-                      'it must be cloned into the src/ folder of a workspace', None)
+        yield Mistake(
+            os.path.join(path, 'package.xml'),
+            0,
+            'the package is the root of the repository, which works; it must be cloned into the src/ folder of a workspace',
+            None,
+        )
     if not packages:
-        yield Mistake(path, 0, 'no package is here: no folder has a package.xml',
-                      'make one with `edulaunch pkg create NAME`, or name another folder')
+        yield Mistake(
+            path,
+            0,
+            'no package is here: no folder has a package.xml',
+            'make one with `edulaunch pkg create NAME`, or name another folder',
+        )
 
 
 def _is_committed(path: str) -> bool:

@@ -1,4 +1,5 @@
 """The license identifiers that `ros2 pkg create` knows, and the notice that a new package gets."""
+
 from __future__ import annotations
 
 NAMES = {
@@ -21,6 +22,8 @@ def notice(identifier: str, holder: str) -> str | None:
     if identifier not in NAMES:
         return None
     spdx = SPDX.get(identifier, identifier)
-    return (f'SPDX-License-Identifier: {spdx}\n\nCopyright holder: {holder}\n\n'
-            f'This package may be used under the terms of the {NAMES[identifier]}.\n'
-            f'Full text: https://spdx.org/licenses/{spdx}.html\n')
+    return (
+        f'SPDX-License-Identifier: {spdx}\n\nCopyright holder: {holder}\n\n'
+        f'This package may be used under the terms of the {NAMES[identifier]}.\n'
+        f'Full text: https://spdx.org/licenses/{spdx}.html\n'
+    )

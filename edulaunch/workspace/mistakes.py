@@ -1,4 +1,5 @@
 """Common mistakes in packages, each with its place and what to do: what `edulaunch pkg check` shows."""
+
 from __future__ import annotations
 
 import os

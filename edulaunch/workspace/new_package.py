@@ -1,4 +1,5 @@
 """Making a package: the files and the report of `ros2 pkg create`."""
+
 from __future__ import annotations
 
 import os
@@ -10,8 +11,10 @@ from edulaunch.errors import PackageError
 from edulaunch.workspace import cmake_files, licences, python_files
 
 BUILD_TYPES = ('ament_cmake', 'ament_python')
-LINTERS = {'ament_cmake': ('ament_lint_auto', 'ament_lint_common'),
-           'ament_python': ('ament_copyright', 'ament_flake8', 'ament_pep257', 'python3-pytest')}
+LINTERS = {
+    'ament_cmake': ('ament_lint_auto', 'ament_lint_common'),
+    'ament_python': ('ament_copyright', 'ament_flake8', 'ament_pep257', 'python3-pytest'),
+}
 _NAME = re.compile(r'[a-z][a-z0-9_]*')
 
 
@@ -55,34 +58,51 @@ def create_package(package: NewPackage, say: Callable[[str], object]) -> None:
     if notice is not None:
         writer.quiet('LICENSE', notice)
     else:
-        say(f"\n[WARNING]: Unknown license '{package.license}'.  "
+        say(
+            f"\n[WARNING]: Unknown license '{package.license}'.  "
             'This has been set in the package.xml, but no LICENSE file has been created.\n'
-            'It is recommended to use one of the ament license identifiers:\n' + '\n'.join(licences.KNOWN))
+            'It is recommended to use one of the ament license identifiers:\n' + '\n'.join(licences.KNOWN)
+        )
 
 
 def _refuse(package: NewPackage) -> None:
     if package.build_type not in BUILD_TYPES:
         raise PackageError(f'unknown build type {package.build_type!r}.', help=f'build types are {" and ".join(BUILD_TYPES)}')
     if not _NAME.fullmatch(package.name) or package.name.endswith('_') or '__' in package.name:
-        raise PackageError(f'{package.name!r} cannot be the name of a package.',
-                           help='package names have small letters, digits and single underscores, and begin with a letter')
+        raise PackageError(
+            f'{package.name!r} cannot be the name of a package.',
+            help='package names have small letters, digits and single underscores, and begin with a letter',
+        )
     if package.build_type == 'ament_python' and package.name == package.node_name:
-        raise PackageError('the node of a Python package cannot have the name of the package.',
-                           help=f'name the node something else, such as {package.name}_node')
+        raise PackageError(
+            'the node of a Python package cannot have the name of the package.',
+            help=f'name the node something else, such as {package.name}_node',
+        )
     if os.path.exists(package.folder):
-        raise PackageError(f'\nAborted!\nThe directory already exists: {package.folder}\n'
-                           'Either remove the directory or choose a different destination directory or package name')
+        raise PackageError(
+            f'\nAborted!\nThe directory already exists: {package.folder}\n'
+            'Either remove the directory or choose a different destination directory or package name'
+        )
     if not os.path.isdir(package.destination):
-        raise PackageError(f'the folder {package.destination!r} does not exist.',
-                           help='make it first, or name another one with --destination-directory')
+        raise PackageError(
+            f'the folder {package.destination!r} does not exist.',
+            help='make it first, or name another one with --destination-directory',
+        )
 
 
 def _summary(package: NewPackage) -> list[str]:
-    lines = ['going to create a new package', f'package name: {package.name}',
-             f'destination directory: {os.path.abspath(package.destination)}', 'package format: 3', 'version: 0.0.0',
-             f'description: {package.description}', f"maintainer: ['{package.maintainer_name} <{package.maintainer_email}>']",
-             f'licenses: {[package.license]}', f'build type: {package.build_type}',
-             f'dependencies: {list(package.dependencies)}']
+    lines = [
+        'going to create a new package',
+        f'package name: {package.name}',
+        f'destination directory: {os.path.abspath(package.destination)}',
+        'package format: 3',
+        'version: 0.0.0',
+        f'description: {package.description}',
+        f"maintainer: ['{package.maintainer_name} <{package.maintainer_email}>']",
+        f'licenses: {[package.license]}',
+        f'build type: {package.build_type}',
+        f'dependencies: {list(package.dependencies)}',
+    ]
     lines += [f'node_name: {package.node_name}'] if package.node_name else []
     return lines + ([f'library_name: {package.library_name}'] if package.library_name else [])
 
@@ -114,16 +134,23 @@ class _Writer:
 def manifest_text(package: NewPackage) -> str:
     """The package.xml."""
     from xml.sax.saxutils import escape, quoteattr
+
     tool = [] if package.build_type == 'ament_python' else [f'<buildtool_depend>{package.build_type}</buildtool_depend>']
-    groups = [tool, [f'<depend>{escape(name)}</depend>' for name in package.dependencies],
-              [f'<test_depend>{name}</test_depend>' for name in LINTERS[package.build_type]]]
-    lines = ['<?xml version="1.0"?>',
-             '<?xml-model href="http://download.ros.org/schema/package_format3.xsd" '
-             'schematypens="http://www.w3.org/2001/XMLSchema"?>',
-             '<package format="3">', f'  <name>{package.name}</name>', '  <version>0.0.0</version>',
-             f'  <description>{escape(package.description)}</description>',
-             f'  <maintainer email={quoteattr(package.maintainer_email)}>{escape(package.maintainer_name)}</maintainer>',
-             f'  <license>{escape(package.license)}</license>']
+    groups = [
+        tool,
+        [f'<depend>{escape(name)}</depend>' for name in package.dependencies],
+        [f'<test_depend>{name}</test_depend>' for name in LINTERS[package.build_type]],
+    ]
+    lines = [
+        '<?xml version="1.0"?>',
+        '<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>',
+        '<package format="3">',
+        f'  <name>{package.name}</name>',
+        '  <version>0.0.0</version>',
+        f'  <description>{escape(package.description)}</description>',
+        f'  <maintainer email={quoteattr(package.maintainer_email)}>{escape(package.maintainer_name)}</maintainer>',
+        f'  <license>{escape(package.license)}</license>',
+    ]
     for group in groups:
         lines += ['', *(f'  {line}' for line in group)] if group else []
     lines += ['', '  <export>', f'    <build_type>{package.build_type}</build_type>', '  </export>', '</package>']

@@ -1,4 +1,5 @@
 """The files of a new ament_python package."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -70,9 +71,17 @@ def write(package: NewPackage, writer: Any) -> None:
     entry = f"            '{package.node_name} = {name}.{package.node_name}:main',\n" if package.node_name else ''
     writer.say('creating source folder')
     writer.folder(name)
-    writer.file('setup.py', SETUP.format(
-        name=name, maintainer_name=package.maintainer_name, maintainer_email=package.maintainer_email,
-        description=package.description, license=package.license, scripts=entry))
+    writer.file(
+        'setup.py',
+        SETUP.format(
+            name=name,
+            maintainer_name=package.maintainer_name,
+            maintainer_email=package.maintainer_email,
+            description=package.description,
+            license=package.license,
+            scripts=entry,
+        ),
+    )
     writer.file('setup.cfg', CONFIGURATION.format(name=name))
     writer.folder('resource')
     writer.file(f'resource/{name}', '')

@@ -1,4 +1,5 @@
 """The packages of a workspace as the checks see them: manifest, contents and sources."""
+
 from __future__ import annotations
 
 import ast
@@ -11,8 +12,16 @@ from xml.etree import ElementTree
 from edulaunch.packages import Index
 from edulaunch.packages.reading import Contents
 
-DEPENDENCY_TAGS = ('depend', 'build_depend', 'build_export_depend', 'buildtool_depend', 'buildtool_export_depend',
-                   'exec_depend', 'run_depend', 'test_depend')
+DEPENDENCY_TAGS = (
+    'depend',
+    'build_depend',
+    'build_export_depend',
+    'buildtool_depend',
+    'buildtool_export_depend',
+    'exec_depend',
+    'run_depend',
+    'test_depend',
+)
 RUNTIME_TAGS = ('depend', 'exec_depend', 'run_depend')
 
 
@@ -59,14 +68,22 @@ class SourcePackage:
     @cached_property
     def python_files(self) -> list[str]:
         """All Python files of the package but tests and setup.py, sorted."""
-        return sorted(path for path in self.files() if path.endswith('.py')
-                      and os.path.relpath(path, self.folder).split(os.sep)[0] not in ('test', 'tests', 'setup.py'))
+        return sorted(
+            path
+            for path in self.files()
+            if path.endswith('.py') and os.path.relpath(path, self.folder).split(os.sep)[0] not in ('test', 'tests', 'setup.py')
+        )
 
     def files(self) -> Iterator[str]:
         """All files, without hidden folders and what Python and colcon generate."""
         for folder, folders, names in os.walk(self.folder):
-            folders[:] = sorted(name for name in folders if not name.startswith('.')
-                                and name not in ('__pycache__', 'build', 'install', 'log') and not name.endswith('.egg-info'))
+            folders[:] = sorted(
+                name
+                for name in folders
+                if not name.startswith('.')
+                and name not in ('__pycache__', 'build', 'install', 'log')
+                and not name.endswith('.egg-info')
+            )
             yield from (os.path.join(folder, name) for name in sorted(names))
 
     def relative(self, path: str) -> str:
@@ -78,14 +95,21 @@ class SourcePackage:
         name = os.path.basename(path)
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
-        return (os.path.basename(os.path.dirname(path)) == 'launch' and name.endswith('.py') and not name.startswith('__')
-                and 'generate_launch_description' in read_text(path))
+        return (
+            os.path.basename(os.path.dirname(path)) == 'launch'
+            and name.endswith('.py')
+            and not name.startswith('__')
+            and 'generate_launch_description' in read_text(path)
+        )
 
 
 def source_packages(index: Index) -> list[SourcePackage]:
     """The packages of an index's source workspaces, by name."""
-    return [SourcePackage(name, place.package_folder(name), place.contents(name))
-            for place in index.workspaces for name in place.packages()]
+    return [
+        SourcePackage(name, place.package_folder(name), place.contents(name))
+        for place in index.workspaces
+        for name in place.packages()
+    ]
 
 
 def read_text(path: str) -> str:

@@ -1,4 +1,5 @@
 """The drawing layer of a turtle window: what the pens left behind."""
+
 from __future__ import annotations
 
 from math import nan
@@ -23,8 +24,21 @@ class Pen:
     :ivar column, row: the first pixel of the last square, counted from the margin.
     """
 
-    __slots__ = ('color', 'width', 'on', 'stroke', 'length', 'reach', 'reach_rows', 'edge', 'shift', 'last_x', 'last_y',
-                 'column', 'row')
+    __slots__ = (
+        'color',
+        'width',
+        'on',
+        'stroke',
+        'length',
+        'reach',
+        'reach_rows',
+        'edge',
+        'shift',
+        'last_x',
+        'last_y',
+        'column',
+        'row',
+    )
 
     def __init__(self, color: Color = (179, 184, 255), width: int = 3, on: bool = True) -> None:
         self.color = color
@@ -144,7 +158,7 @@ class DrawingLayer:
             stroke = pen.stroke
             length = pen.length
             for start in range(at, at + pen.reach_rows, _ROW):
-                pixels[start:start + length] = stroke
+                pixels[start : start + length] = stroke
         else:
             _stamp_clipped(pixels, pen, column, row)
 
@@ -153,9 +167,9 @@ def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
     """Ink that part of a square, given by its upper left pixel, that lies on the canvas."""
     left, right = max(column, 0), min(column + pen.width, SIDE_PX)
     if left < right:
-        stroke = pen.stroke[:3 * (right - left)]
+        stroke = pen.stroke[: 3 * (right - left)]
         for line in range(max(row, 0), min(row + pen.width, SIDE_PX)):
-            pixels[line * _ROW + 3 * left:line * _ROW + 3 * right] = stroke
+            pixels[line * _ROW + 3 * left : line * _ROW + 3 * right] = stroke
 
 
 def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:

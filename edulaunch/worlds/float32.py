@@ -1,4 +1,5 @@
 """Single precision, as the fields of a turtlesim message have it."""
+
 from __future__ import annotations
 
 from math import copysign, inf

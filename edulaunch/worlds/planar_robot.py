@@ -1,4 +1,5 @@
 """A differential-drive robot in the plane."""
+
 from __future__ import annotations
 
 from math import cos, inf, pi, sin
@@ -17,8 +18,16 @@ class PlanarRobot:
 
     __slots__ = ('x', 'y', 'theta', 'linear', 'angular', 'time_ns', 'max_linear', 'max_angular')
 
-    def __init__(self, x: float = 0.0, y: float = 0.0, theta: float = 0.0, time_ns: int = 0, *,
-                 max_linear: float = 0.26, max_angular: float = 1.82) -> None:
+    def __init__(
+        self,
+        x: float = 0.0,
+        y: float = 0.0,
+        theta: float = 0.0,
+        time_ns: int = 0,
+        *,
+        max_linear: float = 0.26,
+        max_angular: float = 1.82,
+    ) -> None:
         self.x = x
         self.y = y
         self.theta = _wrapped(theta)

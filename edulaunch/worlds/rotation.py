@@ -1,4 +1,5 @@
 """One goal of the action rotate_absolute, as numbers."""
+
 from __future__ import annotations
 
 from math import floor, nan

@@ -1,4 +1,5 @@
 """One turtle: how it moves, draws and sees in one tick."""
+
 from __future__ import annotations
 
 from math import cos, hypot, sin
@@ -22,11 +23,29 @@ class Turtle:
     the turtle had no velocity and stayed where it was.
     """
 
-    __slots__ = ('name', 'picture', 'pen', 'x', 'down', 'theta', 'speed', 'sideways', 'turning', 'command_ns',
-                 'rotation', 'color', 'wall_hit', 'turned', 'still', '_layer', '_seen', '_requests', '_moved')
+    __slots__ = (
+        'name',
+        'picture',
+        'pen',
+        'x',
+        'down',
+        'theta',
+        'speed',
+        'sideways',
+        'turning',
+        'command_ns',
+        'rotation',
+        'color',
+        'wall_hit',
+        'turned',
+        'still',
+        '_layer',
+        '_seen',
+        '_requests',
+        '_moved',
+    )
 
-    def __init__(
-            self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
+    def __init__(self, name: str, layer: DrawingLayer, x: float, y: float, theta: float, picture: int = 0) -> None:
         self.name = name
         self.picture = picture
         self.pen = Pen()

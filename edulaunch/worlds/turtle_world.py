@@ -1,4 +1,5 @@
 """The world of turtlesim: a canvas and the turtles on it."""
+
 from __future__ import annotations
 
 from random import Random
@@ -7,8 +8,7 @@ from edulaunch.worlds.drawing import SIDE, DrawingLayer
 from edulaunch.worlds.float32 import as_float32
 from edulaunch.worlds.turtle import Turtle
 
-PICTURES = (
-    'ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')
+PICTURES = ('ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')
 CENTER = as_float32(SIDE / 2.0)
 
 

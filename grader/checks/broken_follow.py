@@ -42,8 +42,13 @@ def teacher_drives(run: Evidence) -> None:
         circle = fit_circle([(x, y) for t, x, y in turtle_track(recording, '/teacher/turtle1/pose') if t > 2.0])
         if circle is None or abs(circle.radius - radius) > 0.05 * radius:
             seen = 'no circle' if circle is None else f'a circle of {circle.radius:.2f} m'
-            raise Failure('the teacher does not drive as it should', expected=f'a circle of {radius:.2f} m', seen=seen,
-                          where=run.source.place, try_="leave the teacher's part of the file as it was: it is not broken")
+            raise Failure(
+                'the teacher does not drive as it should',
+                expected=f'a circle of {radius:.2f} m',
+                seen=seen,
+                where=run.source.place,
+                try_="leave the teacher's part of the file as it was: it is not broken",
+            )
 
 
 @check(points=3, needs=[teacher_drives])
@@ -51,8 +56,13 @@ def turtle1_copies(run: Evidence) -> None:
     """turtle1 does what the teacher does"""
     require_process(run, 'turtlesim', 'mimic')
     try:
-        require_copy(run, '/teacher/turtle1', '/turtle1', 'read what the Node of mimic is told under remappings',
-                     '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')))
+        require_copy(
+            run,
+            '/teacher/turtle1',
+            '/turtle1',
+            'read what the Node of mimic is told under remappings',
+            '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')),
+        )
     except Failure as failure:
         raise _at(failure, find_processes(run.first, 'turtlesim', 'mimic')[0].origin) from None
 
@@ -68,8 +78,13 @@ def turtle2_is_on_tf(run: Evidence) -> None:
     """tf knows where turtle2 is: the frame turtle2 in the frame world"""
     loose = loose_ends(run.first, *BROADCASTER)
     try:
-        require_frame(run, 'turtle2', 'world', 'look which turtle each broadcaster is told to listen to, and how the '
-                      'listener calls the turtle that it spawns', '\n'.join(loose))
+        require_frame(
+            run,
+            'turtle2',
+            'world',
+            'look which turtle each broadcaster is told to listen to, and how the listener calls the turtle that it spawns',
+            '\n'.join(loose),
+        )
     except Failure as failure:
         raise _at(failure, _deaf_broadcaster(run, loose)) from None
 
@@ -78,8 +93,13 @@ def turtle2_is_on_tf(run: Evidence) -> None:
 def target_is_turtle1(run: Evidence) -> None:
     """The listener's parameter target_frame is turtle1"""
     require_process(run, *LISTENER)
-    require_parameter(run, *LISTENER, 'target_frame', dict.fromkeys(run, 'turtle1'),
-                      'write the name of a frame that tf knows; view_frames shows them')
+    require_parameter(
+        run,
+        *LISTENER,
+        'target_frame',
+        dict.fromkeys(run, 'turtle1'),
+        'write the name of a frame that tf knows; view_frames shows them',
+    )
 
 
 @check(points=2, needs=[turtle1_copies, turtle1_is_on_tf, turtle2_is_on_tf, target_is_turtle1])
@@ -88,14 +108,22 @@ def turtle2_follows(run: Evidence) -> None:
     for name, recording in run.items():
         speed = float(run.scenario(name).arguments['speed'])
         # The listener covers half of the distance in each second: at a speed v it lags 2 v behind.
-        require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S,
-                     'look whether something else than the listener drives turtle2')
+        require_near(
+            run,
+            name,
+            turtle_track(recording, '/turtle1/pose'),
+            '/turtle2',
+            2 * speed + 0.3,
+            SETTLED_S,
+            'look whether something else than the listener drives turtle2',
+        )
 
 
 def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
     """The same failure, pointing at a Node."""
-    return Failure(failure.rationale, expected=failure.expected, seen=failure.seen, where=where or failure.where,
-                   try_=failure.try_)
+    return Failure(
+        failure.rationale, expected=failure.expected, seen=failure.seen, where=where or failure.where, try_=failure.try_
+    )
 
 
 def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:
@@ -111,6 +139,5 @@ def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None
 RUBRIC = Rubric(
     title='Repair: the teacher, turtle1 and turtle2',
     scenarios=scenarios,
-    checks=[no_node_dies, teacher_drives, turtle1_copies, turtle1_is_on_tf, turtle2_is_on_tf, target_is_turtle1,
-            turtle2_follows],
+    checks=[no_node_dies, teacher_drives, turtle1_copies, turtle1_is_on_tf, turtle2_is_on_tf, target_is_turtle1, turtle2_follows],
 )

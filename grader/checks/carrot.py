@@ -57,9 +57,13 @@ def one_carrot_at_a_time(run: Evidence) -> None:
     for name, wanted in BROADCASTERS.items():
         started = [process.executable for process in launched(run[name]) if process.executable in BROADCASTERS.values()]
         if started != [wanted]:
-            raise Mismatch(f'the carrot that is started with {run.scenario(name).words}', wanted,
-                           ' and '.join(map(str, started)) or 'no broadcaster of a carrot', where=run.source.place,
-                           try_=f'give the Node of {wanted} {CONDITION.format(name)}')
+            raise Mismatch(
+                f'the carrot that is started with {run.scenario(name).words}',
+                wanted,
+                ' and '.join(map(str, started)) or 'no broadcaster of a carrot',
+                where=run.source.place,
+                try_=f'give the Node of {wanted} {CONDITION.format(name)}',
+            )
 
 
 @check(points=1, needs=[one_carrot_at_a_time])
@@ -68,8 +72,13 @@ def fixed_carrot_hangs(run: Evidence) -> None:
     require_frame(run, 'carrot1', 'turtle1', 'start fixed_frame_tf2_broadcaster of turtle_tf2_py')
     seen = _carrot(run, 'fixed', 0.0)
     if max(abs(a - b) for a, b in zip(seen, LEFT_M, strict=True)) > 0.01:
-        raise Mismatch('the place of carrot1', numbers(LEFT_M), numbers(seen), where=run.source.place,
-                       try_='use fixed_frame_tf2_broadcaster of turtle_tf2_py')
+        raise Mismatch(
+            'the place of carrot1',
+            numbers(LEFT_M),
+            numbers(seen),
+            where=run.source.place,
+            try_='use fixed_frame_tf2_broadcaster of turtle_tf2_py',
+        )
 
 
 @check(points=1, needs=[one_carrot_at_a_time])
@@ -77,24 +86,40 @@ def moving_carrot_swings(run: Evidence) -> None:
     """carrot:=moving lets the frame carrot1 swing from one side of turtle1 to the other"""
     sides = [_carrot(run, 'moving', ago_s)[1] for ago_s in (0.5, 1.5)]
     if max(sides) - min(sides) < 5.0:
-        raise Failure('the moving carrot does not move', expected='10 m to the left, then 10 m to the right',
-                      seen=' and '.join(f'{side:.1f} m to the left' for side in sides), where=run.source.place,
-                      try_='use dynamic_frame_tf2_broadcaster of turtle_tf2_py')
+        raise Failure(
+            'the moving carrot does not move',
+            expected='10 m to the left, then 10 m to the right',
+            seen=' and '.join(f'{side:.1f} m to the left' for side in sides),
+            where=run.source.place,
+            try_='use dynamic_frame_tf2_broadcaster of turtle_tf2_py',
+        )
 
 
 @check(points=2, needs=[no_node_dies])
 def carrot_is_the_target(run: Evidence) -> None:
     """The listener's parameter target_frame is carrot1"""
-    require_parameter(run, *LISTENER, 'target_frame', dict.fromkeys(run, 'carrot1'),
-                      "give the include launch_arguments={'target_frame': 'carrot1'}.items()")
+    require_parameter(
+        run,
+        *LISTENER,
+        'target_frame',
+        dict.fromkeys(run, 'carrot1'),
+        "give the include launch_arguments={'target_frame': 'carrot1'}.items()",
+    )
 
 
 @check(points=2, needs=[fixed_carrot_hangs, carrot_is_the_target])
 def fixed_carrot_is_reached(run: Evidence) -> None:
     """turtle2 comes to the fixed carrot, and stays there"""
     place = place_in(frames_at_end(run, 'fixed'), 'carrot1', 'world')
-    require_near(run, 'fixed', [] if place is None else still(place), '/turtle2', BOUND_M, SETTLED_S,
-                 'let the listener follow the frame carrot1')
+    require_near(
+        run,
+        'fixed',
+        [] if place is None else still(place),
+        '/turtle2',
+        BOUND_M,
+        SETTLED_S,
+        'let the listener follow the frame carrot1',
+    )
 
 
 @check(points=1, needs=[moving_carrot_swings, carrot_is_the_target])
@@ -102,8 +127,13 @@ def moving_carrot_is_chased(run: Evidence) -> None:
     """turtle2 runs after the moving carrot without ever coming to rest"""
     track = [sample for sample in turtle_track(run['moving'], '/turtle2/pose') if 10.0 <= sample[0] < 15.0]
     if length(track) < RESTLESS_M:
-        raise Failure('turtle2 rests', expected=f'more than {RESTLESS_M:g} m in 5 s', seen=f'{length(track):.2f} m',
-                      where=run.source.place, try_='let the listener follow the frame carrot1')
+        raise Failure(
+            'turtle2 rests',
+            expected=f'more than {RESTLESS_M:g} m in 5 s',
+            seen=f'{length(track):.2f} m',
+            where=run.source.place,
+            try_='let the listener follow the frame carrot1',
+        )
 
 
 def _carrot(run: Evidence, name: str, ago_s: float) -> tuple[float, float]:
@@ -116,6 +146,15 @@ def _carrot(run: Evidence, name: str, ago_s: float) -> tuple[float, float]:
 RUBRIC = Rubric(
     title='A fixed carrot and a moving one',
     scenarios=scenarios,
-    checks=[argument_is_declared, turtles_are_there, no_node_dies, one_carrot_at_a_time, fixed_carrot_hangs,
-            moving_carrot_swings, carrot_is_the_target, fixed_carrot_is_reached, moving_carrot_is_chased],
+    checks=[
+        argument_is_declared,
+        turtles_are_there,
+        no_node_dies,
+        one_carrot_at_a_time,
+        fixed_carrot_hangs,
+        moving_carrot_swings,
+        carrot_is_the_target,
+        fixed_carrot_is_reached,
+        moving_carrot_is_chased,
+    ],
 )

@@ -40,11 +40,14 @@ def world_is_there(run: Evidence) -> None:
     for recording in run.values():
         if not odometry_track(recording):
             included = ', '.join(included_files(recording)) or 'no launch file is included'
-            raise Missing('the robot (nothing publishes its position on /odom)', seen=included,
-                          expected='an include of empty_world.launch.py of the package turtlebot3_gazebo',
-                          where=run.source.place,
-                          try_='add IncludeLaunchDescription(...) with the path PathJoinSubstitution('
-                               "[FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])")
+            raise Missing(
+                'the robot (nothing publishes its position on /odom)',
+                seen=included,
+                expected='an include of empty_world.launch.py of the package turtlebot3_gazebo',
+                where=run.source.place,
+                try_='add IncludeLaunchDescription(...) with the path PathJoinSubstitution('
+                "[FindPackageShare('turtlebot3_gazebo'), 'launch', 'empty_world.launch.py'])",
+            )
 
 
 @check(points=1)
@@ -69,11 +72,15 @@ def radius_is_passed(run: Evidence) -> None:
     advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
     given = find_processes(run.first, PACKAGE, EXECUTABLE)[0].parameter_origins
     if 'radius' not in given:
-        raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice,
-                      where=_node_place(run))
+        raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice, where=_node_place(run))
     fixed = ', whatever the argument is' if len(set(seen)) == 1 else ''
-    raise Mismatch('the parameter radius', ' and '.join(f'{ARGUMENT}:={value:.2f}' for value in wanted),
-                   ' and '.join(map(str, seen)) + fixed, where=_node_place(run), try_=advice)
+    raise Mismatch(
+        'the parameter radius',
+        ' and '.join(f'{ARGUMENT}:={value:.2f}' for value in wanted),
+        ' and '.join(map(str, seen)) + fixed,
+        where=_node_place(run),
+        try_=advice,
+    )
 
 
 @check(points=4, needs=[world_is_there, no_node_dies])
@@ -82,9 +89,13 @@ def circle_is_driven(run: Evidence) -> None:
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
     if any(abs(seen - asked) > TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
-        raise Mismatch('the radius that the robot drives', _metres(wanted), _metres(measured),
-                       where=_node_place(run),
-                       try_=f'let the launch argument {ARGUMENT} decide; a fixed number fits one circle only')
+        raise Mismatch(
+            'the radius that the robot drives',
+            _metres(wanted),
+            _metres(measured),
+            where=_node_place(run),
+            try_=f'let the launch argument {ARGUMENT} decide; a fixed number fits one circle only',
+        )
 
 
 def _asked_radius(run: Evidence, scenario: str) -> float:
@@ -104,14 +115,23 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
     track = [sample for sample in odometry_track(run[scenario]) if sample[0] >= SETTLED_S]
     expected = f'a circle, when launched with {run.scenario(scenario).words}'
     if length(track) < SHORTEST_TRACK_M:
-        raise Failure('the robot does not move', expected=expected, where=run.source.place,
-                      seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
-                      try_=f"compare the topic that {EXECUTABLE} publishes with the robot's: /cmd_vel")
+        raise Failure(
+            'the robot does not move',
+            expected=expected,
+            where=run.source.place,
+            seen=f'{length(track):.2f} m travelled in {run[scenario].duration_s:g} s',
+            try_=f"compare the topic that {EXECUTABLE} publishes with the robot's: /cmd_vel",
+        )
     circle = fit_circle([(x, y) for _, x, y in track])
     if circle is None or circle.residual > TOLERANCE * circle.radius:
         seen = 'a line' if circle is None else f'{circle.residual:.2f} m off the best circle'
-        raise Failure('the robot moves, but not on a circle', expected=expected, seen=seen,
-                      where=run.source.place, try_='look whether a second node sends velocities too')
+        raise Failure(
+            'the robot moves, but not on a circle',
+            expected=expected,
+            seen=seen,
+            where=run.source.place,
+            try_='look whether a second node sends velocities too',
+        )
     return circle.radius
 
 
@@ -126,6 +146,5 @@ def _metres(values: Iterable[float]) -> str:
 RUBRIC = Rubric(
     title='A circle of any radius',
     scenarios=scenarios,
-    checks=[argument_is_declared, world_is_there, node_is_started, no_node_dies, radius_is_passed,
-            circle_is_driven],
+    checks=[argument_is_declared, world_is_there, node_is_started, no_node_dies, radius_is_passed, circle_is_driven],
 )

@@ -44,8 +44,13 @@ def leader_exists(run: Evidence) -> None:
     """turtle1 is there"""
     for recording in run.values():
         if not turtle_track(recording, LEADER):
-            raise Missing(f'the topic {LEADER}', where=run.source.place, name=LEADER, among=recording.topics,
-                          try_='start turtlesim_node without a namespace')
+            raise Missing(
+                f'the topic {LEADER}',
+                where=run.source.place,
+                name=LEADER,
+                among=recording.topics,
+                try_='start turtlesim_node without a namespace',
+            )
 
 
 @check(points=2, needs=[leader_exists])
@@ -60,10 +65,14 @@ def follower_exists(run: Evidence) -> None:
     for recording in run.values():
         if not turtle_track(recording, FOLLOWER):
             turtles = [topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose')]
-            raise Missing('turtle2', name='turtle2', expected='a turtle named turtle2',
-                          seen='only ' + ', '.join(turtles), where=run.source.place,
-                          try_='turtle_tf2_listener spawns it: '
-                               "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)")
+            raise Missing(
+                'turtle2',
+                name='turtle2',
+                expected='a turtle named turtle2',
+                seen='only ' + ', '.join(turtles),
+                where=run.source.place,
+                try_="turtle_tf2_listener spawns it: add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...)",
+            )
 
 
 @check(points=2, needs=[follower_exists])
@@ -78,10 +87,13 @@ def leader_moves_when_asked(run: Evidence) -> None:
     """turtle1 stands still, and drives when launched with move:=true"""
     standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
     if standing > 0.1 or moving < 2.0:
-        raise Failure('turtle1 does not do as the launch argument move says', where=run.source.place,
-                      expected='no movement without arguments, a square with move:=true',
-                      seen=f'{standing:.1f} m travelled without arguments, {moving:.1f} m with move:=true',
-                      try_="give draw_square condition=IfCondition(LaunchConfiguration('move'))")
+        raise Failure(
+            'turtle1 does not do as the launch argument move says',
+            where=run.source.place,
+            expected='no movement without arguments, a square with move:=true',
+            seen=f'{standing:.1f} m travelled without arguments, {moving:.1f} m with move:=true',
+            try_="give draw_square condition=IfCondition(LaunchConfiguration('move'))",
+        )
 
 
 @check(points=2, needs=[leader_is_on_tf, follower_is_on_tf])
@@ -101,13 +113,29 @@ def _require_frame(run: Evidence, turtle: str) -> None:
 
 
 def _require_near(run: Evidence, name: str) -> None:
-    require_near(run, name, turtle_track(run[name], LEADER), '/turtle2', BOUNDS_M[name], SETTLED_S,
-                 "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]")
+    require_near(
+        run,
+        name,
+        turtle_track(run[name], LEADER),
+        '/turtle2',
+        BOUNDS_M[name],
+        SETTLED_S,
+        "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]",
+    )
 
 
 RUBRIC = Rubric(
     title='turtle2 follows turtle1',
     scenarios=scenarios,
-    checks=[turtlesim_is_started, no_node_dies, leader_exists, leader_is_on_tf, leader_moves_when_asked,
-            follower_exists, follower_is_on_tf, standing_leader_is_reached, moving_leader_is_followed],
+    checks=[
+        turtlesim_is_started,
+        no_node_dies,
+        leader_exists,
+        leader_is_on_tf,
+        leader_moves_when_asked,
+        follower_exists,
+        follower_is_on_tf,
+        standing_leader_is_reached,
+        moving_leader_is_followed,
+    ],
 )

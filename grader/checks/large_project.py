@@ -52,22 +52,33 @@ def water_comes_from_the_file(run: Evidence) -> None:
     for node in ('/sim', '/turtlesim2/sim'):
         parameters = run.first.parameters(node)
         seen = {name: parameters[name] for name in WATER}
-        wrong = {name: parameter for name, parameter in seen.items()
-                 if parameter.value != WATER[name] or not parameter.origin.startswith('turtlesim.yaml')}
+        wrong = {
+            name: parameter
+            for name, parameter in seen.items()
+            if parameter.value != WATER[name] or not parameter.origin.startswith('turtlesim.yaml')
+        }
         if wrong:
-            raise Mismatch(f'the water of {node}', ', '.join(f'{name} {value}' for name, value in WATER.items()),
-                           ', '.join(f'{name} {parameter.value} (from: {parameter.origin})' for name, parameter in seen.items()),
-                           where=run.source.place_in(CONFIG, r'\bros__parameters\b|^\S+:'),
-                           try_='in the file, head the parameters with /**: which stands for every node')
+            raise Mismatch(
+                f'the water of {node}',
+                ', '.join(f'{name} {value}' for name, value in WATER.items()),
+                ', '.join(f'{name} {parameter.value} (from: {parameter.origin})' for name, parameter in seen.items()),
+                where=run.source.place_in(CONFIG, r'\bros__parameters\b|^\S+:'),
+                try_='in the file, head the parameters with /**: which stands for every node',
+            )
 
 
 @check(points=2, needs=[no_node_dies])
 def goal_is_passed_on(run: Evidence) -> None:
     """The listener's parameter target_frame is the goal that the launch argument names"""
     require_process(run, *LISTENER)
-    require_parameter(run, *LISTENER, 'target_frame', {name: run.scenario(name).arguments['goal'] for name in run},
-                      "give the include of follower.launch.py target_frame=LaunchConfiguration('goal')",
-                      run.source.place_in(TOP, r"^(?!    ros2 ).*\('follower.launch.py'"))
+    require_parameter(
+        run,
+        *LISTENER,
+        'target_frame',
+        {name: run.scenario(name).arguments['goal'] for name in run},
+        "give the include of follower.launch.py target_frame=LaunchConfiguration('goal')",
+        run.source.place_in(TOP, r"^(?!    ros2 ).*\('follower.launch.py'"),
+    )
 
 
 @check(points=2, needs=[first_world_is_there, goal_is_passed_on])
@@ -76,20 +87,39 @@ def goal_is_reached(run: Evidence) -> None:
     for goal in GOALS:
         require_frame(run, goal, 'turtle1' if goal == 'carrot1' else 'world', 'leave the other includes and nodes in place')
         place = place_in(frames_at_end(run, goal), goal, 'world')
-        require_near(run, goal, [] if place is None else still(place), '/turtle2', BOUND_M, SETTLED_S,
-                     'look whether something else than the listener drives turtle2')
+        require_near(
+            run,
+            goal,
+            [] if place is None else still(place),
+            '/turtle2',
+            BOUND_M,
+            SETTLED_S,
+            'look whether something else than the listener drives turtle2',
+        )
 
 
 @check(points=1, needs=[second_world_is_there])
 def mimic_copies(run: Evidence) -> None:
     """turtle1 of the second world does what turtle2 does"""
-    require_copy(run, '/turtle2', '/turtlesim2/turtle1', 'compare the remappings in mimic.launch.py with the topics',
-                 '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')))
+    require_copy(
+        run,
+        '/turtle2',
+        '/turtlesim2/turtle1',
+        'compare the remappings in mimic.launch.py with the topics',
+        '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')),
+    )
 
 
 RUBRIC = Rubric(
     title='A large project',
     scenarios=scenarios,
-    checks=[no_node_dies, first_world_is_there, second_world_is_there, water_comes_from_the_file, goal_is_passed_on,
-            goal_is_reached, mimic_copies],
+    checks=[
+        no_node_dies,
+        first_world_is_there,
+        second_world_is_there,
+        water_comes_from_the_file,
+        goal_is_passed_on,
+        goal_is_reached,
+        mimic_copies,
+    ],
 )

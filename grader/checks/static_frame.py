@@ -52,8 +52,13 @@ def laser_is_in_its_place(run: Evidence) -> None:
     """The laser is 0.2 m in front of base_link, and as high as the launch argument says"""
     for name in run:
         height = float(run.scenario(name).arguments[ARGUMENT])
-        _require_place(run, name, 'laser', (0.2, 0.0, height),
-                       f"in its arguments, write '--x', '0.2' and give --z the LaunchConfiguration('{ARGUMENT}')")
+        _require_place(
+            run,
+            name,
+            'laser',
+            (0.2, 0.0, height),
+            f"in its arguments, write '--x', '0.2' and give --z the LaunchConfiguration('{ARGUMENT}')",
+        )
 
 
 @check(points=2, needs=[no_node_dies])
@@ -77,28 +82,49 @@ def frames_are_static(run: Evidence) -> None:
         frames = frames_at_end(run, name)
         moving = [child for child in ('laser', 'camera') if not frames[child].is_static]
         if moving:
-            raise Failure(f'{" and ".join(moving)} comes again and again', expected='sent once, on /tf_static',
-                          seen='sent on /tf', where=run.source.place, try_=f'use {PUBLISHER}')
+            raise Failure(
+                f'{" and ".join(moving)} comes again and again',
+                expected='sent once, on /tf_static',
+                seen='sent on /tf',
+                where=run.source.place,
+                try_=f'use {PUBLISHER}',
+            )
 
 
 def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, float, float], try_: str) -> None:
     frame = frames_at_end(run, name)[child]
     if max(abs(seen - asked) for seen, asked in zip(frame.translation, wanted, strict=True)) > TOLERANCE_M:
-        raise Mismatch(f'the place of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
-                       f'(x, y, z) = {numbers(wanted)}', numbers(frame.translation), where=run.source.place, try_=try_)
+        raise Mismatch(
+            f'the place of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
+            f'(x, y, z) = {numbers(wanted)}',
+            numbers(frame.translation),
+            where=run.source.place,
+            try_=try_,
+        )
 
 
 def _require_turn(run: Evidence, frame: Frame) -> None:
     if abs(yaw(frame) - pi / 2) > TOLERANCE_RAD or tilt(frame) > TOLERANCE_RAD:
         lean = f', leaning by {tilt(frame):.2f} rad' if tilt(frame) > TOLERANCE_RAD else ''
-        raise Mismatch('the direction of the camera', 'a yaw of 1.57 rad, a quarter turn to the left',
-                       f'a yaw of {yaw(frame):.2f} rad{lean}', where=run.source.place,
-                       try_="write '--yaw', '1.5708'; angles are in radians, and to the left is positive")
+        raise Mismatch(
+            'the direction of the camera',
+            'a yaw of 1.57 rad, a quarter turn to the left',
+            f'a yaw of {yaw(frame):.2f} rad{lean}',
+            where=run.source.place,
+            try_="write '--yaw', '1.5708'; angles are in radians, and to the left is positive",
+        )
 
 
 RUBRIC = Rubric(
     title='A laser and a camera on a mast',
     scenarios=scenarios,
-    checks=[argument_is_declared, no_node_dies, laser_is_on_tf, laser_is_in_its_place, camera_is_on_tf,
-            camera_is_in_its_place, frames_are_static],
+    checks=[
+        argument_is_declared,
+        no_node_dies,
+        laser_is_on_tf,
+        laser_is_in_its_place,
+        camera_is_on_tf,
+        camera_is_in_its_place,
+        frames_are_static,
+    ],
 )

@@ -50,9 +50,7 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
 
 def _load(path: str) -> Rubric:
     if not os.path.isfile(path):
-        raise UnusableInput(
-            f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}'
-        )
+        raise UnusableInput(f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}')
     name = f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}'
     spec = spec_from_loader(name, SourceFileLoader(name, path))
     if spec is None or spec.loader is None:
@@ -62,7 +60,6 @@ def _load(path: str) -> Rubric:
     rubric = getattr(module, 'RUBRIC', None)
     if not isinstance(rubric, Rubric):
         raise UnusableInput(
-            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)',
-            help='docs/grading.md shows how to write one',
+            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='docs/grading.md shows how to write one'
         )
     return rubric

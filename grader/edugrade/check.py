@@ -39,9 +39,7 @@ def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFun
         name = getattr(function, '__name__', 'check')
         text = (function.__doc__ or '').strip()
         if not text:
-            raise ValueError(
-                f'the check {name}() has no docstring; its first line is the sentence the student reads'
-            )
+            raise ValueError(f'the check {name}() has no docstring; its first line is the sentence the student reads')
         if points < 0:
             raise ValueError(f'the check {name}() has {points} points; points are never negative')
         return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))

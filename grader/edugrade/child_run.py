@@ -27,10 +27,10 @@ class ChildRun:
         self.scenario = job.scenario
         self.limits = job.limits
         self.frame = bytearray()
-        self.printed = bytearray()      # the first part of it; printed_bytes counts all
+        self.printed = bytearray()  # the first part of it; printed_bytes counts all
         self.printed_bytes = 0
-        self.cut: str | None = None     # 'wall', 'printed', 'recording', 'garbage' or 'starter': what ended it
-        self.let_go = False             # whether the child closed its end of the channel
+        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage' or 'starter': what ended it
+        self.let_go = False  # whether the child closed its end of the channel
         self.returncode: int | None = None
         self._number = number
         self._starter = starter

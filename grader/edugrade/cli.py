@@ -83,8 +83,7 @@ def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Re
         from .whole_file import write_whole
 
         alone = len(options.paths) == 1
-        write_whole(options.json, json_text(
-            document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
+        write_whole(options.json, json_text(document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
     if options.junit is not None:
         from .junit import junit_text
         from .whole_file import write_whole

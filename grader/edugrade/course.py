@@ -60,8 +60,9 @@ def read_course(path: str) -> list[Exercise]:
     """
     try:
         entries = read_toml(path)['exercise']
-        return [Exercise(entry['file'], entry['title'], entry['lesson'], entry['points'], tuple(entry['hints']))
-                for entry in entries]
+        return [
+            Exercise(entry['file'], entry['title'], entry['lesson'], entry['points'], tuple(entry['hints'])) for entry in entries
+        ]
     except KeyError as error:
         raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None
     except (OSError, ValueError, TypeError) as error:

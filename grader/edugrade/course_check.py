@@ -50,8 +50,7 @@ def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     yield from (f'{SOLUTIONS}/{name} is missing' for name in stubs if name not in solutions)
     yield from (f'{STUBS}/{name} is missing' for name in solutions if name not in stubs)
     paths = [item.path for item in course]
-    yield from (f'{STUBS}/{name} belongs to no exercise of {MANIFEST}' for name in stubs
-                if name.split('/')[0] not in paths)
+    yield from (f'{STUBS}/{name} belongs to no exercise of {MANIFEST}' for name in stubs if name.split('/')[0] not in paths)
     yield from (f'{STUBS}/{item.file} is missing' for item in course if item.file not in stubs)
     names = [item.name for item in course]
     yield from (f'the rubric of {name} is missing' for name in names if name not in rubric_names())
@@ -87,8 +86,11 @@ def _files(folder: str) -> list[str]:
     found = []
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in _BY_THE_WAY)
-        found += [os.path.relpath(os.path.join(place, name), folder).replace(os.sep, '/') for name in names
-                  if name not in (*_BY_THE_WAY, MANIFEST)]
+        found += [
+            os.path.relpath(os.path.join(place, name), folder).replace(os.sep, '/')
+            for name in names
+            if name not in (*_BY_THE_WAY, MANIFEST)
+        ]
     return sorted(found)
 
 

@@ -27,8 +27,7 @@ def document(report: Report) -> dict[str, Any]:
         'points': {'earned': report.earned, 'possible': report.possible},
         'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
         'checks': [_check(paths.result(result)) for result in report.results],
-        'gaps': [
-            {'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
+        'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
 
 

@@ -20,9 +20,7 @@ class Evidence(Mapping[str, 'Recording']):
     :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
     """
 
-    def __init__(
-        self, scenarios: Mapping[str, Scenario], recordings: Mapping[str, Recording], source: Source
-    ) -> None:
+    def __init__(self, scenarios: Mapping[str, Scenario], recordings: Mapping[str, Recording], source: Source) -> None:
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
         self.source = source

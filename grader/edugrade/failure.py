@@ -64,11 +64,7 @@ class Missing(Failure):
         if seen is None:
             seen = ', '.join(known) if known else 'nothing of the kind'
         super().__init__(
-            f'{thing} is missing',
-            expected=expected or name,
-            seen=seen,
-            where=where,
-            try_=_with_nearest(try_, name, known),
+            f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=_with_nearest(try_, name, known)
         )
 
 
@@ -76,17 +72,9 @@ class Mismatch(Failure):
     """Something is there with another value; both values are shown in full, never shortened."""
 
     def __init__(
-        self,
-        thing: str,
-        expected: object,
-        seen: object,
-        *,
-        where: tuple[str, int | None] | None = None,
-        try_: str | None = None,
+        self, thing: str, expected: object, seen: object, *, where: tuple[str, int | None] | None = None, try_: str | None = None
     ) -> None:
-        super().__init__(
-            f'{thing} is not what was asked for', expected=expected, seen=seen, where=where, try_=try_
-        )
+        super().__init__(f'{thing} is not what was asked for', expected=expected, seen=seen, where=where, try_=try_)
 
 
 def _with_nearest(try_: str | None, name: str | None, known: list[str]) -> str | None:

@@ -35,8 +35,12 @@ def plan_work(submission: Submission, rubric: str | None = None, seed: int | Non
     return Work(submission, name, found, submission.seed if seed is None else seed)
 
 
-def grade(work: Sequence[Work], limits: Limits | None = None, workspaces: Sequence[str] = (),
-          on_outcome: Callable[[], object] | None = None) -> Iterator[Report]:
+def grade(
+    work: Sequence[Work],
+    limits: Limits | None = None,
+    workspaces: Sequence[str] = (),
+    on_outcome: Callable[[], object] | None = None,
+) -> Iterator[Report]:
     """The report of each piece of work, in order, as soon as it is ready.
 
     :param workspaces: folders with the student's packages, besides those that are found.
@@ -57,7 +61,16 @@ def _report(work: Work, runner: Runner, ticket: Ticket) -> Report:
     outcomes = runner.wait(ticket)
     submission = work.submission
     return Report(
-        file=submission.file, given=submission.given, folder=submission.folder, shown=submission.shown_folder,
-        package=submission.package.name if submission.package else None, sha256=submission.sha256,
-        rubric=work.name, title=work.rubric.title, seed=work.seed, outcomes=tuple(outcomes),
-        results=tuple(judge(work.rubric.checks, outcomes, submission.source)), gaps=tuple(submission.source.gaps))
+        file=submission.file,
+        given=submission.given,
+        folder=submission.folder,
+        shown=submission.shown_folder,
+        package=submission.package.name if submission.package else None,
+        sha256=submission.sha256,
+        rubric=work.name,
+        title=work.rubric.title,
+        seed=work.seed,
+        outcomes=tuple(outcomes),
+        results=tuple(judge(work.rubric.checks, outcomes, submission.source)),
+        gaps=tuple(submission.source.gaps),
+    )

@@ -21,6 +21,5 @@ def find_hint(submission: Submission, level: int) -> str:
                 raise UnusableInput(f'there is no hint of level {level}', help=f'levels are 1 to {len(exercise.hints)}')
             return f'{exercise.title}, hint {level} of {LEVELS}: {exercise.hints[level - 1]}'
     raise UnusableInput(
-        f'there is no exercise {submission.exercise}',
-        help='exercises: ' + ', '.join(exercise.path for exercise in known),
+        f'there is no exercise {submission.exercise}', help='exercises: ' + ', '.join(exercise.path for exercise in known)
     )

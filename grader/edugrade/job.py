@@ -1,4 +1,5 @@
 """What a child process is told, and the surroundings it gets."""
+
 from __future__ import annotations
 
 import os
@@ -17,8 +18,7 @@ class Job:
     :param home: a private folder: the child's current folder, HOME and TMPDIR.
     """
 
-    def __init__(self, submission: Submission, scenario: Scenario, limits: Limits, workspaces: Sequence[str],
-                 home: str) -> None:
+    def __init__(self, submission: Submission, scenario: Scenario, limits: Limits, workspaces: Sequence[str], home: str) -> None:
         self.submission = submission
         self.scenario = scenario
         self.limits = limits
@@ -29,21 +29,36 @@ class Job:
     def message(self) -> dict[str, Any]:
         """What the child is told, as plain data."""
         return {
-            'file': self.submission.file, 'folder': self.submission.folder, 'arguments': dict(self.scenario.arguments),
-            'duration_s': self.scenario.duration_s, 'seed': self.scenario.seed, 'workspaces': self.workspaces,
-            'home': self.home, 'environment': environment(self.home), 'wall_s': self.limits.wall_s,
-            'limits': self.limits.resources}
+            'file': self.submission.file,
+            'folder': self.submission.folder,
+            'arguments': dict(self.scenario.arguments),
+            'duration_s': self.scenario.duration_s,
+            'seed': self.scenario.seed,
+            'workspaces': self.workspaces,
+            'home': self.home,
+            'environment': environment(self.home),
+            'wall_s': self.limits.wall_s,
+            'limits': self.limits.resources,
+        }
 
 
 def environment(home: str) -> dict[str, str]:
     """A small environment of its own: where programs are, and maths libraries kept to one thread."""
-    return {'PATH': os.environ.get('PATH', os.defpath), 'HOME': home, 'TMPDIR': home, 'LANG': 'C.UTF-8',
-            'USER': 'student', 'OPENBLAS_NUM_THREADS': '1', 'OMP_NUM_THREADS': '1'}
+    return {
+        'PATH': os.environ.get('PATH', os.defpath),
+        'HOME': home,
+        'TMPDIR': home,
+        'LANG': 'C.UTF-8',
+        'USER': 'student',
+        'OPENBLAS_NUM_THREADS': '1',
+        'OMP_NUM_THREADS': '1',
+    }
 
 
 def import_path() -> list[str]:
     """Where the child finds modules: as this process does, but not in the current folder."""
     import edulaunch
+
     engine = os.path.dirname(os.path.dirname(os.path.abspath(edulaunch.__file__)))
     here = os.getcwd()
     known = [path for path in sys.path if path and os.path.abspath(path) != here]

@@ -38,9 +38,15 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
     for kind, status in (('broke', GRADER_BROKE), ('unusable', FAILED), ('stopped', FAILED)):
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
         if bad:
-            return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, status, reason=bad[0].text,
-                               seen=_which(bad, outcomes), where=bad[0].where or source.place,
-                               try_=bad[0].try_)
+            return CheckResult(
+                LAUNCHES,
+                LAUNCHES_SENTENCE,
+                status,
+                reason=bad[0].text,
+                seen=_which(bad, outcomes),
+                where=bad[0].where or source.place,
+                try_=bad[0].try_,
+            )
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
@@ -68,8 +74,14 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
     try:
         check(evidence)
     except Failure as failure:
-        return replace(_plain(check, FAILED), reason=failure.rationale, expected=failure.expected,
-                       seen=failure.seen, where=failure.where, try_=failure.try_)
+        return replace(
+            _plain(check, FAILED),
+            reason=failure.rationale,
+            expected=failure.expected,
+            seen=failure.seen,
+            where=failure.where,
+            try_=failure.try_,
+        )
     except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
         return replace(_plain(check, GRADER_BROKE), reason=_words(error), try_=REPORT_IT)
     return _plain(check, PASSED)

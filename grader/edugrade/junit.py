@@ -17,20 +17,29 @@ def junit_text(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
     for report in reports:
         lines += _suite(report)
     for refusal in refusals:
-        lines += [_start('testsuite', {'name': refusal.given, 'tests': '1', 'failures': '0', 'errors': '1',
-                                       'skipped': '0'}),
-                  _start('testcase', {'classname': refusal.given, 'name': 'It can be graded'}),
-                  f'{_start("error", {"message": refusal.reason})}{_safe(refusal.help or "")}</error>',
-                  '</testcase>', '</testsuite>']
+        lines += [
+            _start('testsuite', {'name': refusal.given, 'tests': '1', 'failures': '0', 'errors': '1', 'skipped': '0'}),
+            _start('testcase', {'classname': refusal.given, 'name': 'It can be graded'}),
+            f'{_start("error", {"message": refusal.reason})}{_safe(refusal.help or "")}</error>',
+            '</testcase>',
+            '</testsuite>',
+        ]
     return '\n'.join([*lines, '</testsuites>']) + '\n'
 
 
 def _suite(report: Report) -> Iterator[str]:
     paths = ShortPaths(report.folder, report.shown, report.package)
     count = {status: sum(result.status == status for result in report.results) for status in _ELEMENTS}
-    yield _start('testsuite', {
-        'name': f'{report.rubric}: {report.given}', 'tests': str(len(report.results)),
-        'failures': str(count[FAILED]), 'errors': str(count[GRADER_BROKE]), 'skipped': str(count[NOT_RUN])})
+    yield _start(
+        'testsuite',
+        {
+            'name': f'{report.rubric}: {report.given}',
+            'tests': str(len(report.results)),
+            'failures': str(count[FAILED]),
+            'errors': str(count[GRADER_BROKE]),
+            'skipped': str(count[NOT_RUN]),
+        },
+    )
     points = 'no mark' if report.earned is None else f'{report.earned} of {report.possible}'
     yield '<properties>'
     for name, value in {'points': points, 'seed': str(report.seed), 'sha256': report.sha256}.items():

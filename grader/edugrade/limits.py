@@ -14,9 +14,7 @@ class Limits:
     :param recording_mib: what it may send back.
     """
 
-    def __init__(
-        self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128
-    ) -> None:
+    def __init__(self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128) -> None:
         self.wall_s = wall_s
         self.memory_mib = memory_mib
         self.output_mib = output_mib
@@ -25,10 +23,4 @@ class Limits:
     @property
     def resources(self) -> dict[str, int]:
         """For setrlimit, by the name behind ``RLIMIT_``."""
-        return {
-            'CPU': int(self.wall_s) + 5,
-            'AS': self.memory_mib * MEBI,
-            'FSIZE': 64 * MEBI,
-            'NOFILE': 256,
-            'CORE': 0,
-        }
+        return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}

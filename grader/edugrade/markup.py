@@ -19,8 +19,7 @@ def element(tag: str, /, *children: str, **attributes: str) -> Markup:
     :param attributes: with an underscore at the end where the name is a word of Python (``class_``), and inside it for a
         hyphen (``http_equiv``).
     """
-    words = ''.join(
-        f' {key.rstrip("_").replace("_", "-")}="{escape(visible(value))}"' for key, value in attributes.items())
+    words = ''.join(f' {key.rstrip("_").replace("_", "-")}="{escape(visible(value))}"' for key, value in attributes.items())
     if tag in VOID:
         return Markup(f'<{tag}{words}>')
     return Markup(f'<{tag}{words}>{joined(*children)}</{tag}>')

@@ -93,7 +93,8 @@ def find_exercise(name: str) -> str:
         folder = os.path.join(folder, os.pardir)
     raise UnusableInput(
         f'there is no exercises/{entry.path} here or in a folder above',
-        help=f'you are in {os.getcwd()}; give the path: check("some/folder/{entry.path}")')
+        help=f'you are in {os.getcwd()}; give the path: check("some/folder/{entry.path}")',
+    )
 
 
 def _unknown(name: str, known: list[str]) -> UnusableInput:

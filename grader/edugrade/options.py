@@ -36,14 +36,14 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
     parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
     parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
+    parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
-        '--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
+        '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)"
+    )
+    parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     parser.add_argument(
-        '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)")
-    parser.add_argument(
-        '--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
-    parser.add_argument(
-        '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)')
+        '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)'
+    )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
     return parser.parse_args(argv)
 

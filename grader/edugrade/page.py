@@ -28,10 +28,13 @@ def page(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
     parts += [_section(report, number) for number, report in enumerate(reports)]
     parts += [_refused(refusal) for refusal in refusals]
     head = element(
-        'head', element('meta', charset='utf-8'),
+        'head',
+        element('meta', charset='utf-8'),
         element('meta', http_equiv='Content-Security-Policy', content=POLICY),
         element('meta', name='viewport', content='width=device-width, initial-scale=1'),
-        element('title', 'edugrade report'), element('style', Markup(STYLE)))
+        element('title', 'edugrade report'),
+        element('style', Markup(STYLE)),
+    )
     body = element('body', element('h1', 'edugrade report'), *parts)
     return f'<!doctype html>\n{element("html", head, body, lang="en")}\n'
 
@@ -58,13 +61,25 @@ def _section(report: Report, number: int) -> Markup:
     paths = ShortPaths(report.folder, report.shown, report.package)
     outcomes = [outcome._replace(text=paths.text(outcome.text) or '') for outcome in report.outcomes]
     return element(
-        'section', element('h2', report.title),
-        element('p', f'{report.given}: ', _verdict(report), f' (rubric {report.rubric}, seed {report.seed}, '
-                f'text {report.sha256[:12]})', class_='small'),
+        'section',
+        element('h2', report.title),
+        element(
+            'p',
+            f'{report.given}: ',
+            _verdict(report),
+            f' (rubric {report.rubric}, seed {report.seed}, text {report.sha256[:12]})',
+            class_='small',
+        ),
         report_html(report),
-        *(run_html(outcome, is_open=place == 0) for place, outcome in enumerate(outcomes)), id=f'r{number}')
+        *(run_html(outcome, is_open=place == 0) for place, outcome in enumerate(outcomes)),
+        id=f'r{number}',
+    )
 
 
 def _refused(refusal: Refusal) -> Markup:
-    return element('section', element('h2', refusal.given), element('p', f'was not graded: {refusal.reason}'),
-                   element('p', refusal.help or ''))
+    return element(
+        'section',
+        element('h2', refusal.given),
+        element('p', f'was not graded: {refusal.reason}'),
+        element('p', refusal.help or ''),
+    )

@@ -88,8 +88,10 @@ class ProgressFile:
             number += 1
             kept = f'{self.path}.bak{number}'
         os.replace(self.path, kept)
-        self.word = (f'{NAME} could not be understood ({error}). It is kept as {os.path.basename(kept)}, and a new one '
-                     'is begun; to have the old one back, mend it and rename it.')
+        self.word = (
+            f'{NAME} could not be understood ({error}). It is kept as {os.path.basename(kept)}, and a new one '
+            'is begun; to have the old one back, mend it and rename it.'
+        )
 
 
 def _progress(table: Any) -> Progress:
@@ -107,5 +109,7 @@ def _progress(table: Any) -> Progress:
 def _table(name: str, item: Progress) -> str:
     key = name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)
     done = 'true' if item.done else 'false'
-    return (f'\n[{key}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
-            f'best_points = {item.best_points}\npoints = {item.points}\n')
+    return (
+        f'\n[{key}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
+        f'best_points = {item.best_points}\npoints = {item.points}\n'
+    )

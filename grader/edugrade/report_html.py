@@ -23,9 +23,12 @@ def report_html(report: Report) -> Markup:
     repair = [_failed(result) for status in (GRADER_BROKE, FAILED) for result in results if result.status == status]
     right = [_line(result) for result in results if result.status == PASSED]
     return joined(
-        *repair, *_not_run(results), *right,
+        *repair,
+        *_not_run(results),
+        *right,
         element('p', points_line(report), style='margin:.8em 0 .2em'),
-        element('p', element('b', next_step(report)), style='margin:.2em 0'))
+        element('p', element('b', next_step(report)), style='margin:.2em 0'),
+    )
 
 
 def _line(result: CheckResult, indent: str = '0') -> Markup:
@@ -40,7 +43,8 @@ def _failed(result: CheckResult) -> Markup:
     fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
-        for label, text in fields.items() if text
+        for label, text in fields.items()
+        if text
     ]
     reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
     return joined(_line(result), reason, element('table', *rows, style=_FIELDS))
@@ -52,6 +56,12 @@ def _not_run(results: list[CheckResult]) -> Iterator[Markup]:
     for reason in dict.fromkeys(result.reason for result in waiting):
         mark = element('span', MARKS[NOT_RUN], style=_MARK + COLOURS[NOT_RUN])
         yield element('div', mark, f'{reason}:', style='margin:.15em 0')
-        yield element('ul', *(
-            element('li', result.sentence, element('small', f'  [0 of {result.points}]' if result.points else ''))
-            for result in waiting if result.reason == reason), style='margin:.1em 0 .1em 4.6em;padding-left:1em')
+        yield element(
+            'ul',
+            *(
+                element('li', result.sentence, element('small', f'  [0 of {result.points}]' if result.points else ''))
+                for result in waiting
+                if result.reason == reason
+            ),
+            style='margin:.1em 0 .1em 4.6em;padding-left:1em',
+        )

@@ -19,9 +19,7 @@ class Rubric:
     :raises ValueError: two checks of one name, or a check before one that it needs.
     """
 
-    def __init__(
-        self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]], checks: Sequence[Check]
-    ) -> None:
+    def __init__(self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]], checks: Sequence[Check]) -> None:
         self.title = title
         self.checks = tuple(checks)
         self._scenarios = scenarios

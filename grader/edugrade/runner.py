@@ -40,8 +40,9 @@ class Runner:
     :param processors: how many runs go at once; default: as many as there are processors.
     """
 
-    def __init__(self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None,
-                 processors: int | None = None) -> None:
+    def __init__(
+        self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
+    ) -> None:
         self._limits = limits or Limits()
         self._processors = processors or os.cpu_count() or 1
         self._on_outcome = on_outcome

@@ -47,5 +47,10 @@ class ShortPaths:
     def result(self, result: CheckResult) -> CheckResult:
         """A result with short paths in all its texts."""
         return replace(
-            result, reason=self.text(result.reason) or '', expected=self.text(result.expected),
-            seen=self.text(result.seen), where=self.place(result.where), try_=self.text(result.try_))
+            result,
+            reason=self.text(result.reason) or '',
+            expected=self.text(result.expected),
+            seen=self.text(result.seen),
+            where=self.place(result.where),
+            try_=self.text(result.try_),
+        )

@@ -35,9 +35,15 @@ class StarterLink:
         settings = json.dumps({'control': theirs.fileno(), 'path': import_path()})
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, '-I', '-S', _STARTER, settings], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL, pass_fds=(theirs.fileno(),), cwd=home, env=environment(home),
-                start_new_session=True)
+                [sys.executable, '-I', '-S', _STARTER, settings],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                pass_fds=(theirs.fileno(),),
+                cwd=home,
+                env=environment(home),
+                start_new_session=True,
+            )
 
     def begin(self, number: int, job: Job, channel: int, output: int) -> None:
         """Begin a run, which answers on `channel` and prints on `output`."""

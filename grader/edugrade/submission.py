@@ -98,7 +98,8 @@ def _launch_path(path: str) -> str:
     if not os.path.isfile(package.launch_file):
         raise UnusableInput(
             f'the package {package.name} has no file launch/{package.name}.launch.py',
-            help=_files_in(os.path.join(path, 'launch')))
+            help=_files_in(os.path.join(path, 'launch')),
+        )
     return os.path.join(path, os.path.relpath(package.launch_file, package.path))
 
 
@@ -112,8 +113,7 @@ def _read(path: str) -> bytes:
         raise UnusableInput(f'{path} cannot be read: {error.strerror or error}') from None
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
-            f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file',
-            help='give the path of the launch file',
+            f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file', help='give the path of the launch file'
         )
     return data
 
@@ -121,8 +121,9 @@ def _read(path: str) -> bytes:
 def _gradable(folder: str) -> list[str]:
     """Names of the launch files and packages in a folder."""
     try:
-        return sorted(name for name in os.listdir(folder or '.')
-                      if name.endswith(ENDINGS) or package_at(os.path.join(folder, name)))
+        return sorted(
+            name for name in os.listdir(folder or '.') if name.endswith(ENDINGS) or package_at(os.path.join(folder, name))
+        )
     except OSError:
         return []
 

@@ -5,16 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Iterator
 
-from .results import (
-    ALL_PASSED,
-    BROKEN_GRADER,
-    FAILED,
-    GRADER_BROKE,
-    NOT_RUN,
-    PASSED,
-    CheckResult,
-    Report,
-)
+from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
 
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
@@ -69,9 +60,14 @@ def _wrapped(label: str, text: str) -> Iterator[str]:
     margin = INDENT + (f'{label:<10}' if label else '')
     for line in printable(text).splitlines():
         indent = ' ' * (len(line) - len(line.lstrip()))
-        yield from textwrap.wrap(line.strip(), WIDTH, initial_indent=margin + indent,
-                                 subsequent_indent=' ' * len(margin) + indent + ('  ' if indent else ''),
-                                 break_long_words=False, break_on_hyphens=False)
+        yield from textwrap.wrap(
+            line.strip(),
+            WIDTH,
+            initial_indent=margin + indent,
+            subsequent_indent=' ' * len(margin) + indent + ('  ' if indent else ''),
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
         margin = ' ' * len(margin)
 
 

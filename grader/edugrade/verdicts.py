@@ -22,9 +22,7 @@ def verdict(run: ChildRun) -> Outcome:
     if run.cut is not None:
         return _cut(run)
     if run.complete:
-        return _answered(
-            run, chr(run.frame[0]), bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced])
-        )
+        return _answered(run, chr(run.frame[0]), bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced]))
     return _ended(run)
 
 
@@ -39,11 +37,7 @@ def _answered(run: ChildRun, letter: str, content: bytes) -> Outcome:
         return Outcome(run.scenario, 'unusable', text=text, try_=_text(report, 'help') or None, where=where)
     if letter == 'B':
         return Outcome(
-            run.scenario,
-            'broke',
-            text=f'the simulation itself broke: {text}',
-            try_=REPORT_IT,
-            detail=_text(report, 'trace'),
+            run.scenario, 'broke', text=f'the simulation itself broke: {text}', try_=REPORT_IT, detail=_text(report, 'trace')
         )
     return _stopped_itself(run, report, where)
 
@@ -54,9 +48,7 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
         return _timeout(run, where)
     if reason == 'memory':
         return _stopped(
-            run,
-            f'it asked for more memory than {run.limits.memory_mib} MiB',
-            'look for a list that grows without end',
+            run, f'it asked for more memory than {run.limits.memory_mib} MiB', 'look for a list that grows without end'
         )
     return _garbage(run)
 
@@ -65,9 +57,7 @@ def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'garbage':
         return _garbage(run)
     if run.cut == 'printed':
-        return _stopped(
-            run, f'it printed more than {run.limits.output_mib} MiB', 'take the print out of the loop'
-        )
+        return _stopped(run, f'it printed more than {run.limits.output_mib} MiB', 'take the print out of the loop')
     if run.cut == 'recording':
         return _stopped(
             run,

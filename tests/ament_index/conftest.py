@@ -45,9 +45,7 @@ def run_inside(index: Index, body: Callable[[], Any]) -> Any:
 
 @pytest.fixture
 def two_prefixes(tmp_path: Path) -> tuple[str, str]:
-    return str(make_prefix(tmp_path / 'over', 'alpha', 'beta')), str(
-        make_prefix(tmp_path / 'under', 'alpha', 'gamma_robot')
-    )
+    return str(make_prefix(tmp_path / 'over', 'alpha', 'beta')), str(make_prefix(tmp_path / 'under', 'alpha', 'gamma_robot'))
 
 
 @pytest.fixture

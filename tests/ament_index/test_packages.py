@@ -25,9 +25,7 @@ def test_the_first_prefix_with_the_package_wins(ask: Any, two_prefixes: tuple[st
     assert ask(get_packages_with_prefixes) == {'alpha': over, 'beta': over, 'gamma_robot': under}
 
 
-def test_a_missing_package_gives_the_text_of_ros_and_help_beside_it(
-    ask: Any, two_prefixes: tuple[str, str]
-) -> None:
+def test_a_missing_package_gives_the_text_of_ros_and_help_beside_it(ask: Any, two_prefixes: tuple[str, str]) -> None:
     over, under = two_prefixes
     error = ask(lambda: get_package_share_directory('gama_robot'))
     assert isinstance(error, PackageNotFoundError)

@@ -22,6 +22,7 @@ from edulaunch.underlay_place import sourced_path, underlay_prefix
 
 def with_path(value: str | None, body: Callable[[], Any]) -> Any:
     """What `body` gives in a program whose variable has another value."""
+
     def changed() -> Any:
         current_process().env.pop('AMENT_PREFIX_PATH', None)
         if value is not None:
@@ -41,7 +42,9 @@ def test_folders_that_are_there_in_the_given_order(ask: Any, two_prefixes: tuple
 def test_only_they_are_searched(ask: Any, two_prefixes: tuple[str, str]) -> None:
     error = ask(with_path(two_prefixes[0], lambda: get_package_prefix('gamma_robot')))
     assert (type(error), error.args[0]) == (
-        PackageNotFoundError, f"package 'gamma_robot' not found, searching: {[two_prefixes[0]]}")
+        PackageNotFoundError,
+        f"package 'gamma_robot' not found, searching: {[two_prefixes[0]]}",
+    )
 
 
 @pytest.mark.parametrize('body', [get_search_paths, get_packages_with_prefixes, lambda: get_package_prefix('turtlesim')])

@@ -57,7 +57,4 @@ def test_nothing_to_search_is_an_environment_error() -> None:
     from tests.ament_index.conftest import run_inside
 
     error = run_inside(Index(underlay=None), get_search_paths)
-    assert (type(error), str(error)) == (
-        OSError,
-        "Environment variable 'AMENT_PREFIX_PATH' is not set or empty",
-    )
+    assert (type(error), str(error)) == (OSError, "Environment variable 'AMENT_PREFIX_PATH' is not set or empty")

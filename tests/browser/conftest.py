@@ -1,4 +1,5 @@
 """JupyterLab over a copy of the course, and a browser that can reach nothing else; skipped with a reason where one is missing."""
+
 from __future__ import annotations
 
 import os
@@ -18,7 +19,13 @@ from tests.browser.lab import Lab
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
-OWN_FOLDERS = ('JUPYTER_CONFIG_DIR', 'JUPYTER_DATA_DIR', 'JUPYTER_RUNTIME_DIR', 'JUPYTERLAB_SETTINGS_DIR', 'JUPYTERLAB_WORKSPACES_DIR')
+OWN_FOLDERS = (
+    'JUPYTER_CONFIG_DIR',
+    'JUPYTER_DATA_DIR',
+    'JUPYTER_RUNTIME_DIR',
+    'JUPYTERLAB_SETTINGS_DIR',
+    'JUPYTERLAB_WORKSPACES_DIR',
+)
 QUIET = ['--LabApp.news_url=None', '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate']
 
 
@@ -61,8 +68,18 @@ def lab(browser: Any, course: Path, shots: Path, tmp_path_factory: pytest.TempPa
         port = free.getsockname()[1]
     home = tmp_path_factory.mktemp('jupyter')
     env = {**os.environ, 'USER': 'student', **{name: str(home / name.lower()) for name in OWN_FOLDERS}}
-    words = ['lab', '--no-browser', '--ip=127.0.0.1', f'--port={port}', '--ServerApp.port_retries=0', '--allow-root',
-             '--IdentityProvider.token=', f'--ServerApp.root_dir={course}', '--LabApp.expose_app_in_browser=True', *QUIET]
+    words = [
+        'lab',
+        '--no-browser',
+        '--ip=127.0.0.1',
+        f'--port={port}',
+        '--ServerApp.port_retries=0',
+        '--allow-root',
+        '--IdentityProvider.token=',
+        f'--ServerApp.root_dir={course}',
+        '--LabApp.expose_app_in_browser=True',
+        *QUIET,
+    ]
     url = f'http://127.0.0.1:{port}'
     with (home / 'log.txt').open('w') as log:
         server = subprocess.Popen([sys.executable, '-m', 'jupyter', *words], env=env, stdout=log, stderr=log)

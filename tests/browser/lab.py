@@ -1,4 +1,5 @@
 """What a student does in JupyterLab."""
+
 from __future__ import annotations
 
 import contextlib
@@ -42,12 +43,15 @@ class Page:
 
     def show(self, ident: str, part: str = '') -> None:
         """Scroll to a cell, and keep a picture of what is to be seen."""
-        self.page.evaluate("""async ident => {
+        self.page.evaluate(
+            """async ident => {
             const content = window.jupyterapp.shell.currentWidget.content;
             const index = content.widgets.findIndex(cell => cell.model.id === ident);
             content.activeCellIndex = index;
             await content.scrollToItem(index, 'start');
-        }""", ident)
+        }""",
+            ident,
+        )
         self.page.wait_for_timeout(400)
         self.page.screenshot(path=self._shots / f'{self._name}-{part or ident}.png')
 
@@ -72,6 +76,7 @@ class Lab:
             else:
                 page.requests.append(route.request.url)
                 route.abort()
+
         context.route('**/*', watch)
         try:
             page.page.goto(f'{self._url}/lab/tree/lessons/{lesson}.ipynb?reset')

@@ -1,4 +1,5 @@
 """JupyterLab shows each lesson, runs it, and asks nobody else for anything."""
+
 from __future__ import annotations
 
 import json
@@ -31,7 +32,9 @@ def test_a_picture_comes_before_the_notebook_has_finished(lab: Lab) -> None:
         page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
         page.page.wait_for_function(
             "() => window.jupyterapp.shell.currentWidget.content.widgets.some(cell => cell.model.type === 'code'"
-            " && cell.model.executionCount && cell.model.id === 'multisim-picture')", timeout=60_000)
+            " && cell.model.executionCount && cell.model.id === 'multisim-picture')",
+            timeout=60_000,
+        )
 
 
 def test_the_slider_of_a_replay_moves_the_turtle(lab: Lab) -> None:

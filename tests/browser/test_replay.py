@@ -1,4 +1,5 @@
 """The replay in a real browser: a page on disk, no network."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -39,7 +40,9 @@ class Shown:
         return str(self.player.locator('canvas').first.evaluate('canvas => canvas.toDataURL()'))
 
     def move_slider(self, sample: int) -> None:
-        self.player.locator('#slider').evaluate(f'slider => {{ slider.value = {sample}; slider.dispatchEvent(new Event("input")); }}')
+        self.player.locator('#slider').evaluate(
+            f'slider => {{ slider.value = {sample}; slider.dispatchEvent(new Event("input")); }}'
+        )
 
 
 @pytest.fixture
@@ -64,7 +67,8 @@ def test_play_runs_and_pause_stands_still(shown: Shown) -> None:
     shown.player.locator('#speed').select_option('1')
     shown.player.locator('#play').click()
     shown.player.locator('#clock').evaluate(
-        'clock => new Promise(done => { (function look() { parseFloat(clock.textContent) > 0.5 ? done() : setTimeout(look, 10) })() })')
+        'clock => new Promise(done => { (function look() { parseFloat(clock.textContent) > 0.5 ? done() : setTimeout(look, 10) })() })'
+    )
     shown.player.locator('#play').click()
     assert 'Play' in shown.text('#play')
     stopped = shown.text('#clock')
@@ -74,7 +78,13 @@ def test_play_runs_and_pause_stands_still(shown: Shown) -> None:
 
 def test_the_keyboard_plays_steps_and_jumps(shown: Shown) -> None:
     shown.player.locator('canvas').first.click()
-    for key, clock in (('ArrowRight', '0.05 s'), ('Shift+ArrowRight', '1.05 s'), ('End', '6.00 s'), ('ArrowLeft', '5.95 s'), ('Home', '0.00 s')):
+    for key, clock in (
+        ('ArrowRight', '0.05 s'),
+        ('Shift+ArrowRight', '1.05 s'),
+        ('End', '6.00 s'),
+        ('ArrowLeft', '5.95 s'),
+        ('Home', '0.00 s'),
+    ):
         shown.page.keyboard.press(key)
         assert shown.text('#clock') == clock
     shown.page.keyboard.press(' ')
@@ -93,7 +103,7 @@ def test_tf_frames_are_shown_on_demand(shown: Shown) -> None:
 def test_where_frames_are_taken_out_the_filmstrip_is_seen(browser: Any, cell: Path) -> None:
     page = browser.new_page()
     text = cell.read_text(encoding='utf-8')
-    page.set_content(text[:text.index('<iframe')] + '</div></body>')
+    page.set_content(text[: text.index('<iframe')] + '</div></body>')
     strip = page.locator('img')
     assert strip.is_visible() and strip.evaluate('image => image.naturalWidth') > 500
     assert str(strip.get_attribute('alt')).startswith('replay of 6.00 s: /sim with turtle1, turtle2')

@@ -1,4 +1,5 @@
 """Equal runs give equal pictures, byte for byte, whatever the hash seed."""
+
 from __future__ import annotations
 
 import os
@@ -22,6 +23,15 @@ print(hashlib.sha256(made[-1].html().encode()).hexdigest(), recording.parameter_
 def test_two_processes_draw_the_same_bytes(demo: Any, tmp_path: Path) -> None:
     demo.save(tmp_path / 'demo.rec')
     root = Path(__file__).parents[2]
-    said = [subprocess.run([sys.executable, '-c', PROGRAM, str(tmp_path / 'demo.rec')], cwd=root, check=True, capture_output=True, text=True,
-                           env={**os.environ, 'PYTHONHASHSEED': seed}).stdout for seed in ('1', '2')]
+    said = [
+        subprocess.run(
+            [sys.executable, '-c', PROGRAM, str(tmp_path / 'demo.rec')],
+            cwd=root,
+            check=True,
+            capture_output=True,
+            text=True,
+            env={**os.environ, 'PYTHONHASHSEED': seed},
+        ).stdout
+        for seed in ('1', '2')
+    ]
     assert said[0] == said[1] and len(said[0].splitlines()) > 12

@@ -1,4 +1,5 @@
 """Frames in their root."""
+
 from __future__ import annotations
 
 import math

@@ -1,4 +1,5 @@
 """Distance over time as data."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -38,7 +39,9 @@ def test_a_tf_frame_can_be_followed_too(chase: Any) -> None:
 
 
 def test_an_unknown_name_is_answered_with_the_known_ones(chase: Any) -> None:
-    with pytest.raises(KeyError, match="nothing called 'turtle3' moved in this recording; there are: turtle1, turtle2, world, carrot1"):
+    with pytest.raises(
+        KeyError, match="nothing called 'turtle3' moved in this recording; there are: turtle1, turtle2, world, carrot1"
+    ):
         distance_scene(chase, 'turtle3', 'turtle1', 1.0)
 
 

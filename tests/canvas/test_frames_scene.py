@@ -1,4 +1,5 @@
 """tf frames from above as data."""
+
 from __future__ import annotations
 
 import math
@@ -15,10 +16,13 @@ def test_the_golden_scene_of_a_carrot(maker: Any) -> None:
     maker.node('/broadcaster', publishes=TF)
     maker.frame(0.5, 'world', 'turtle1', 4.0, 2.0, math.pi / 2)
     maker.frame(0.5, 'turtle1', 'carrot1', 2.0, 0.0)
-    view, = frames_scene(maker.done(1.0), 1.0).views
+    (view,) = frames_scene(maker.done(1.0), 1.0).views
     assert view.root == 'world'
     assert [(mark.name, mark.parent, round(mark.x, 6), round(mark.y, 6)) for mark in view.frames] == [
-        ('world', '', 0.0, 0.0), ('turtle1', 'world', 4.0, 2.0), ('carrot1', 'turtle1', 4.0, 4.0)]
+        ('world', '', 0.0, 0.0),
+        ('turtle1', 'world', 4.0, 2.0),
+        ('carrot1', 'turtle1', 4.0, 4.0),
+    ]
     assert view.frames[2].x_axis == pytest.approx((0.0, 1.0)) and view.frames[2].y_axis == pytest.approx((-1.0, 0.0))
     assert view.limits == (-1.0, 5.0, -1.0, 5.0)
 
@@ -28,7 +32,8 @@ def test_the_caption_says_where_each_frame_is_in_its_root(maker: Any) -> None:
     maker.frame(0.5, 'world', 'turtle1', 4.0, 2.0)
     maker.frame(0.5, 'base_link', 'laser', 0.3, 0.0)
     assert frames_scene(maker.done(1.0), 1.0).caption() == (
-        't=1.000 s: in world: turtle1 at (4.000, 2.000); in base_link: laser at (0.300, 0.000)')
+        't=1.000 s: in world: turtle1 at (4.000, 2.000); in base_link: laser at (0.300, 0.000)'
+    )
 
 
 def test_before_the_first_broadcast_the_error_says_who_will(maker: Any) -> None:
@@ -36,8 +41,9 @@ def test_before_the_first_broadcast_the_error_says_who_will(maker: Any) -> None:
     maker.frame(0.5, 'world', 'turtle1', 4.0, 2.0)
     with pytest.raises(ValueError) as caught:
         frames_scene(maker.done(1.0), 0.25)
-    assert str(caught.value) == ('no tf frame had been broadcast at t = 0.250 s; broadcasters: /broadcaster, '
-                                 'the first of them at t = 0.500 s')
+    assert str(caught.value) == (
+        'no tf frame had been broadcast at t = 0.250 s; broadcasters: /broadcaster, the first of them at t = 0.500 s'
+    )
 
 
 def test_without_any_broadcaster_the_error_says_so(maker: Any) -> None:

@@ -1,4 +1,5 @@
 """The node graph as data."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -21,7 +22,10 @@ def test_the_golden_graph_of_a_driver(maker: Any) -> None:
     maker.node('/driver', publishes={'/turtle1/cmd_vel': TWIST})
     scene = graph_scene(maker.done(1.0))
     assert [(box.kind, box.name, box.left, box.top) for box in scene.boxes] == [
-        ('node', '/sim', 243.0, 19.0), ('node', '/driver', 12.0, 19.0), ('topic', '/turtle1/cmd_vel', 130.0, 12.0)]
+        ('node', '/sim', 243.0, 19.0),
+        ('node', '/driver', 12.0, 19.0),
+        ('topic', '/turtle1/cmd_vel', 130.0, 12.0),
+    ]
     assert arrows(scene) == [('/driver', '/turtle1/cmd_vel'), ('/turtle1/cmd_vel', '/sim')]
     assert scene.caption() == '2 nodes, 1 topics, 2 connections'
 
@@ -71,5 +75,7 @@ def test_ends_that_cannot_talk_are_marked_unless_the_node_also_hears_with_the_ri
     maker.node('/driver', publishes={'/cmd_vel': TWIST, '/other': TWIST})
     maker.node('/robot', hears={'/cmd_vel': 'geometry_msgs/msg/TwistStamped', '/other': TWIST})
     for topic, kind in (('/cmd_vel', 'geometry_msgs/msg/TwistStamped'), ('/other', 'geometry_msgs/msg/TwistStamped')):
-        maker.notes.append([0, 'driver-1', 'incompatible', f'{topic}: /driver ({TWIST}) and /robot ({kind}) cannot talk because of TYPE'])
+        maker.notes.append(
+            [0, 'driver-1', 'incompatible', f'{topic}: /driver ({TWIST}) and /robot ({kind}) cannot talk because of TYPE']
+        )
     assert marks(graph_scene(maker.done(1.0))) == {'/cmd_vel': 'type does not fit'}

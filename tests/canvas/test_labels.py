@@ -1,4 +1,5 @@
 """Names that do not cover one another."""
+
 from __future__ import annotations
 
 from hypothesis import given

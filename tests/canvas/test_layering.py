@@ -1,4 +1,5 @@
 """Layers and the order within them."""
+
 from __future__ import annotations
 
 from hypothesis import given
@@ -6,8 +7,14 @@ from hypothesis import strategies as st
 
 from edulaunch.canvas.layering import crossings, make_layers
 
-graphs = st.integers(2, 9).flatmap(lambda count: st.tuples(
-    st.just(count), st.lists(st.tuples(st.integers(0, count - 1), st.integers(0, count - 1)).filter(lambda edge: edge[0] != edge[1]), max_size=14)))
+graphs = st.integers(2, 9).flatmap(
+    lambda count: st.tuples(
+        st.just(count),
+        st.lists(
+            st.tuples(st.integers(0, count - 1), st.integers(0, count - 1)).filter(lambda edge: edge[0] != edge[1]), max_size=14
+        ),
+    )
+)
 
 
 def test_a_chain_takes_one_layer_each() -> None:

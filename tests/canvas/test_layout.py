@@ -1,4 +1,5 @@
 """Rules that every layout keeps: no two boxes overlap, and no arrow crosses a box."""
+
 from __future__ import annotations
 
 import pytest
@@ -8,9 +9,16 @@ from hypothesis import strategies as st
 from edulaunch.canvas.layout import Layout, lay_out
 
 sizes = st.tuples(st.integers(30, 200).map(float), st.integers(26, 60).map(float))
-graphs = st.lists(sizes, min_size=1, max_size=14).flatmap(lambda boxes: st.tuples(st.just(boxes), st.lists(
-    st.tuples(st.integers(0, len(boxes) - 1), st.integers(0, len(boxes) - 1)).filter(lambda edge: edge[0] != edge[1]),
-    max_size=20, unique=True)))
+graphs = st.lists(sizes, min_size=1, max_size=14).flatmap(
+    lambda boxes: st.tuples(
+        st.just(boxes),
+        st.lists(
+            st.tuples(st.integers(0, len(boxes) - 1), st.integers(0, len(boxes) - 1)).filter(lambda edge: edge[0] != edge[1]),
+            max_size=20,
+            unique=True,
+        ),
+    )
+)
 Graph = tuple[list[tuple[float, float]], list[tuple[int, int]]]
 
 
@@ -37,10 +45,22 @@ def test_no_arrow_crosses_a_box(graph: Graph, direction: str) -> None:
     for edge, route in zip(edges, layout.routes, strict=True):
         for start, end in zip(route.points, route.points[1:], strict=False):
             low, high = (min(start[0], end[0]), min(start[1], end[1])), (max(start[0], end[0]), max(start[1], end[1]))
-            hit = [number for number, (left, top, right, bottom) in enumerate(places)
-                   if low[0] < right - 0.01 and left + 0.01 < high[0] and low[1] < bottom - 0.01 and top + 0.01 < high[1]
-                   or low[0] == high[0] and left < low[0] < right and low[1] < bottom - 0.01 and top + 0.01 < high[1]
-                   or low[1] == high[1] and top < low[1] < bottom and low[0] < right - 0.01 and left + 0.01 < high[0]]
+            hit = [
+                number
+                for number, (left, top, right, bottom) in enumerate(places)
+                if low[0] < right - 0.01
+                and left + 0.01 < high[0]
+                and low[1] < bottom - 0.01
+                and top + 0.01 < high[1]
+                or low[0] == high[0]
+                and left < low[0] < right
+                and low[1] < bottom - 0.01
+                and top + 0.01 < high[1]
+                or low[1] == high[1]
+                and top < low[1] < bottom
+                and low[0] < right - 0.01
+                and left + 0.01 < high[0]
+            ]
             assert set(hit) <= set(edge)
 
 
@@ -51,7 +71,11 @@ def test_all_boxes_and_arrows_are_on_the_sheet(graph: Graph) -> None:
     layout = lay_out(boxes, edges)
     for left, top, right, bottom in rectangles(layout, boxes):
         assert left >= 0 and top >= 0 and right <= layout.width + 0.01 and bottom <= layout.height + 0.01
-    assert all(-0.01 <= x <= layout.width + 0.01 and -0.01 <= y <= layout.height + 0.01 for route in layout.routes for x, y in route.points)
+    assert all(
+        -0.01 <= x <= layout.width + 0.01 and -0.01 <= y <= layout.height + 0.01
+        for route in layout.routes
+        for x, y in route.points
+    )
 
 
 def test_an_arrow_begins_and_ends_at_its_boxes() -> None:

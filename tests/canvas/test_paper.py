@@ -1,4 +1,5 @@
 """The sheet: what is drawn where, and its bytes."""
+
 from __future__ import annotations
 
 import struct
@@ -16,7 +17,7 @@ def pixel(data: bytes, x: int, y: int) -> tuple[int, int, int]:
     """A pixel of one of our PNGs, from the upper left corner."""
     width, _ = png.size(data)
     length = struct.unpack('>I', data[33:37])[0]
-    rows = zlib.decompress(data[41:41 + length])
+    rows = zlib.decompress(data[41 : 41 + length])
     start = y * (3 * width + 1) + 1 + 3 * x
     return (rows[start], rows[start + 1], rows[start + 2])
 
@@ -43,8 +44,8 @@ def test_the_file_holds_nothing_but_the_picture() -> None:
     kinds = []
     position = 8
     while position < len(data):
-        length = struct.unpack('>I', data[position:position + 4])[0]
-        kinds.append(data[position + 4:position + 8])
+        length = struct.unpack('>I', data[position : position + 4])[0]
+        kinds.append(data[position + 4 : position + 8])
         position += 12 + length
     assert kinds == [b'IHDR', b'IDAT', b'IEND']
 

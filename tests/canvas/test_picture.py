@@ -1,4 +1,5 @@
 """What a notebook gets from a picture."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -1,4 +1,5 @@
 """The replay as a page."""
+
 from __future__ import annotations
 
 import html
@@ -52,7 +53,9 @@ def test_a_name_from_a_student_cannot_break_out_of_the_page(maker: Any) -> None:
 def test_twenty_seconds_take_less_than_300_kilobytes(large: Any) -> None:
     bundle, metadata = large.replay()._repr_mimebundle_()
     assert sum(map(len, bundle.values())) < 300_000
-    assert set(bundle) == {'text/plain', 'text/html', 'image/png'} and metadata['image/png']['alt'].startswith('replay of 20.00 s')
+    assert set(bundle) == {'text/plain', 'text/html', 'image/png'} and metadata['image/png']['alt'].startswith(
+        'replay of 20.00 s'
+    )
 
 
 def test_a_saved_page_is_the_player(walk: Any, tmp_path: Path) -> None:

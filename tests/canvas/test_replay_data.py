@@ -1,4 +1,5 @@
 """The replay's data: small, whole numbers, true to the run."""
+
 from __future__ import annotations
 
 import math
@@ -18,11 +19,24 @@ def data_of(recording: Any) -> dict[str, Any]:
 
 def test_the_golden_data_of_a_short_walk(walk: Any) -> None:
     data = data_of(walk(0.0, 0.2))
-    world, = data['worlds']
+    (world,) = data['worlds']
     assert (data['rate'], data['samples'], world['title']) == (20, 5, '/sim')
-    assert world['lives'] == [{'name': 'turtle1', 'number': 0, 'first': 0, 'count': 5, 'x': [2000, 50, 50, 50, 50], 'y': [3000], 'a': [0],
-                               'pens': [[0, 179, 184, 255, 3]]}]
-    assert [(frame['name'], frame['parent'], frame['first'], frame['count']) for frame in world['frames']] == [('world', '', 0, 5), ('turtle1', 'world', 0, 5)]
+    assert world['lives'] == [
+        {
+            'name': 'turtle1',
+            'number': 0,
+            'first': 0,
+            'count': 5,
+            'x': [2000, 50, 50, 50, 50],
+            'y': [3000],
+            'a': [0],
+            'pens': [[0, 179, 184, 255, 3]],
+        }
+    ]
+    assert [(frame['name'], frame['parent'], frame['first'], frame['count']) for frame in world['frames']] == [
+        ('world', '', 0, 5),
+        ('turtle1', 'world', 0, 5),
+    ]
 
 
 @given(st.lists(st.floats(-20, 20), min_size=1, max_size=60))
@@ -47,7 +61,7 @@ def test_a_heading_goes_on_counting_beyond_a_whole_turn(maker: Any) -> None:
     maker.node('/sim', publishes={'/turtle1/pose': 'turtlesim/msg/Pose'})
     for step in range(41):
         maker.pose(step / 20, 5.0, 5.0, math.remainder(step * 0.4, math.tau))
-    life, = data_of(maker.done(2.0))['worlds'][0]['lives']
+    (life,) = data_of(maker.done(2.0))['worlds'][0]['lives']
     pose = pose_at(life, 40)
     assert pose is not None and pose[2] == pytest.approx(16.0, abs=0.01)
 
@@ -56,7 +70,7 @@ def test_a_teleport_is_not_smoothed(maker: Any) -> None:
     maker.node('/sim', publishes={'/turtle1/pose': 'turtlesim/msg/Pose'})
     for time_s, x in ((0.0, 1.0), (0.04, 1.0), (0.06, 9.0), (0.1, 9.0)):
         maker.pose(time_s, x, 1.0)
-    life, = data_of(maker.done(0.1))['worlds'][0]['lives']
+    (life,) = data_of(maker.done(0.1))['worlds'][0]['lives']
     assert life['x'] == [1000, 0, 8000]
 
 

@@ -1,4 +1,5 @@
 """The parameter table."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -13,8 +14,11 @@ def recording(maker: Any) -> Any:
     maker.node('/sim')
     maker.node('/listener')
     maker.parameters += [
-        [0, '/sim', 'use_sim_time', False, 'default'], [0, '/sim', 'background_r', 69, 'default'],
-        [0, '/listener', 'use_sim_time', True, 'launch argument sim'], [0, '/listener', 'target_frame', 'carrot<1>', 'demo.yaml line 3']]
+        [0, '/sim', 'use_sim_time', False, 'default'],
+        [0, '/sim', 'background_r', 69, 'default'],
+        [0, '/listener', 'use_sim_time', True, 'launch argument sim'],
+        [0, '/listener', 'target_frame', 'carrot<1>', 'demo.yaml line 3'],
+    ]
     return maker.done(1.0)
 
 
@@ -24,7 +28,8 @@ def test_the_text_is_the_golden_table(recording: Any) -> None:
         '---------  ------------  -----------  -------------------',
         '/sim       background_r  69           default',
         '/listener  use_sim_time  true         launch argument sim',
-        "/listener  target_frame  'carrot<1>'  demo.yaml line 3"]
+        "/listener  target_frame  'carrot<1>'  demo.yaml line 3",
+    ]
 
 
 def test_what_every_node_has_is_shown_on_request(recording: Any) -> None:

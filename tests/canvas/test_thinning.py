@@ -1,4 +1,5 @@
 """Lines with fewer points."""
+
 from __future__ import annotations
 
 import math
@@ -17,6 +18,7 @@ def distance_to_line(point: tuple[float, float], line: list[tuple[float, float]]
         length = dx * dx + dy * dy
         part = 0.0 if length == 0 else max(0.0, min(1.0, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / length))
         return math.hypot(point[0] - a[0] - part * dx, point[1] - a[1] - part * dy)
+
     return min(to_stretch(a, b) for a, b in zip(line, line[1:], strict=False))
 
 

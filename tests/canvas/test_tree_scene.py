@@ -1,4 +1,5 @@
 """The tf tree as data."""
+
 from __future__ import annotations
 
 from typing import Any

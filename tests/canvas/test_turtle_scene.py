@@ -1,4 +1,5 @@
 """Turtle windows as data."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -17,7 +18,7 @@ def scene_at(recording: Any, time_s: float) -> TurtleScene:
 
 
 def test_a_walking_turtle_stands_at_the_end_of_its_trail(walk: Any) -> None:
-    window, = scene_at(walk(0.0, 2.0), 1.0).windows
+    (window,) = scene_at(walk(0.0, 2.0), 1.0).windows
     assert (window.title, window.kind) == ('/sim', 'turtlesim')
     assert [(body.name, body.x, body.y) for body in window.bodies] == [('turtle1', 3.0, 3.0)]
     assert [(trail.colour, trail.width, trail.points) for trail in window.trails] == [(LIGHT, 3, [(2.0, 3.0), (3.0, 3.0)])]
@@ -51,7 +52,10 @@ def test_a_turtle_that_was_killed_is_gone_and_a_new_one_starts_a_new_trail(maker
         maker.pose(time_s, x, 1.0)
     recording = maker.done(1.05)
     assert scene_at(recording, 0.5).windows[0].bodies == []
-    assert [trail.points for trail in scene_at(recording, 1.05).windows[0].trails] == [[(1.0, 1.0), (1.1, 1.0)], [(8.0, 1.0), (8.1, 1.0)]]
+    assert [trail.points for trail in scene_at(recording, 1.05).windows[0].trails] == [
+        [(1.0, 1.0), (1.1, 1.0)],
+        [(8.0, 1.0), (8.1, 1.0)],
+    ]
 
 
 def test_two_worlds_stand_side_by_side_each_with_its_own_turtles(maker: Any) -> None:

@@ -1,4 +1,5 @@
 """A machine with a turtlesim on which `ros2 ...` lines are typed."""
+
 from __future__ import annotations
 
 import shlex

@@ -1,4 +1,5 @@
 """`edulaunch completion`: what the Tab key offers."""
+
 from __future__ import annotations
 
 import shutil
@@ -31,20 +32,23 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize(('line', 'offered'), [
-    ('edulaunch la', ['launch']),
-    ('edulaunch launch turtles', ['turtlesim']),
-    ('edulaunch launch turtlesim mult', ['multisim.launch.py']),
-    ('edulaunch launch ./m', ['./maps/', './my.launch.py']),
-    ('edulaunch launch --show-a', ['--show-all-subprocesses-output', '--show-args', '--show-arguments']),
-    ('edulaunch launch my.launch.py ', ['shape:=', 'size:=']),
-    ('edulaunch plan my.launch.py shape:=s', ['shape:=square']),
-    ('edulaunch launch my.launch.py --seed 3 si', ['size:=']),
-    ('edulaunch completion b', ['bash']),
-    ('edulaunch launch --workspace m', ['maps/']),
-    ('edulaunch nonsense ', []),
-    ('edulaunch launch broken"', []),
-])
+@pytest.mark.parametrize(
+    ('line', 'offered'),
+    [
+        ('edulaunch la', ['launch']),
+        ('edulaunch launch turtles', ['turtlesim']),
+        ('edulaunch launch turtlesim mult', ['multisim.launch.py']),
+        ('edulaunch launch ./m', ['./maps/', './my.launch.py']),
+        ('edulaunch launch --show-a', ['--show-all-subprocesses-output', '--show-args', '--show-arguments']),
+        ('edulaunch launch my.launch.py ', ['shape:=', 'size:=']),
+        ('edulaunch plan my.launch.py shape:=s', ['shape:=square']),
+        ('edulaunch launch my.launch.py --seed 3 si', ['size:=']),
+        ('edulaunch completion b', ['bash']),
+        ('edulaunch launch --workspace m', ['maps/']),
+        ('edulaunch nonsense ', []),
+        ('edulaunch launch broken"', []),
+    ],
+)
 def test_the_tab_key_offers(here: Path, line: str, offered: list[str]) -> None:
     assert candidates(line, break_words=False) == offered
 
@@ -70,8 +74,10 @@ def test_bash_completes_a_line_through_the_script(here: Path) -> None:
     program.write_text(f'#!/bin/sh\nexec {sys.executable} -m edulaunch "$@"\n')
     program.chmod(0o755)
     line = 'edulaunch launch my.launch.py sha'
-    script = (f'PATH="{here}:$PATH"; {SCRIPTS["bash"]}\ncompopt() {{ :; }}\nCOMP_LINE="{line}"; COMP_POINT={len(line)}\n'
-              '_edulaunch; printf "%s\\n" "${COMPREPLY[@]}"')
+    script = (
+        f'PATH="{here}:$PATH"; {SCRIPTS["bash"]}\ncompopt() {{ :; }}\nCOMP_LINE="{line}"; COMP_POINT={len(line)}\n'
+        '_edulaunch; printf "%s\\n" "${COMPREPLY[@]}"'
+    )
     assert subprocess.run(['bash', '-c', script], text=True, capture_output=True, check=True).stdout == 'shape:=\n'
 
 

@@ -1,4 +1,5 @@
 """`ros2 action ...` in the simulation."""
+
 from __future__ import annotations
 
 ROTATE = 'ros2 action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute'
@@ -8,7 +9,8 @@ def test_list_type_and_info(machine) -> None:
     assert machine.read('ros2 action list -t') == '/turtle1/rotate_absolute [turtlesim/action/RotateAbsolute]\n'
     assert machine.read('ros2 action type /turtle1/rotate_absolute') == 'turtlesim/action/RotateAbsolute\n'
     assert machine.read('ros2 action info /turtle1/rotate_absolute') == (
-        'Action: /turtle1/rotate_absolute\nAction clients: 0\nAction servers: 1\n    /sim\n')
+        'Action: /turtle1/rotate_absolute\nAction clients: 0\nAction servers: 1\n    /sim\n'
+    )
 
 
 def test_send_goal_tells_its_story(machine) -> None:
@@ -37,5 +39,8 @@ def test_ctrl_c_does_not_wait_for_a_dead_server(machine) -> None:
 
 def test_a_wrong_type_or_field_is_named(machine) -> None:
     assert machine.fails(ROTATE.replace('RotateA', 'Rotatea')) == (
-        "The passed action type is invalid\n  help: did you mean 'turtlesim/action/RotateAbsolute'?\n")
-    assert machine.fails(f'{ROTATE} "{{angle: 1}}"').endswith('help: the fields of turtlesim/action/RotateAbsolute_Goal are: theta\n')
+        "The passed action type is invalid\n  help: did you mean 'turtlesim/action/RotateAbsolute'?\n"
+    )
+    assert machine.fails(f'{ROTATE} "{{angle: 1}}"').endswith(
+        'help: the fields of turtlesim/action/RotateAbsolute_Goal are: theta\n'
+    )

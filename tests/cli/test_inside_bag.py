@@ -1,4 +1,5 @@
 """`ros2 bag ...` in the simulation; read back with rosbags."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -13,9 +14,11 @@ def logged(text: str) -> list[str]:
 def read(bag: Path) -> list[tuple[int, str, object]]:
     pytest.importorskip('rosbags')
     from rosbags.highlevel import AnyReader
+
     with AnyReader([bag]) as reader:
-        return [(time, connection.topic, reader.deserialize(data, connection.msgtype))
-                for connection, time, data in reader.messages()]
+        return [
+            (time, connection.topic, reader.deserialize(data, connection.msgtype)) for connection, time, data in reader.messages()
+        ]
 
 
 def test_record_all_logs_what_it_hears_and_writes_on_ctrl_c(machine) -> None:
@@ -23,12 +26,22 @@ def test_record_all_logs_what_it_hears_and_writes_on_ctrl_c(machine) -> None:
     typed = machine.run('ros2 bag record -a', 0.5)
     typed.interrupt()
     assert logged(typed.err) == [
-        'Press SPACE for pausing/resuming', 'Listening for topics...', 'Event publisher thread: Starting',
-        "Subscribed to topic '/parameter_events'", "Subscribed to topic '/rosout'", "Subscribed to topic '/turtle1/color_sensor'",
-        "Subscribed to topic '/turtle1/pose'", 'Recording...', 'Event publisher thread: Exiting', 'Recording stopped']
+        'Press SPACE for pausing/resuming',
+        'Listening for topics...',
+        'Event publisher thread: Starting',
+        "Subscribed to topic '/parameter_events'",
+        "Subscribed to topic '/rosout'",
+        "Subscribed to topic '/turtle1/color_sensor'",
+        "Subscribed to topic '/turtle1/pose'",
+        'Recording...',
+        'Event publisher thread: Exiting',
+        'Recording stopped',
+    ]
     assert typed.code == 0
     assert sorted(path.name for path in (machine.folder / 'rosbag2_2023_11_14-22_13_21').iterdir()) == [
-        'metadata.yaml', 'rosbag2_2023_11_14-22_13_21.mcap']
+        'metadata.yaml',
+        'rosbag2_2023_11_14-22_13_21.mcap',
+    ]
 
 
 @pytest.mark.parametrize('storage', ['mcap', 'sqlite3'])
@@ -39,8 +52,11 @@ def test_a_bag_holds_the_messages_at_their_times(machine, storage: str) -> None:
     typed.interrupt()
     assert 'All requested topics are subscribed. Stopping discovery...' in logged(typed.err)
     start = machine.session.sim.start_ns
-    commands = [((time - start) / 1e9, message.linear.x) for time, topic, message in read(machine.folder / 'subset')
-                if topic == '/turtle1/cmd_vel']
+    commands = [
+        ((time - start) / 1e9, message.linear.x)
+        for time, topic, message in read(machine.folder / 'subset')
+        if topic == '/turtle1/cmd_vel'
+    ]
     assert commands == [(1.25, 2.0), (1.45, 2.0)]
 
 
@@ -53,6 +69,7 @@ def test_a_topic_is_found_when_it_appears(machine) -> None:
 
 def test_without_rosbags_the_recorder_says_so_and_goes_on(machine, monkeypatch) -> None:
     from importlib import util
+
     found = util.find_spec
     monkeypatch.setattr('edulaunch.cli.ros2.bag.record.find_spec', lambda name: None if name == 'rosbags' else found(name))
     typed = machine.run('ros2 bag record -a')

@@ -1,13 +1,17 @@
 """`ros2 interface ...` and `ros2 pkg ...` in the simulation."""
+
 from __future__ import annotations
 
-TWIST_WITHOUT_COMMENTS = 'Vector3 linear\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\nVector3 angular\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\n'
+TWIST_WITHOUT_COMMENTS = (
+    'Vector3 linear\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\nVector3 angular\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\n'
+)
 
 
 def test_show_indents_nested_definitions_by_tabs(machine) -> None:
     assert machine.read('ros2 interface show geometry_msgs/msg/Twist --no-comments') == TWIST_WITHOUT_COMMENTS
     assert machine.read('ros2 interface show geometry_msgs/msg/PoseStamped').startswith(
-        'std_msgs/Header header\n\tbuiltin_interfaces/Time stamp\n\t\tint32 sec\n\t\tuint32 nanosec\n\tstring frame_id\n')
+        'std_msgs/Header header\n\tbuiltin_interfaces/Time stamp\n\t\tint32 sec\n\t\tuint32 nanosec\n\tstring frame_id\n'
+    )
 
 
 def test_show_keeps_the_comments_of_the_outer_type(machine) -> None:
@@ -18,13 +22,17 @@ def test_show_keeps_the_comments_of_the_outer_type(machine) -> None:
 
 def test_show_of_something_unknown(machine) -> None:
     assert machine.fails('ros2 interface show turtlesim/msg/Pos') == (
-        "Could not find the interface 'turtlesim/msg/Pos'\n  help: did you mean 'turtlesim/msg/Pose'?\n")
+        "Could not find the interface 'turtlesim/msg/Pos'\n  help: did you mean 'turtlesim/msg/Pose'?\n"
+    )
     assert machine.fails('ros2 interface show turtelsim/msg/Pose').startswith("Unknown package 'turtelsim'\n")
 
 
 def test_lists(machine) -> None:
     assert machine.read('ros2 interface package turtlesim').splitlines()[:3] == [
-        'turtlesim/action/RotateAbsolute', 'turtlesim/msg/Color', 'turtlesim/msg/Pose']
+        'turtlesim/action/RotateAbsolute',
+        'turtlesim/msg/Color',
+        'turtlesim/msg/Pose',
+    ]
     assert 'turtlesim' in machine.read('ros2 interface packages -s').splitlines()
     headings = [line for line in machine.read('ros2 interface list').splitlines() if not line.startswith('    ')]
     assert headings == ['Messages:', 'Services:', 'Actions:']

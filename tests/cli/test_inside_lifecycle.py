@@ -1,4 +1,5 @@
 """`ros2 lifecycle ...` in the simulation."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -40,7 +41,8 @@ def test_get_tells_the_state_of_one_node_or_of_all(lidar: Any) -> None:
 
 def test_list_tells_what_the_node_can_do_now(lidar: Any) -> None:
     assert lidar.read('ros2 lifecycle list /front/lidar') == (
-        '- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n- shutdown [5]\n\tStart: unconfigured\n\tGoal: shuttingdown\n')
+        '- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n- shutdown [5]\n\tStart: unconfigured\n\tGoal: shuttingdown\n'
+    )
     assert lidar.read('ros2 lifecycle list /front/lidar -a').count('\tGoal: ') > 20
 
 
@@ -58,7 +60,8 @@ def test_a_transition_that_fails_is_said_and_the_status_is_0_as_in_ros(lidar: An
 
 def test_a_transition_that_cannot_be_made_now_is_an_error(lidar: Any) -> None:
     assert lidar.fails('ros2 lifecycle set /front/lidar activate') == (
-        'Unknown transition requested, available ones are:\n- configure [1]\n- shutdown [5]\n')
+        'Unknown transition requested, available ones are:\n- configure [1]\n- shutdown [5]\n'
+    )
 
 
 def test_a_node_without_a_lifecycle_is_not_found(lidar: Any) -> None:

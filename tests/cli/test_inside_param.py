@@ -1,4 +1,5 @@
 """`ros2 param ...` in the simulation."""
+
 from __future__ import annotations
 
 import pytest
@@ -12,12 +13,19 @@ def test_list_of_one_node_and_of_all(machine) -> None:
 
 def test_list_with_types_filter_and_prefix(machine) -> None:
     assert machine.read('ros2 param list /sim --param-type --filter background_[rg]') == (
-        '  background_g (type: integer)\n  background_r (type: integer)\n')
+        '  background_g (type: integer)\n  background_r (type: integer)\n'
+    )
     assert machine.read('ros2 param list /sim --param-prefixes holonomic') == '  holonomic\n'
 
 
-@pytest.mark.parametrize(('words', 'answer'), [
-    ('background_g', 'Integer value is: 86\n'), ('holonomic', 'Boolean value is: False\n'), ('background_b --hide-type', '255\n')])
+@pytest.mark.parametrize(
+    ('words', 'answer'),
+    [
+        ('background_g', 'Integer value is: 86\n'),
+        ('holonomic', 'Boolean value is: False\n'),
+        ('background_b --hide-type', '255\n'),
+    ],
+)
 def test_get(machine, words: str, answer: str) -> None:
     assert machine.read(f'ros2 param get /sim {words}') == answer
 
@@ -31,9 +39,14 @@ def test_set_changes_the_node(machine) -> None:
     assert machine.read('ros2 param get sim background_r') == 'Integer value is: 150\n'
 
 
-@pytest.mark.parametrize(('words', 'complaint'), [
-    ('background_r 1.5', 'help: write the number without a point'), ('backgroundr 1', "help: did you mean 'background_r'?"),
-    ('background_r 300', 'range')])
+@pytest.mark.parametrize(
+    ('words', 'complaint'),
+    [
+        ('background_r 1.5', 'help: write the number without a point'),
+        ('backgroundr 1', "help: did you mean 'background_r'?"),
+        ('background_r 300', 'range'),
+    ],
+)
 def test_a_refused_value_is_said_and_the_status_is_0_as_in_ros(machine, words: str, complaint: str) -> None:
     typed = machine.run(f'ros2 param set /sim {words}')
     assert (typed.code, typed.out) == (0, '')
@@ -43,7 +56,8 @@ def test_a_refused_value_is_said_and_the_status_is_0_as_in_ros(machine, words: s
 def test_describe(machine) -> None:
     assert machine.read('ros2 param describe sim background_r') == (
         'Parameter name: background_r\n  Type: integer\n  Description: Red channel of the background color\n'
-        '  Constraints:\n    Min value: 0\n    Max value: 255\n    Step: 1\n')
+        '  Constraints:\n    Min value: 0\n    Max value: 255\n    Step: 1\n'
+    )
 
 
 def test_dump_can_be_loaded_again(machine) -> None:

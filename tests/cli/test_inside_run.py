@@ -1,4 +1,5 @@
 """`ros2 run`, `ros2 launch` and wrong command lines in the simulation."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -39,7 +40,9 @@ def test_run_tells_how_a_program_failed(machine) -> None:
 def test_run_of_something_unknown(machine) -> None:
     assert machine.fails('ros2 run turtlesin mimic') == "Package 'turtlesin' not found\n  help: did you mean 'turtlesim'?\n"
     assert machine.fails('ros2 run turtlesim mimik') == "No executable found\n  help: did you mean 'mimic'?\n"
-    assert machine.fails('ros2 run turtlesim x').endswith('help: turtlesim has: draw_square, mimic, turtle_teleop_key, turtlesim_node\n')
+    assert machine.fails('ros2 run turtlesim x').endswith(
+        'help: turtlesim has: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'
+    )
 
 
 def test_a_launch_inside_starts_its_nodes_and_ends_them(machine) -> None:
@@ -56,8 +59,11 @@ def test_launch_shows_arguments_and_refuses_unknown_files(machine) -> None:
 
 
 def test_an_unknown_command_verb_or_option_is_answered_with_the_nearest(machine) -> None:
-    for line, near in (('ros2 topc', '`ros2 topic`'), ('ros2 topic eco', '`ros2 topic echo`'),
-                       ('ros2 topic list --shwo-types', '--show-types')):
+    for line, near in (
+        ('ros2 topc', '`ros2 topic`'),
+        ('ros2 topic eco', '`ros2 topic echo`'),
+        ('ros2 topic list --shwo-types', '--show-types'),
+    ):
         typed = machine.run(line)
         assert (typed.code, typed.out) == (2, '') and typed.err.startswith('usage: ros2 ')
         assert typed.err.splitlines()[-1].startswith(f'  help: did you mean {near}')

@@ -1,4 +1,5 @@
 """`ros2 service ...` in the simulation."""
+
 from __future__ import annotations
 
 SPAWN = 'ros2 service call /spawn turtlesim/srv/Spawn'
@@ -18,10 +19,11 @@ def test_type_find_and_info(machine) -> None:
 
 
 def test_call_prints_request_and_response(machine) -> None:
-    typed = machine.run(f"{SPAWN} '{{x: 2, y: 2, theta: 0.2, name: \"\"}}'")
+    typed = machine.run(f'{SPAWN} \'{{x: 2, y: 2, theta: 0.2, name: ""}}\'')
     assert typed.writes == [
         (1.0, "requester: making request: turtlesim.srv.Spawn_Request(x=2.0, y=2.0, theta=0.2, name='')\n\n"),
-        (1.008, "response:\nturtlesim.srv.Spawn_Response(name='turtle2')\n\n")]
+        (1.008, "response:\nturtlesim.srv.Spawn_Response(name='turtle2')\n\n"),
+    ]
     assert typed.code == 0
 
 
@@ -31,8 +33,10 @@ def test_call_takes_relative_names_and_the_short_type(machine) -> None:
 
 def test_call_waits_for_the_service_and_says_what_may_be_wrong(machine) -> None:
     typed = machine.run('ros2 service call /spwan turtlesim/srv/Spawn', 6)
-    assert typed.writes == [(1.0, 'waiting for service to become available...\n'), (
-        6.0, "still waiting for /spwan [turtlesim/srv/Spawn]\n  help: did you mean '/spawn'?\n")]
+    assert typed.writes == [
+        (1.0, 'waiting for service to become available...\n'),
+        (6.0, "still waiting for /spwan [turtlesim/srv/Spawn]\n  help: did you mean '/spawn'?\n"),
+    ]
 
 
 def test_call_of_the_wrong_type_names_the_right_one(machine) -> None:
@@ -47,8 +51,10 @@ def test_call_repeats_at_a_rate(machine) -> None:
 
 def test_call_refuses_what_does_not_fit(machine) -> None:
     assert machine.fails('ros2 service call /spawn turtlesim/srv/Spwan') == (
-        "The passed service type is invalid\n  help: did you mean 'turtlesim/srv/Spawn'?\n")
+        "The passed service type is invalid\n  help: did you mean 'turtlesim/srv/Spawn'?\n"
+    )
     assert machine.fails(f'{SPAWN} "{{x: far}}"') == (
-        "Failed to populate field: could not convert string to float: 'far'\n  help: 'x' is float32\n")
+        "Failed to populate field: could not convert string to float: 'far'\n  help: 'x' is float32\n"
+    )
     assert machine.fails(f'{SPAWN} "x: {{}}"').startswith('Failed to populate field: ')
     assert machine.fails(f'{SPAWN} "{{x: "').startswith('The passed value is not valid YAML')

@@ -1,15 +1,23 @@
 """`ros2 topic ...` in the simulation."""
+
 from __future__ import annotations
 
 TWIST = 'geometry_msgs/msg/Twist'
-SHOWN = ('geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=2.0, y=0.0, z=0.0), '
-         'angular=geometry_msgs.msg.Vector3(x=0.0, y=0.0, z=1.8))')
+SHOWN = (
+    'geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=2.0, y=0.0, z=0.0), '
+    'angular=geometry_msgs.msg.Vector3(x=0.0, y=0.0, z=1.8))'
+)
 POSE = 'x: 5.544444561004639\ny: 5.544444561004639\ntheta: 0.0\nlinear_velocity: 0.0\nangular_velocity: 0.0\n---\n'
 
 
 def test_list_is_sorted_and_leaves_hidden_topics_out(machine) -> None:
     assert machine.read('ros2 topic list').splitlines() == [
-        '/parameter_events', '/rosout', '/turtle1/cmd_vel', '/turtle1/color_sensor', '/turtle1/pose']
+        '/parameter_events',
+        '/rosout',
+        '/turtle1/cmd_vel',
+        '/turtle1/color_sensor',
+        '/turtle1/pose',
+    ]
 
 
 def test_list_with_types_and_count(machine) -> None:
@@ -29,7 +37,9 @@ def test_info_counts_both_sides(machine) -> None:
 
 
 def test_info_wants_the_full_name_and_names_the_nearest(machine) -> None:
-    assert machine.fails('ros2 topic info turtle1/pose') == "Unknown topic 'turtle1/pose'\n  help: did you mean '/turtle1/pose'?\n"
+    assert (
+        machine.fails('ros2 topic info turtle1/pose') == "Unknown topic 'turtle1/pose'\n  help: did you mean '/turtle1/pose'?\n"
+    )
 
 
 def test_verbose_info_shows_each_endpoint(machine) -> None:
@@ -65,7 +75,8 @@ def test_echo_of_a_wrong_field_or_filter_says_so(machine) -> None:
 def test_echo_of_an_unknown_topic(machine) -> None:
     assert machine.fails('ros2 topic echo /turtle1/pos') == (
         'WARNING: topic [/turtle1/pos] does not appear to be published yet\n'
-        "Could not determine the type for the passed topic\n  help: did you mean '/turtle1/pose'?\n")
+        "Could not determine the type for the passed topic\n  help: did you mean '/turtle1/pose'?\n"
+    )
 
 
 def test_echo_gives_up_at_its_timeout(machine) -> None:
@@ -87,8 +98,11 @@ def test_long_arrays_and_strings_are_cut(machine) -> None:
 
 def test_pub_publishes_at_once_and_then_each_period(machine) -> None:
     typed = machine.run(f"ros2 topic pub -r 2 /turtle1/cmd_vel {TWIST} '{{linear: {{x: 2}}, angular: {{z: 1.8}}}}'", 0.9)
-    assert typed.writes == [(1.0, 'publisher: beginning loop\n'), (1.0, f'publishing #1: {SHOWN}\n\n'),
-                            (1.5, f'publishing #2: {SHOWN}\n\n')]
+    assert typed.writes == [
+        (1.0, 'publisher: beginning loop\n'),
+        (1.0, f'publishing #1: {SHOWN}\n\n'),
+        (1.5, f'publishing #2: {SHOWN}\n\n'),
+    ]
 
 
 def test_pub_once_waits_for_a_listener_and_stays_a_moment(machine) -> None:
@@ -111,17 +125,18 @@ def test_pub_takes_values_behind_options(machine) -> None:
 def test_pub_refuses_what_does_not_fit(machine) -> None:
     pub = 'ros2 topic pub /turtle1/cmd_vel'
     assert machine.fails(f'{pub} geometry_msgs/msg/Twis') == (
-        "The passed message type is invalid\n  help: did you mean 'geometry_msgs/msg/Twist'?\n")
+        "The passed message type is invalid\n  help: did you mean 'geometry_msgs/msg/Twist'?\n"
+    )
     assert machine.fails(f'{pub} {TWIST} 5').startswith('The passed value needs to be a dictionary in YAML format\n')
     assert machine.fails(f'{pub} {TWIST} "{{linar: 1}}"') == (
-        "Failed to populate field: 'Twist' object has no attribute 'linar'\n  help: did you mean 'linear'?\n")
+        "Failed to populate field: 'Twist' object has no attribute 'linar'\n  help: did you mean 'linear'?\n"
+    )
     assert machine.fails(f'{pub} {TWIST} "{{linear:3}}"').endswith('help: put a blank after the colon: linear: 3\n')
 
 
 def test_pub_gives_up_waiting(machine) -> None:
     typed = machine.run('ros2 topic pub --once --max-wait-time-secs 0.5 /nobody std_msgs/msg/Empty', 1)
-    assert (typed.code, typed.err) == (
-        1, 'Timed out waiting for subscribers: Expected 1 subcribers but only got 0 subscribers\n')
+    assert (typed.code, typed.err) == (1, 'Timed out waiting for subscribers: Expected 1 subcribers but only got 0 subscribers\n')
 
 
 def test_hz_reports_each_second(machine) -> None:
@@ -132,7 +147,8 @@ def test_hz_reports_each_second(machine) -> None:
 
 def test_bw_counts_serialized_bytes(machine) -> None:
     assert machine.run('ros2 topic bw /turtle1/pose', 1.1).out == (
-        'Subscribed to [/turtle1/pose]\n1.52 KB/s from 64 messages\n\tMessage size mean: 0.02 KB min: 0.02 KB max: 0.02 KB\n')
+        'Subscribed to [/turtle1/pose]\n1.52 KB/s from 64 messages\n\tMessage size mean: 0.02 KB min: 0.02 KB max: 0.02 KB\n'
+    )
 
 
 def test_delay_measures_the_age_of_stamps(machine) -> None:
@@ -150,8 +166,10 @@ def test_ctrl_c_ends_a_listener_with_the_number_of_the_signal(machine) -> None:
 
 def test_commands_of_the_first_half_second_wait_until_the_graph_is_known(tmp_path) -> None:
     from edulaunch.session import Session
+
     session, heard = Session(), []
     from edulaunch.processes.spec import ProcessSpec
+
     for words in ('ros2 node list', 'ros2 run turtlesim turtlesim_node'):
         session.host.start(ProcessSpec(argv=tuple(words.split())), lambda _, text: heard.append((session.sim.now_ns, text)))
     session.run(1.0)

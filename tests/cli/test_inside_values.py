@@ -1,4 +1,5 @@
 """YAML into messages and messages into YAML, as the commands do it."""
+
 from __future__ import annotations
 
 import pytest
@@ -18,8 +19,11 @@ def filled(type_name: str, text: str) -> object:
     return message
 
 
-@given(st.lists(FINITE, max_size=5), st.text(st.characters(codec='utf-8', exclude_categories=('Cc', 'Cs'))),
-       st.integers(0, 2**32 - 1))
+@given(
+    st.lists(FINITE, max_size=5),
+    st.text(st.characters(codec='utf-8', exclude_categories=('Cc', 'Cs'))),
+    st.integers(0, 2**32 - 1),
+)
 def test_what_is_printed_can_be_typed_in_again(numbers: list[float], label: str, size: int) -> None:
     cls, dimension = message_class('std_msgs/msg/Float64MultiArray'), message_class('std_msgs/msg/MultiArrayDimension')
     message = cls(data=numbers)
@@ -27,7 +31,7 @@ def test_what_is_printed_can_be_typed_in_again(numbers: list[float], label: str,
     assert filled(cls.TYPE, message_yaml(message)) == message
 
 
-@given(st.integers(-2**15, 2**15 - 1))
+@given(st.integers(-(2**15), 2**15 - 1))
 def test_numbers_become_the_type_of_their_field(number: int) -> None:
     assert filled('turtlesim/msg/Pose', f'x: {number}').x == float(number)
     assert filled('std_msgs/msg/Int16', f"data: '{number}'").data == number
@@ -41,13 +45,17 @@ def test_header_auto_and_time_now_are_stamped_when_asked() -> None:
     assert (message.header.stamp.sec, message.time_ref.sec) == (7, 7)
 
 
-@pytest.mark.parametrize(('type_name', 'text', 'reason'), [
-    ('std_msgs/msg/UInt8', 'data: -1', 'unsigned integer in [0, 255]'),
-    ('std_msgs/msg/Header', 'stamp: 5', "Value '5' is expected to be a dictionary but is a int"),
-    ('std_msgs/msg/Header', 'auto: 5', 'help: the fields of std_msgs/msg/Header are: stamp, frame_id'),
-    ('std_msgs/msg/Float64MultiArray', 'data: 5', "Value '5' of 'data' is expected to be a list but is a int"),
-    ('std_msgs/msg/Float64MultiArray', 'layout: {dim: [{sise: 1}]}', "help: did you mean 'size'?"),
-    ('std_msgs/msg/String', 'data: [a]', 'is expected to be a string but is a list')])
+@pytest.mark.parametrize(
+    ('type_name', 'text', 'reason'),
+    [
+        ('std_msgs/msg/UInt8', 'data: -1', 'unsigned integer in [0, 255]'),
+        ('std_msgs/msg/Header', 'stamp: 5', "Value '5' is expected to be a dictionary but is a int"),
+        ('std_msgs/msg/Header', 'auto: 5', 'help: the fields of std_msgs/msg/Header are: stamp, frame_id'),
+        ('std_msgs/msg/Float64MultiArray', 'data: 5', "Value '5' of 'data' is expected to be a list but is a int"),
+        ('std_msgs/msg/Float64MultiArray', 'layout: {dim: [{sise: 1}]}', "help: did you mean 'size'?"),
+        ('std_msgs/msg/String', 'data: [a]', 'is expected to be a string but is a list'),
+    ],
+)
 def test_a_misfit_names_field_and_reason(type_name: str, text: str, reason: str) -> None:
     with pytest.raises(FillError) as caught:
         filled(type_name, text)

@@ -1,4 +1,5 @@
 """`edulaunch launch`: the console of `ros2 launch`, and what it says to bad input."""
+
 from __future__ import annotations
 
 import os
@@ -20,12 +21,14 @@ HEAD = 'from launch import LaunchDescription\nfrom launch.actions import *\nfrom
 @pytest.fixture
 def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     """Write a launch file, run it as the command does, and return (exit code, stdout, stderr) without the folder's path."""
+
     def run_command(text: str | bytes, *words: str, name: str = 'my.launch.py') -> tuple[int, str, str]:
         path = tmp_path / name
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
         code = main(['launch', str(path), '--fast', '--for', '3', *words])
         out, err = capsys.readouterr()
         return code, out.replace(str(tmp_path), '@'), err.replace(str(tmp_path), '@')
+
     return run_command
 
 
@@ -36,25 +39,56 @@ def describe(*entities: str) -> str:
 def test_the_console_is_that_of_ros2_launch(run) -> None:
     code, out, err = run(describe("LogInfo(msg='hello')", "Node(package='demo_nodes_cpp', executable='talker', output='screen')"))
     lines = out.splitlines()
-    assert lines[:3] == ['[INFO] [launch]: Default logging verbosity is set to INFO', '[INFO] [launch.user]: hello',
-                         '[INFO] [talker-1]: process started with pid [1002]']
+    assert lines[:3] == [
+        '[INFO] [launch]: Default logging verbosity is set to INFO',
+        '[INFO] [launch.user]: hello',
+        '[INFO] [talker-1]: process started with pid [1002]',
+    ]
     assert lines[3] == "[talker-1] [INFO] [1700000001.000000000] [talker]: Publishing: 'Hello World: 1'"
     assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
     assert lines[-1] == '[INFO] [talker-1]: process has finished cleanly [pid 1002]'
     assert (code, err) == (0, '')
 
 
-@pytest.mark.parametrize(('text', 'said', 'where', 'tried'), [
-    ('x = 1\n', "does not contain the required function 'generate_launch_description()'", '', ''),
-    (HEAD + 'def generate_launch_description():\n    LaunchDescription([])\n', "'NoneType' object has no attribute", '', 'return'),
-    (HEAD + 'def generate_launch_description():\n    return [LogInfo(msg="x")]\n', "'list' object has no attribute", '', 'LaunchDescription'),
-    (HEAD + 'def generate_launch_description(:\n', 'SyntaxError: invalid syntax', 'my.launch.py:4', ''),
-    (HEAD + 'def generate_launch_description():\n    return 1 / 0\n', 'ZeroDivisionError: division by zero', 'my.launch.py:5', ''),
-    (describe("Node(package='turtlesm', executable='turtlesim_node')"), "package 'turtlesm' not found, searching:", 'my.launch.py:5', 'turtlesim'),
-    (describe("Node(package='turtlesim', executable='turtle')"), "executable 'turtle' not found on the libexec directory", 'my.launch.py:5', 'turtle'),
-    (describe("DeclareLaunchArgument('n', default_value=3)"), "'int' object is not iterable", 'my.launch.py:5', "'3'"),
-    (describe("DeclareLaunchArgument('needed')"), "missing required argument 'needed'", '', ''),
-])
+@pytest.mark.parametrize(
+    ('text', 'said', 'where', 'tried'),
+    [
+        ('x = 1\n', "does not contain the required function 'generate_launch_description()'", '', ''),
+        (
+            HEAD + 'def generate_launch_description():\n    LaunchDescription([])\n',
+            "'NoneType' object has no attribute",
+            '',
+            'return',
+        ),
+        (
+            HEAD + 'def generate_launch_description():\n    return [LogInfo(msg="x")]\n',
+            "'list' object has no attribute",
+            '',
+            'LaunchDescription',
+        ),
+        (HEAD + 'def generate_launch_description(:\n', 'SyntaxError: invalid syntax', 'my.launch.py:4', ''),
+        (
+            HEAD + 'def generate_launch_description():\n    return 1 / 0\n',
+            'ZeroDivisionError: division by zero',
+            'my.launch.py:5',
+            '',
+        ),
+        (
+            describe("Node(package='turtlesm', executable='turtlesim_node')"),
+            "package 'turtlesm' not found, searching:",
+            'my.launch.py:5',
+            'turtlesim',
+        ),
+        (
+            describe("Node(package='turtlesim', executable='turtle')"),
+            "executable 'turtle' not found on the libexec directory",
+            'my.launch.py:5',
+            'turtle',
+        ),
+        (describe("DeclareLaunchArgument('n', default_value=3)"), "'int' object is not iterable", 'my.launch.py:5', "'3'"),
+        (describe("DeclareLaunchArgument('needed')"), "missing required argument 'needed'", '', ''),
+    ],
+)
 def test_a_launch_file_that_cannot_work_is_explained(run, text: str, said: str, where: str, tried: str) -> None:
     code, out, err = run(text)
     assert said in out and where in out and tried in out
@@ -76,7 +110,10 @@ def test_how_a_command_ended_that_a_program_runs_is_that_programs_business(run, 
 
 def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
     code, out, err = run(describe("DeclareLaunchArgument('radius', default_value='1')"), 'raduis:=2')
-    assert (code, err) == (0, "warning: launch argument 'raduis' is not declared by any of the launch files; did you mean 'radius'?\n")
+    assert (code, err) == (
+        0,
+        "warning: launch argument 'raduis' is not declared by any of the launch files; did you mean 'radius'?\n",
+    )
 
 
 def test_an_argument_without_its_sign_is_malformed(run) -> None:
@@ -85,14 +122,19 @@ def test_an_argument_without_its_sign_is_malformed(run) -> None:
     assert err == ("error: malformed launch argument 'mode=fast', expected format '<name>:=<value>'\n  help: write mode:=fast\n")
 
 
-@pytest.mark.parametrize(('text', 'said'), [
-    ('robot: [1, 2\n', "Couldn't parse params file"),
-    ('robot:\n  radius: 1\n', "Couldn't parse params file"),
-    ('just text\n', "Couldn't parse params file"),
-])
+@pytest.mark.parametrize(
+    ('text', 'said'),
+    [
+        ('robot: [1, 2\n', "Couldn't parse params file"),
+        ('robot:\n  radius: 1\n', "Couldn't parse params file"),
+        ('just text\n', "Couldn't parse params file"),
+    ],
+)
 def test_a_parameter_file_that_cannot_be_read_is_explained(run, tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / 'p.yaml').write_text(text)
-    code, out, err = run(describe(f"Node(package='demo_nodes_cpp', executable='talker', parameters=[{str(tmp_path / 'p.yaml')!r}])"))
+    code, out, err = run(
+        describe(f"Node(package='demo_nodes_cpp', executable='talker', parameters=[{str(tmp_path / 'p.yaml')!r}])")
+    )
     assert said in out and '@/p.yaml' in out
     assert code == 0 and 'talker-1 died' in err
 
@@ -101,29 +143,39 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str],
     monkeypatch.chdir(tmp_path)
     (tmp_path / 'robot.launch.py').write_text(describe())
     for word, said in (
-            ('rbot.launch.py', "error: launch file 'rbot.launch.py' does not exist.\n  help: did you mean 'robot.launch.py'?\n"),
-            ('.', "error: '.' is a directory, not a launch file.\n  help: name a file in it: robot.launch.py\n"),
-            ('no/such.launch.py', "error: launch file 'no/such.launch.py' does not exist.\n  help: there is no folder")):
+        ('rbot.launch.py', "error: launch file 'rbot.launch.py' does not exist.\n  help: did you mean 'robot.launch.py'?\n"),
+        ('.', "error: '.' is a directory, not a launch file.\n  help: name a file in it: robot.launch.py\n"),
+        ('no/such.launch.py', "error: launch file 'no/such.launch.py' does not exist.\n  help: there is no folder"),
+    ):
         assert main(['launch', word]) == 2
         assert capsys.readouterr().err.startswith(said)
 
 
-@pytest.mark.parametrize(('words', 'said'), [
-    (['turtlesm', 'multisim.launch.py'], "Package 'turtlesm' not found: \"package 'turtlesm' not found, searching:"),
-    (['turtlesim', 'multisim.lunch.py'], "file 'multisim.lunch.py' was not found in the share directory of package 'turtlesim' which is at"),
-    (['turtlesim'], "file 'None' was not found in the share directory of package 'turtlesim'"),
-])
+@pytest.mark.parametrize(
+    ('words', 'said'),
+    [
+        (['turtlesm', 'multisim.launch.py'], "Package 'turtlesm' not found: \"package 'turtlesm' not found, searching:"),
+        (
+            ['turtlesim', 'multisim.lunch.py'],
+            "file 'multisim.lunch.py' was not found in the share directory of package 'turtlesim' which is at",
+        ),
+        (['turtlesim'], "file 'None' was not found in the share directory of package 'turtlesim'"),
+    ],
+)
 def test_packages_and_files_that_are_none(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['launch', *words]) == 2
     err = capsys.readouterr().err
     assert said in err and '\n  help: ' in err
 
 
-@pytest.mark.parametrize(('first', 'rest', 'expected'), [
-    (__file__, ['a:=1', 'a:=2', 'b:=x:=y'], (__file__, None, {'a': '2', 'b': 'x:=y'})),
-    ('pkg', ['file.py', 'a:=1'], ('pkg', 'file.py', {'a': '1'})),
-    ('pkg', [], ('pkg', None, {})),
-])
+@pytest.mark.parametrize(
+    ('first', 'rest', 'expected'),
+    [
+        (__file__, ['a:=1', 'a:=2', 'b:=x:=y'], (__file__, None, {'a': '2', 'b': 'x:=y'})),
+        ('pkg', ['file.py', 'a:=1'], ('pkg', 'file.py', {'a': '1'})),
+        ('pkg', [], ('pkg', None, {})),
+    ],
+)
 def test_words_are_split_as_ros2_launch_does(first: str, rest: list[str], expected: object) -> None:
     assert split_words(first, rest) == expected
 
@@ -137,8 +189,14 @@ def test_malformed_words(word: str) -> None:
 def test_ctrl_c_in_real_time_shuts_down_as_ros_does() -> None:
     """The whole command in a process of its own, interrupted by a real signal as soon as it talks."""
     command = [sys.executable, '-m', 'edulaunch', 'launch', 'demo_nodes_cpp', 'talker_listener_launch.py']
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          env={**os.environ, 'PYTHONUNBUFFERED': '1'}) as child:
+    with subprocess.Popen(
+        command,
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env={**os.environ, 'PYTHONUNBUFFERED': '1'},
+    ) as child:
         assert child.stdout is not None
         lines = []
         for line in child.stdout:
@@ -170,8 +228,12 @@ def test_output_comes_before_the_line_about_the_end(run, tmp_path: Path) -> None
     (tmp_path / 'count.py').write_text('for i in range(3): print(i)\nraise SystemExit(3)\n')
     code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'count.py')!r}], output='screen')"))
     assert out.splitlines()[1:] == [
-        '[INFO] [python3-1]: process started with pid [1002]', '[python3-1] 0', '[python3-1] 1', '[python3-1] 2',
-        "[ERROR] [python3-1]: process has died [pid 1002, exit code 3, cmd 'python3 @/count.py']."]
+        '[INFO] [python3-1]: process started with pid [1002]',
+        '[python3-1] 0',
+        '[python3-1] 1',
+        '[python3-1] 2',
+        "[ERROR] [python3-1]: process has died [pid 1002, exit code 3, cmd 'python3 @/count.py'].",
+    ]
 
 
 def test_a_program_that_cannot_be_started_is_explained_without_our_frames(run) -> None:
@@ -180,39 +242,54 @@ def test_a_program_that_cannot_be_started_is_explained_without_our_frames(run) -
         '[ERROR] [echo hi-1]: exception occurred while executing process:',
         "FileNotFoundError: [Errno 2] No such file or directory: 'echo hi'",
         "  help: @/my.launch.py:5: there is no program 'echo hi' on the PATH; write each argument as an item of cmd of its own, or "
-        'shell=True']
+        'shell=True',
+    ]
 
 
 def test_a_callback_that_waits_for_ever_is_a_warning(run, tmp_path: Path) -> None:
     (tmp_path / 'wait.py').write_text(
         'import rclpy\nfrom std_srvs.srv import Empty\nrclpy.init()\nnode = rclpy.create_node("a")\n'
         'node.create_service(Empty, "clear", lambda request, response: response)\nclient = node.create_client(Empty, "clear")\n'
-        'async def tick():\n    await client.call_async(Empty.Request())\nnode.create_timer(1.0, tick)\nrclpy.spin(node)\n')
+        'async def tick():\n    await client.call_async(Empty.Request())\nnode.create_timer(1.0, tick)\nrclpy.spin(node)\n'
+    )
     code, out, err = run(describe(f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'wait.py')!r}])"), '--for', '3')
-    assert err == ("warning: python3-1: await in tick() of node '/a' (wait.py:8) waits for ever: the reply of service '/clear' can only be "
-                   'taken when tick() has ended. Use add_done_callback() in place of waiting, or async and await with the client in '
-                   'a callback group of its own.\n')
+    assert err == (
+        "warning: python3-1: await in tick() of node '/a' (wait.py:8) waits for ever: the reply of service '/clear' can only be "
+        'taken when tick() has ended. Use add_done_callback() in place of waiting, or async and await with the client in '
+        'a callback group of its own.\n'
+    )
 
 
 def test_a_command_in_one_text_is_explained(run) -> None:
     code, out, err = run(describe("ExecuteProcess(cmd='zz -a')"))
     assert out.splitlines()[2:4] == [
         "FileNotFoundError: [Errno 2] No such file or directory: 'z'",
-        '  help: @/my.launch.py:5: cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True']
+        '  help: @/my.launch.py:5: cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True',
+    ]
 
 
 def test_an_argument_that_the_included_file_does_not_declare_is_a_warning(run, tmp_path: Path) -> None:
     (tmp_path / 'inner.launch.py').write_text(describe("DeclareLaunchArgument('speed', default_value='1')"))
-    code, out, err = run(describe(f"IncludeLaunchDescription({str(tmp_path / 'inner.launch.py')!r}, "
-                                  "launch_arguments={'speeed': '3'}.items())"))
-    assert (code, err) == (0, "warning: launch argument 'speeed', given to inner.launch.py at my.launch.py:5, is not declared there; "
-                              "did you mean 'speed'?\n")
+    code, out, err = run(
+        describe(f"IncludeLaunchDescription({str(tmp_path / 'inner.launch.py')!r}, launch_arguments={{'speeed': '3'}}.items())")
+    )
+    assert (code, err) == (
+        0,
+        "warning: launch argument 'speeed', given to inner.launch.py at my.launch.py:5, is not declared there; "
+        "did you mean 'speed'?\n",
+    )
 
 
 def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_path: Path) -> None:
     script = tmp_path / 'hears.py'
-    script.write_text('import rclpy\nfrom geometry_msgs.msg import Pose\nrclpy.init()\nnode = rclpy.create_node("hears")\n'
-                      'node.create_subscription(Pose, "/turtle1/pose", print, 10)\n')
-    _, _, err = run(describe("Node(package='turtlesim', executable='turtlesim_node')", f"ExecuteProcess(cmd=['python3', '{script}'])"))
-    assert err == ('warning: turtlesim_node-1: /turtle1/pose: /turtlesim (turtlesim/msg/Pose) and /hears (geometry_msgs/msg/Pose) '
-                   'cannot talk because of TYPE\n')
+    script.write_text(
+        'import rclpy\nfrom geometry_msgs.msg import Pose\nrclpy.init()\nnode = rclpy.create_node("hears")\n'
+        'node.create_subscription(Pose, "/turtle1/pose", print, 10)\n'
+    )
+    _, _, err = run(
+        describe("Node(package='turtlesim', executable='turtlesim_node')", f"ExecuteProcess(cmd=['python3', '{script}'])")
+    )
+    assert err == (
+        'warning: turtlesim_node-1: /turtle1/pose: /turtlesim (turtlesim/msg/Pose) and /hears (geometry_msgs/msg/Pose) '
+        'cannot talk because of TYPE\n'
+    )

@@ -1,4 +1,5 @@
 """`edulaunch pkg`."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -16,8 +17,29 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_create_takes_the_words_of_ros2_pkg_create(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['pkg', 'create', '--build-type', 'ament_python', '--license', 'Apache-2.0', '--', 'learning_tf2_py']) == 0
-    assert main(['pkg', 'create', 'robo', '--build-type', 'ament_python', '--dependencies', 'rclpy', 'std_msgs',
-                 '--maintainer-name', 'Ada', '--maintainer-email', 'ada@example.org', '--description', 'drives', '--node-name', 'go']) == 0
+    assert (
+        main(
+            [
+                'pkg',
+                'create',
+                'robo',
+                '--build-type',
+                'ament_python',
+                '--dependencies',
+                'rclpy',
+                'std_msgs',
+                '--maintainer-name',
+                'Ada',
+                '--maintainer-email',
+                'ada@example.org',
+                '--description',
+                'drives',
+                '--node-name',
+                'go',
+            ]
+        )
+        == 0
+    )
     said = capsys.readouterr().out
     assert "maintainer: ['Ada <ada@example.org>']" in said and 'creating folder ./robo\n' in said
     text = (here / 'robo/package.xml').read_text()

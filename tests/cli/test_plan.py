@@ -1,4 +1,5 @@
 """`edulaunch plan`: what would start, without starting anything."""
+
 from __future__ import annotations
 
 import json
@@ -43,14 +44,18 @@ def test_nodes_come_with_their_parameters_remaps_and_timers(file: Path, capsys: 
         '│   └── remap a -> b',
         '└── timer after 2 s  <my.launch.py:12>',
         '    └── node /late: demo_nodes_cpp talker  <my.launch.py:12>',
-        'nodes: 2, other processes: 0, reason of the shutdown: idle']
+        'nodes: 2, other processes: 0, reason of the shutdown: idle',
+    ]
 
 
 def test_as_json_it_is_plan_format_1(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['plan', str(file), '--json']) == 0
     plan = json.loads(capsys.readouterr().out)
     assert (plan['format'], plan['error'], [item['kind'] for item in plan['items']]) == (
-        1, None, ['include', 'argument', 'node', 'timer', 'node'])
+        1,
+        None,
+        ['include', 'argument', 'node', 'timer', 'node'],
+    )
 
 
 def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -67,11 +72,15 @@ def test_missing_packages_are_an_error_unless_assumed(tmp_path: Path, capsys: py
 
 def test_parameter_files_that_are_not_there_stand_below_their_node(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / 'my.launch.xml'
-    path.write_text('<launch><node pkg="my_robot" exec="a"><param from="$(find-pkg-share my_robot)/a.yaml"/>'
-                    '<param from="/none/b.yaml"/></node></launch>')
+    path.write_text(
+        '<launch><node pkg="my_robot" exec="a"><param from="$(find-pkg-share my_robot)/a.yaml"/>'
+        '<param from="/none/b.yaml"/></node></launch>'
+    )
     assert main(['plan', str(path), '--assume-packages']) == 0
     assert capsys.readouterr().out.splitlines()[2:4] == [
-        '    ├── parameter file my_robot/a.yaml is missing', '    └── parameter file /none/b.yaml is missing']
+        '    ├── parameter file my_robot/a.yaml is missing',
+        '    └── parameter file /none/b.yaml is missing',
+    ]
 
 
 def test_configurations_that_outlive_a_reset_are_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -82,8 +91,12 @@ def test_configurations_that_outlive_a_reset_are_shown(tmp_path: Path, capsys: p
 
 
 def test_a_terminal_without_line_drawing_gets_a_plain_tree(file: Path) -> None:
-    run = subprocess.run([sys.executable, '-m', 'edulaunch', 'plan', str(file)], capture_output=True, check=True,
-                         env={**os.environ, 'PYTHONIOENCODING': 'ascii'})
+    run = subprocess.run(
+        [sys.executable, '-m', 'edulaunch', 'plan', str(file)],
+        capture_output=True,
+        check=True,
+        env={**os.environ, 'PYTHONIOENCODING': 'ascii'},
+    )
     assert b'\n`-- timer after 2 s' in run.stdout
 
 

@@ -1,4 +1,5 @@
 """`edulaunch recording info`."""
+
 from __future__ import annotations
 
 import json

@@ -1,4 +1,5 @@
 """`edulaunch rosdep check`."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -8,12 +9,21 @@ import pytest
 from edulaunch.cli.main import main
 
 
-@pytest.mark.parametrize(('depends', 'code', 'output'), [
-    ('rclpy', 0, 'All dependencies have been satisfied\n'),
-    ('rclp', 1, 'package.xml:3: robo needs rclp (<exec_depend>), which is not here; the nearest name is rclpy\n\n'
-                'nodes of these packages that use what is missing cannot run: robo\n'),
-])
-def test_check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], depends: str, code: int, output: str) -> None:
+@pytest.mark.parametrize(
+    ('depends', 'code', 'output'),
+    [
+        ('rclpy', 0, 'All dependencies have been satisfied\n'),
+        (
+            'rclp',
+            1,
+            'package.xml:3: robo needs rclp (<exec_depend>), which is not here; the nearest name is rclpy\n\n'
+            'nodes of these packages that use what is missing cannot run: robo\n',
+        ),
+    ],
+)
+def test_check(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], depends: str, code: int, output: str
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / 'package.xml').write_text(f'<package>\n  <name>robo</name>\n  <exec_depend>{depends}</exec_depend>\n</package>\n')
     assert (main(['rosdep', 'check']), capsys.readouterr().out) == (code, output)

@@ -13,14 +13,7 @@ from edugrade.judging import judge
 from edugrade.outcome import Outcome
 from edugrade.source import Source
 
-from edulaunch.recording.records import (
-    DeclaredArgument,
-    Frame,
-    LaunchRecord,
-    NodeRecord,
-    Parameter,
-    ProcessRecord,
-)
+from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
 
 FILE = '/student/a.launch.py'
 TEXT = 'def generate_launch_description():\n    return LaunchDescription([\n    ])\n'

@@ -45,12 +45,19 @@ def program(number: int, package: str, executable: str, **changes: Any) -> Proce
 
 def node(name: str, of: ProcessRecord, publishes: str = '', listens: str = '') -> NodeRecord:
     """A node with at most one publisher and one subscription."""
-    return NodeRecord(name, of.name, 0.0, None, [(publishes, 't')] if publishes else [],
-                      [(listens, 't')] if listens else [], [], [])
+    return NodeRecord(
+        name, of.name, 0.0, None, [(publishes, 't')] if publishes else [], [(listens, 't')] if listens else [], [], []
+    )
 
 
-def frame(parent: str, x: float, y: float, z: float = 0.0, rotation: tuple[float, float, float, float] = UNTURNED,
-          is_static: bool = False) -> Frame:
+def frame(
+    parent: str,
+    x: float,
+    y: float,
+    z: float = 0.0,
+    rotation: tuple[float, float, float, float] = UNTURNED,
+    is_static: bool = False,
+) -> Frame:
     return Frame(parent, (x, y, z), rotation, is_static, 0.0)
 
 

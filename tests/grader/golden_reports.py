@@ -28,8 +28,10 @@ def grade_all() -> dict[str, tuple[str, str]]:
 
 def _graded(cases: list[str], limits: Limits) -> dict[str, tuple[str, str]]:
     reports = grade([_work(case) for case in cases], limits)
-    return {case: (f'{render(report)}exit code {report.exit_code}\n', json_text(document(report)))
-            for case, report in zip(cases, reports, strict=True)}
+    return {
+        case: (f'{render(report)}exit code {report.exit_code}\n', json_text(document(report)))
+        for case, report in zip(cases, reports, strict=True)
+    }
 
 
 def _work(case: str) -> Work:

@@ -22,9 +22,7 @@ FAILED = CheckResult(
     Place(FILE, 12),
     f'look at {FILE}:12',
 )
-NOT_RUN = CheckResult(
-    'arrives', 'It arrives', 'not_run', 4, ('drives',), 'because "It drives" failed', root_cause='drives'
-)
+NOT_RUN = CheckResult('arrives', 'It arrives', 'not_run', 4, ('drives',), 'because "It drives" failed', root_cause='drives')
 BROKE = CheckResult('counts', 'It counts', 'grader_broke', 1, (), 'the check itself broke: KeyError: 1')
 RECORDED = Outcome(Scenario('fast', {'speed': '2.0'}), 'recorded')
 

@@ -18,11 +18,16 @@ LISTENER = program(3, 'turtle_tf2_py', 'turtle_tf2_listener', line=33)
 def run(scenario: Scenario, **changes: Any) -> FakeRun:
     radius = float(scenario.arguments['speed']) / 0.5
     track = circles(radius, 0.5)
-    return FakeRun(**{
-        'processes': [MIMIC, BROADCASTER, LISTENER], 'nodes': [node('/listener', LISTENER)],
-        'tracks': dict.fromkeys(('/teacher/turtle1/pose', '/turtle1/pose', '/turtle2/pose'), track),
-        'frames': lambda time_s: {'turtle1': frame('world', 5.0, 5.0), 'turtle2': frame('world', 5.0, 5.0)},
-        'values': {'/listener': {'target_frame': Parameter('turtle1', 'x')}}, **changes})
+    return FakeRun(
+        **{
+            'processes': [MIMIC, BROADCASTER, LISTENER],
+            'nodes': [node('/listener', LISTENER)],
+            'tracks': dict.fromkeys(('/teacher/turtle1/pose', '/turtle1/pose', '/turtle2/pose'), track),
+            'frames': lambda time_s: {'turtle1': frame('world', 5.0, 5.0), 'turtle2': frame('world', 5.0, 5.0)},
+            'values': {'/listener': {'target_frame': Parameter('turtle1', 'x')}},
+            **changes,
+        }
+    )
 
 
 def topic(name: str, publishers: list[str], subscriptions: list[str]) -> TopicRecord:
@@ -38,9 +43,13 @@ def test_a_correct_launch_passes_everything() -> None:
 def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
     def deaf(scenario: Scenario) -> FakeRun:
         good = run(scenario)
-        return run(scenario, tracks={**good.tracks, '/turtle1/pose': stays(5.5, 5.5)},
-                   nodes=[*good.nodes, node('/mimic', MIMIC, publishes='/output/cmd_vel')],
-                   topics={'/output/cmd_vel': topic('/output/cmd_vel', ['/mimic'], [])})
+        return run(
+            scenario,
+            tracks={**good.tracks, '/turtle1/pose': stays(5.5, 5.5)},
+            nodes=[*good.nodes, node('/mimic', MIMIC, publishes='/output/cmd_vel')],
+            topics={'/output/cmd_vel': topic('/output/cmd_vel', ['/mimic'], [])},
+        )
+
     results = graded('broken_follow', deaf)
     assert statuses(results) == {'turtle1_copies': 'failed', 'turtle2_follows': 'not_run'}
     assert results['turtle1_copies'].seen.endswith('/mimic publishes /output/cmd_vel, to which nobody listens')
@@ -49,9 +58,13 @@ def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
 
 def test_a_broadcaster_that_hears_nobody_is_pointed_at() -> None:
     def silent(scenario: Scenario) -> FakeRun:
-        return run(scenario, frames=lambda time_s: {'turtle1': frame('world', 5.0, 5.0)},
-                   nodes=[node('/listener', LISTENER), node('/b2', BROADCASTER, listens='/turtle_2/pose')],
-                   topics={'/turtle_2/pose': topic('/turtle_2/pose', [], ['/b2'])})
+        return run(
+            scenario,
+            frames=lambda time_s: {'turtle1': frame('world', 5.0, 5.0)},
+            nodes=[node('/listener', LISTENER), node('/b2', BROADCASTER, listens='/turtle_2/pose')],
+            topics={'/turtle_2/pose': topic('/turtle_2/pose', [], ['/b2'])},
+        )
+
     result = graded('broken_follow', silent)['turtle2_is_on_tf']
     assert result.seen == 'turtle1 in world\n/b2 listens to /turtle_2/pose, which nobody publishes'
     assert result.where == (FILE, 22)
@@ -63,12 +76,15 @@ def test_a_misspelt_target_is_shown_with_its_origin() -> None:
     results = graded('broken_follow', lambda s: run(s, values=values))
     assert statuses(results) == {'target_is_turtle1': 'failed', 'turtle2_follows': 'not_run'}
     assert (results['target_is_turtle1'].seen, results['target_is_turtle1'].where) == (
-        'trutle1 (from: a.launch.py line 33)', (FILE, 33))
+        'trutle1 (from: a.launch.py line 33)',
+        (FILE, 33),
+    )
 
 
 def test_a_teacher_that_was_changed_is_no_test_of_copying() -> None:
     def changed(scenario: Scenario) -> FakeRun:
         return run(scenario, tracks=dict.fromkeys(run(scenario).tracks, circles(0.3, 0.5)))
+
     results = graded('broken_follow', changed)
     assert results['teacher_drives'].seen == 'a circle of 0.30 m'
     assert results['turtle1_copies'].status == 'not_run'
@@ -77,4 +93,5 @@ def test_a_teacher_that_was_changed_is_no_test_of_copying() -> None:
 def test_a_follower_that_stays_behind_is_measured() -> None:
     def lazy(scenario: Scenario) -> FakeRun:
         return run(scenario, tracks={**run(scenario).tracks, '/turtle2/pose': stays(12.0, 5.0)})
+
     assert statuses(graded('broken_follow', lazy)) == {'turtle2_follows': 'failed'}

@@ -20,13 +20,19 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
 
     def frames(time_s: float) -> Any:
         side = (10.0 if int(time_s) % 2 else -10.0) if moves else 2.0
-        return {'turtle1': frame('world', 5.5, 5.5), 'turtle2': frame('world', 5.5, 7.5),
-                'carrot1': frame('turtle1', 0.0, side)}
-    return FakeRun(**{
-        'launch': declared('carrot', 'fixed'), 'processes': [LISTENER, MOVING if moves else FIXED],
-        'nodes': [node('/listener', LISTENER)], 'frames': frames,
-        'values': {'/listener': {'target_frame': Parameter('carrot1', 'launch argument target_frame')}},
-        'tracks': {'/turtle2/pose': circles(3.0, 1.0) if moves else stays(5.5, 7.5)}, **changes})
+        return {'turtle1': frame('world', 5.5, 5.5), 'turtle2': frame('world', 5.5, 7.5), 'carrot1': frame('turtle1', 0.0, side)}
+
+    return FakeRun(
+        **{
+            'launch': declared('carrot', 'fixed'),
+            'processes': [LISTENER, MOVING if moves else FIXED],
+            'nodes': [node('/listener', LISTENER)],
+            'frames': frames,
+            'values': {'/listener': {'target_frame': Parameter('carrot1', 'launch argument target_frame')}},
+            'tracks': {'/turtle2/pose': circles(3.0, 1.0) if moves else stays(5.5, 7.5)},
+            **changes,
+        }
+    )
 
 
 def test_a_correct_launch_passes_everything() -> None:

@@ -37,12 +37,7 @@ def test_two_points_have_no_circle() -> None:
 
 def test_a_square_is_far_from_its_circle() -> None:
     side = [k / 10 for k in range(10)]
-    square = (
-        [(s, 0.0) for s in side]
-        + [(1.0, s) for s in side]
-        + [(1 - s, 1.0) for s in side]
-        + [(0.0, 1 - s) for s in side]
-    )
+    square = [(s, 0.0) for s in side] + [(1.0, s) for s in side] + [(1 - s, 1.0) for s in side] + [(0.0, 1 - s) for s in side]
     circle = fit_circle(square)
     assert circle is not None
     assert circle.residual > 0.05

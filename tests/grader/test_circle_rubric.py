@@ -72,38 +72,25 @@ def test_a_robot_that_stands_is_told_from_one_on_a_line() -> None:
 
 def test_a_misspelt_argument_is_recognised() -> None:
     argument = DeclaredArgument('circle_radious', '1.0', '', None, '/student/a.launch.py', 3)
-    results = graded(
-        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
-    )
-    assert (
-        'did you mean "circle_radius" where you wrote "circle_radious"?'
-        in results['argument_is_declared'].try_
-    )
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+    assert 'did you mean "circle_radius" where you wrote "circle_radious"?' in results['argument_is_declared'].try_
 
 
 def test_an_argument_needs_a_default() -> None:
     argument = DeclaredArgument('circle_radius', None, '', None, '/student/a.launch.py', 3)
-    results = graded(
-        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
-    )
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
     assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
 
 
 def test_the_default_is_the_one_that_the_task_names() -> None:
     argument = DeclaredArgument('circle_radius', "'2.0'", '', None, '/student/a.launch.py', 3)
-    results = graded(
-        'circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument]))
-    )
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
     assert results['argument_is_declared'].try_ == "write default_value='1.0'"
 
 
 def test_another_node_is_named() -> None:
-    results = graded(
-        'circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')])
-    )
-    assert results['node_is_started'].try_.startswith(
-        'did you mean "param_circle.py" where you wrote "param_cirle.py"?'
-    )
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[process('a', 'param_cirle.py')]))
+    assert results['node_is_started'].try_.startswith('did you mean "param_circle.py" where you wrote "param_cirle.py"?')
 
 
 def test_a_node_that_died_shows_its_exception() -> None:
@@ -112,11 +99,7 @@ def test_a_node_that_died_shows_its_exception() -> None:
     results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[dead]))
     assert results['no_node_dies'].seen == 'ValueError: bad radius'
     assert results['no_node_dies'].where == ('/ws/param_circle.py', 9)
-    assert statuses(results) == {
-        'no_node_dies': 'failed',
-        'radius_is_passed': 'not_run',
-        'circle_is_driven': 'not_run',
-    }
+    assert statuses(results) == {'no_node_dies': 'failed', 'radius_is_passed': 'not_run', 'circle_is_driven': 'not_run'}
 
 
 def test_a_node_started_by_ros2_run_counts() -> None:
@@ -131,11 +114,7 @@ def test_a_node_started_by_ros2_run_counts() -> None:
 def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:
     from edulaunch.recording import Recording
 
-    names = [
-        name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')
-    ]
+    names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')]
     assert [
-        name
-        for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics']
-        if not hasattr(Recording, name)
+        name for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics'] if not hasattr(Recording, name)
     ] == []

@@ -35,9 +35,7 @@ def test_a_directory_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> No
     assert 'circle.launch.py' in text
 
 
-def test_a_file_without_a_rubric_names_the_known_ones(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_a_file_without_a_rubric_names_the_known_ones(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     file = tmp_path / 'cirlce.launch.py'
     file.write_text('')
     code, text = refused(capsys, str(file))
@@ -46,9 +44,7 @@ def test_a_file_without_a_rubric_names_the_known_ones(
     assert '  help: did you mean circle?' in text
 
 
-def test_a_rubric_that_breaks_is_the_graders_fault(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+def test_a_rubric_that_breaks_is_the_graders_fault(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     rubric = tmp_path / 'bad.py'
     rubric.write_text('1 / 0\n')
     code, text = refused(capsys, CIRCLE, '--rubric', str(rubric))
@@ -64,9 +60,7 @@ def test_a_missing_rubric_file_is_unusable_input(capsys: pytest.CaptureFixture[s
 def test_hints_come_in_three_levels(capsys: pytest.CaptureFixture[str]) -> None:
     assert [main([CIRCLE, '--hint', level]) for level in '123'] == [0, 0, 0]
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split(':')[0] for line in lines] == [
-        f'A circle of any radius, hint {n} of 3' for n in (1, 2, 3)
-    ]
+    assert [line.split(':')[0] for line in lines] == [f'A circle of any radius, hint {n} of 3' for n in (1, 2, 3)]
 
 
 def test_several_paths_end_with_a_table_and_the_worst_exit_code(capsys: pytest.CaptureFixture[str]) -> None:
@@ -111,7 +105,5 @@ def test_the_module_is_the_command_and_loads_no_heavy_package() -> None:
     path = {'PYTHONPATH': f'{REPOSITORY}:{REPOSITORY / "grader"}'}
     shown = subprocess.run([sys.executable, '-c', code], env=path, capture_output=True, text=True, check=True)
     assert shown.stdout == '[]\n'
-    module = subprocess.run(
-        [sys.executable, '-m', 'edugrade', 'nowhere.launch.py'], env=path, capture_output=True, text=True
-    )
+    module = subprocess.run([sys.executable, '-m', 'edugrade', 'nowhere.launch.py'], env=path, capture_output=True, text=True)
     assert (module.returncode, module.stdout) == (2, '')

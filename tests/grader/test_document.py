@@ -38,9 +38,7 @@ def test_every_field_of_a_failed_check_is_there() -> None:
         ([PASSED, FAILED, BROKE], 3, 'grader broke', None),
     ],
 )
-def test_the_verdict_follows_from_the_checks(
-    results: list[object], code: int, verdict: str, earned: object
-) -> None:
+def test_the_verdict_follows_from_the_checks(results: list[object], code: int, verdict: str, earned: object) -> None:
     found = document(report(*results))  # type: ignore[arg-type]
     assert (found['exit_code'], found['verdict'], found['points']['earned']) == (code, verdict, earned)
 
@@ -53,7 +51,8 @@ def test_a_launch_file_that_cannot_run_is_unusable_input() -> None:
 
 def test_a_gap_says_where_it_is() -> None:
     assert document(report(FAILED, gaps=(Gap(FILE, 4, '# TODO 1'),)))['gaps'] == [
-        {'file': 'a.launch.py', 'line': 4, 'text': '# TODO 1'}]
+        {'file': 'a.launch.py', 'line': 4, 'text': '# TODO 1'}
+    ]
 
 
 def test_several_reports_are_one_document() -> None:

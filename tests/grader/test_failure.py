@@ -6,14 +6,10 @@ from edugrade import Failure, Mismatch, Missing
 
 
 def test_missing_offers_the_nearest_name() -> None:
-    failure = Missing(
-        'the argument "circle_radius"', name='circle_radius', among=['circle_radious', 'x'], try_='declare it'
-    )
+    failure = Missing('the argument "circle_radius"', name='circle_radius', among=['circle_radious', 'x'], try_='declare it')
     assert failure.rationale == 'the argument "circle_radius" is missing'
     assert failure.seen == 'circle_radious, x'
-    assert (
-        failure.try_ == 'did you mean "circle_radius" where you wrote "circle_radious"? Otherwise: declare it'
-    )
+    assert failure.try_ == 'did you mean "circle_radius" where you wrote "circle_radious"? Otherwise: declare it'
 
 
 def test_missing_without_anything_near_says_what_to_try() -> None:

@@ -42,14 +42,9 @@ def test_a_close_follower_passes_everything() -> None:
 
 
 def test_a_follower_that_stays_behind_fails_where_it_does() -> None:
-    assert statuses(graded('follow', lambda scenario: run(scenario, lag_m=1.0))) == {
-        'standing_leader_is_reached': 'failed'
-    }
+    assert statuses(graded('follow', lambda scenario: run(scenario, lag_m=1.0))) == {'standing_leader_is_reached': 'failed'}
     results = graded('follow', lambda scenario: run(scenario, lag_m=3.0))
-    assert statuses(results) == {
-        'standing_leader_is_reached': 'failed',
-        'moving_leader_is_followed': 'failed',
-    }
+    assert statuses(results) == {'standing_leader_is_reached': 'failed', 'moving_leader_is_followed': 'failed'}
     assert results['moving_leader_is_followed'].expected == 'at most 2.5 m from 15 s on'
 
 
@@ -73,9 +68,7 @@ def test_a_frame_in_the_wrong_parent_is_no_frame_in_world() -> None:
 
 def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:
     still = [(t, 5.5, 5.5) for t in TIMES]
-    results = graded(
-        'follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': still, '/turtle2/pose': still})
-    )
+    results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': still, '/turtle2/pose': still}))
     assert statuses(results) == {'leader_moves_when_asked': 'failed', 'moving_leader_is_followed': 'not_run'}
 
 

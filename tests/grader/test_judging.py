@@ -50,25 +50,14 @@ def judged(checks: list[Check], *outcomes: Outcome) -> dict[str, CheckResult]:
 
 def test_a_failure_becomes_a_result_with_everything_it_says() -> None:
     result = judged([bad])['bad']
-    assert (result.status, result.earned, result.reason, result.expected, result.seen) == (
-        'failed',
-        0,
-        'it is bad',
-        '1',
-        '2',
-    )
+    assert (result.status, result.earned, result.reason, result.expected, result.seen) == ('failed', 0, 'it is bad', '1', '2')
     assert result.where == ('a.launch.py', 3)
     assert result.try_ == 'do good'
 
 
 def test_what_needs_a_failed_check_is_not_run_and_names_the_first_cause() -> None:
     results = judged([good, bad, child, grandchild])
-    assert [results[name].status for name in ('good', 'bad', 'child', 'grandchild')] == [
-        'passed',
-        'failed',
-        'not_run',
-        'not_run',
-    ]
+    assert [results[name].status for name in ('good', 'bad', 'child', 'grandchild')] == ['passed', 'failed', 'not_run', 'not_run']
     assert results['child'].root_cause == results['grandchild'].root_cause == 'bad'
     assert results['grandchild'].reason == 'because "Bad" failed'
 
@@ -87,9 +76,7 @@ def test_without_a_recording_no_check_is_run() -> None:
 
 
 def test_a_run_that_fails_with_one_argument_only_says_so() -> None:
-    results = judged(
-        [good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow')
-    )
+    results = judged([good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow'))
     assert results['launches'].seen == 'only when launched with radius:=1.0'
     assert results['good'].status == 'not_run'
 

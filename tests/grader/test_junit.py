@@ -14,11 +14,17 @@ NASTY = '<b>&"\x00\x1b]]>\ud800'
 def test_a_suite_counts_and_a_case_says_what_happened() -> None:
     suite = ElementTree.fromstring(junit_text([report(PASSED, FAILED, NOT_RUN, BROKE)], []))[0]
     assert {key: suite.get(key) for key in ('tests', 'failures', 'errors', 'skipped')} == {
-        'tests': '4', 'failures': '1', 'errors': '1', 'skipped': '1'}
+        'tests': '4',
+        'failures': '1',
+        'errors': '1',
+        'skipped': '1',
+    }
     cases = suite.findall('testcase')
     assert [[child.tag for child in case] for case in cases] == [[], ['failure'], ['skipped'], ['error']]
     assert cases[1][0].get('message') == 'the robot stands'
-    assert cases[1][0].text == 'expected: a circle\nseen: no movement\nwhere: work/a.launch.py:12\ntry: look at work/a.launch.py:12'
+    assert (
+        cases[1][0].text == 'expected: a circle\nseen: no movement\nwhere: work/a.launch.py:12\ntry: look at work/a.launch.py:12'
+    )
 
 
 def test_points_and_seed_are_properties() -> None:

@@ -12,8 +12,9 @@ from edulaunch.recording.records import Parameter
 
 WORLD = program(1, 'turtlesim', 'turtlesim_node')
 LISTENER = program(2, 'turtle_tf2_py', 'turtle_tf2_listener')
-WATER = {f'background_{letter}': Parameter(value, 'turtlesim.yaml line 4')
-         for letter, value in zip('rgb', (150, 86, 255), strict=True)}
+WATER = {
+    f'background_{letter}': Parameter(value, 'turtlesim.yaml line 4') for letter, value in zip('rgb', (150, 86, 255), strict=True)
+}
 PLACES = {'carrot1': (5.5, 7.5), 'turtle1': (5.5, 5.5)}
 
 
@@ -21,12 +22,16 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
     goal = scenario.arguments['goal']
     x, y = PLACES[goal]
     way = [(0.0, 4.0, 2.0), (5.0, x, y), (19.0, x, y)]
-    return FakeRun(**{
-        'processes': [WORLD, LISTENER],
-        'nodes': [node('/sim', WORLD), node('/turtlesim2/sim', WORLD), node('/listener', LISTENER)],
-        'values': {'/sim': WATER, '/turtlesim2/sim': WATER, '/listener': {'target_frame': Parameter(goal, 'x')}},
-        'frames': lambda time_s: {'turtle1': frame('world', 5.5, 5.5), 'carrot1': frame('turtle1', 0.0, 2.0)},
-        'tracks': {'/turtle2/pose': way, '/turtlesim2/turtle1/pose': way}, **changes})
+    return FakeRun(
+        **{
+            'processes': [WORLD, LISTENER],
+            'nodes': [node('/sim', WORLD), node('/turtlesim2/sim', WORLD), node('/listener', LISTENER)],
+            'values': {'/sim': WATER, '/turtlesim2/sim': WATER, '/listener': {'target_frame': Parameter(goal, 'x')}},
+            'frames': lambda time_s: {'turtle1': frame('world', 5.5, 5.5), 'carrot1': frame('turtle1', 0.0, 2.0)},
+            'tracks': {'/turtle2/pose': way, '/turtlesim2/turtle1/pose': way},
+            **changes,
+        }
+    )
 
 
 def test_a_correct_launch_passes_everything() -> None:
@@ -38,8 +43,11 @@ def test_a_correct_launch_passes_everything() -> None:
 def test_without_the_pushed_namespace_the_rest_of_the_second_world_is_not_judged() -> None:
     results = graded('large_project', lambda s: run(s, nodes=[node('/sim', WORLD), node('/listener', LISTENER)]))
     assert results['second_world_is_there'].seen == '/sim, /listener'
-    assert statuses(results) == {'second_world_is_there': 'failed', 'water_comes_from_the_file': 'not_run',
-                                 'mimic_copies': 'not_run'}
+    assert statuses(results) == {
+        'second_world_is_there': 'failed',
+        'water_comes_from_the_file': 'not_run',
+        'mimic_copies': 'not_run',
+    }
 
 
 def test_water_that_is_the_default_is_shown_with_its_origin() -> None:

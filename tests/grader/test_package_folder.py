@@ -61,7 +61,9 @@ def test_paths_are_shown_as_they_were_given(package: Path, monkeypatch: pytest.M
 def test_gaps_of_all_files_come_in_the_order_of_their_numbers(package: Path) -> None:
     gaps = Submission(str(package)).source.gaps
     assert [(Path(gap.file).name, gap.line, gap.text) for gap in gaps] == [
-        ('a.yaml', 1, '# TODO 1: a'), ('robot.launch.py', 1, '# TODO 2: b')]
+        ('a.yaml', 1, '# TODO 1: a'),
+        ('robot.launch.py', 1, '# TODO 2: b'),
+    ]
 
 
 def test_an_edit_of_any_file_changes_seed_and_hash_and_generated_files_do_not(package: Path) -> None:

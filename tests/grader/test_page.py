@@ -22,6 +22,7 @@ def nothing(*arguments: object) -> Any:
 
 def shown(**changes: Any) -> Outcome:
     """A run with a picture and a replay."""
+
     class Picture:
         caption = 'turtle1 at (1, 2) & more'
 
@@ -31,9 +32,16 @@ def shown(**changes: Any) -> Outcome:
         def __repr__(self) -> str:
             return 'one turtle [scene 12]'
 
-    recording: Any = SimpleNamespace(**{
-        'plot_turtles': Picture, 'plot_frames': nothing, 'plot_graph': nothing, 'digest': lambda: 'd' * 64,
-        'replay': lambda: SimpleNamespace(html=lambda: '<iframe sandbox="allow-scripts">'), **changes})
+    recording: Any = SimpleNamespace(
+        **{
+            'plot_turtles': Picture,
+            'plot_frames': nothing,
+            'plot_graph': nothing,
+            'digest': lambda: 'd' * 64,
+            'replay': lambda: SimpleNamespace(html=lambda: '<iframe sandbox="allow-scripts">'),
+            **changes,
+        }
+    )
     return Outcome(Scenario('fast', {'x': SCRIPT}), 'recorded', recording)
 
 

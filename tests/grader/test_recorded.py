@@ -53,8 +53,7 @@ def test_a_launch_file_that_fails_is_unusable_and_its_line_is_named(tmp_path: Pa
 
 
 def test_a_launch_that_starts_nothing_did_not_run(tmp_path: Path) -> None:
-    text = ('from launch import LaunchDescription\n\n\n'
-            'def generate_launch_description():\n    return LaunchDescription([])\n')
+    text = 'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n'
     outcome = recorded(SCENARIO, failed(tmp_path, text))
     assert outcome is not None
     assert (outcome.kind, outcome.text) == ('stopped', 'launch ended with exit code 0 and had started nothing')

@@ -23,9 +23,7 @@ def second(run: Evidence) -> None:
 
 
 def make(checks: list[Check]) -> Rubric:
-    return Rubric(
-        title='t', scenarios=lambda random: [Scenario('a', {'x': str(random.random())})], checks=checks
-    )
+    return Rubric(title='t', scenarios=lambda random: [Scenario('a', {'x': str(random.random())})], checks=checks)
 
 
 def test_a_check_stands_behind_what_it_needs() -> None:
@@ -45,23 +43,28 @@ def test_the_same_seed_gives_the_same_runs_and_another_seed_others() -> None:
     assert rubric.scenarios(1)[0].arguments['x'] == str(Random(1).random())
 
 
-@pytest.mark.parametrize(
-    'name', ['circle.launch.py', 'circle_launch.py', 'circle.launch.xml', 'circle.launch.yaml', 'circle.py']
-)
+@pytest.mark.parametrize('name', ['circle.launch.py', 'circle_launch.py', 'circle.launch.xml', 'circle.launch.yaml', 'circle.py'])
 def test_the_exercise_is_found_by_the_files_name(name: str) -> None:
     assert exercise_of(name) == 'circle'
 
 
 def test_every_rubric_of_the_course_can_be_loaded() -> None:
     assert [find_rubric(name)[0] for name in exercises()] == [
-        'broken_follow', 'carrot', 'circle', 'follow', 'large_project', 'static_frame']
+        'broken_follow',
+        'carrot',
+        'circle',
+        'follow',
+        'large_project',
+        'static_frame',
+    ]
 
 
 def test_an_unknown_exercise_names_the_nearest() -> None:
     with pytest.raises(UnusableInput) as error:
         find_rubric('cirlce')
     assert error.value.message == (
-        'there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, follow, large_project, static_frame')
+        'there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, follow, large_project, static_frame'
+    )
     assert error.value.help is not None
     assert error.value.help.startswith('did you mean circle?')
 

@@ -22,26 +22,14 @@ for fd in range(3, 30):
 """
 EXIT = 'os._exit(0)\n'
 HOSTILE = {
-    'exits at once': (
-        'import posix as os\n' + EXIT,
-        'the program ended itself with exit code 0 before the run was over',
-    ),
+    'exits at once': ('import posix as os\n' + EXIT, 'the program ended itself with exit code 0 before the run was over'),
     'exits with a number': (
         'import posix as os\nos._exit(7)\n',
         'the program ended itself with exit code 7 before the run was over',
     ),
-    'kills itself': (
-        'import posix as os\nos.kill(os.getpid(), 9)\n',
-        'the program was ended by SIGKILL before the run was over',
-    ),
-    'crashes': (
-        'import posix as os\nos.kill(os.getpid(), 11)\n',
-        'the program was ended by SIGSEGV before the run was over',
-    ),
-    'sends garbage': (
-        WRITE_TO_ALL.format('b"hello"') + EXIT,
-        'what came back from the run is not a recording of it',
-    ),
+    'kills itself': ('import posix as os\nos.kill(os.getpid(), 9)\n', 'the program was ended by SIGKILL before the run was over'),
+    'crashes': ('import posix as os\nos.kill(os.getpid(), 11)\n', 'the program was ended by SIGSEGV before the run was over'),
+    'sends garbage': (WRITE_TO_ALL.format('b"hello"') + EXIT, 'what came back from the run is not a recording of it'),
     'sends a false recording': (
         WRITE_TO_ALL.format('b"R" + (5).to_bytes(8, "big") + b"12345"') + EXIT,
         'what came back from the run is not a recording of it',
@@ -62,10 +50,7 @@ HOSTILE = {
         'import posix as os\nos.closerange(3, 30)\n' + EXIT,
         'the program ended itself with exit code 0 before the run was over',
     ),
-    'prints without end': (
-        'import posix as os\nwhile True: os.write(1, b"x" * 100000)\n',
-        'it printed more than 1 MiB',
-    ),
+    'prints without end': ('import posix as os\nwhile True: os.write(1, b"x" * 100000)\n', 'it printed more than 1 MiB'),
     'leaves a child': (
         'import posix as os\nif os.fork() == 0:\n    while True: pass\n' + EXIT,
         'the program ended itself with exit code 0 before the run was over',
@@ -125,8 +110,10 @@ def test_a_submission_that_kills_the_starter_spoils_only_itself(tmp_path: Path) 
 
 def test_a_run_finds_nothing_of_the_one_before_it(tmp_path: Path) -> None:
     leave = 'import builtins, os, sys\nbuiltins.left = os.environ["LEFT"] = "x"\nsys.modules["left"] = sys\nraise ValueError("left")\n'
-    look = ('import builtins, os, sys\nraise ValueError(repr((hasattr(builtins, "left"), "LEFT" in os.environ,'
-            ' "left" in sys.modules)))\n')
+    look = (
+        'import builtins, os, sys\nraise ValueError(repr((hasattr(builtins, "left"), "LEFT" in os.environ,'
+        ' "left" in sys.modules)))\n'
+    )
     texts = []
     with Runner(Limits(10.0), processors=1) as runner:
         for number, text in enumerate((leave, look)):

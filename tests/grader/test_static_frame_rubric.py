@@ -13,8 +13,11 @@ LEFT = (0.0, 0.0, sin(1.5708 / 2), cos(1.5708 / 2))
 
 
 def run(scenario: Scenario, **changes: Any) -> FakeRun:
-    frames = {'laser': frame('base_link', 0.2, 0.0, float(scenario.arguments['height']), is_static=True),
-              'camera': frame('laser', 0.0, 0.0, 0.1, LEFT, is_static=True), **changes}
+    frames = {
+        'laser': frame('base_link', 0.2, 0.0, float(scenario.arguments['height']), is_static=True),
+        'camera': frame('laser', 0.0, 0.0, 0.1, LEFT, is_static=True),
+        **changes,
+    }
     kept = {name: item for name, item in frames.items() if item is not None}
     return FakeRun(launch=declared('height', '0.5'), frames=lambda time_s: kept)
 
@@ -54,6 +57,7 @@ def test_a_leaning_camera_is_not_turned_to_the_left() -> None:
 def test_a_frame_that_is_sent_again_and_again_is_not_static() -> None:
     def moving(scenario: Scenario) -> FakeRun:
         return run(scenario, camera=frame('laser', 0.0, 0.0, 0.1, LEFT))
+
     assert statuses(graded('static_frame', moving)) == {'frames_are_static': 'failed'}
 
 

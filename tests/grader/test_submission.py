@@ -29,7 +29,10 @@ def test_a_missing_file_names_the_nearest(folder: Path) -> None:
 
 def test_a_link_to_nowhere_says_where_it_points(folder: Path) -> None:
     (folder / 'mine.launch.py').symlink_to('gone.launch.py')
-    assert refusal('mine.launch.py') == ('mine.launch.py does not exist', 'it is a link to gone.launch.py, and that does not exist')
+    assert refusal('mine.launch.py') == (
+        'mine.launch.py does not exist',
+        'it is a link to gone.launch.py, and that does not exist',
+    )
 
 
 def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> None:
@@ -39,10 +42,7 @@ def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> No
 
 
 def test_a_directory_names_its_launch_files(folder: Path) -> None:
-    assert refusal('.') == (
-        '. is a directory; edugrade grades launch files and packages',
-        'try one of: ./circle.launch.py',
-    )
+    assert refusal('.') == ('. is a directory; edugrade grades launch files and packages', 'try one of: ./circle.launch.py')
 
 
 def test_a_huge_file_is_no_launch_file(folder: Path) -> None:

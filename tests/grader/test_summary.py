@@ -25,7 +25,8 @@ def test_every_submission_has_a_line_in_words() -> None:
     reports = [report(PASSED, given='good'), report(PASSED, FAILED, given='bad'), report(PASSED, BROKE, given='odd')]
     lines = summary(reports, [Refusal('nowhere', 'nowhere does not exist', 'look')]).splitlines()
     assert [line.split() for line in lines if '---' not in line] == [
-        line.split() for line in EXPECTED.splitlines() if '---' not in line]
+        line.split() for line in EXPECTED.splitlines() if '---' not in line
+    ]
 
 
 def test_columns_are_aligned() -> None:

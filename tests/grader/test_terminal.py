@@ -65,9 +65,7 @@ def test_when_all_passed_the_next_step_is_the_next_exercise() -> None:
 
 
 def test_long_texts_are_wrapped_under_their_label() -> None:
-    lines = render(
-        report(FAILED.__class__('a', 'A', 'failed', reason='word ' * 40, seen='thing ' * 40))
-    ).splitlines()
+    lines = render(report(FAILED.__class__('a', 'A', 'failed', reason='word ' * 40, seen='thing ' * 40))).splitlines()
     assert max(map(len, lines)) <= 100
     assert [line for line in lines if 'thing' in line][1].startswith(' ' * 19 + 'thing')
 

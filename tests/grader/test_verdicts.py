@@ -18,19 +18,32 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
     """The verdict on a child that sent a frame, or none."""
     data = json.dumps(content).encode()
     frame = letter.encode() + len(data).to_bytes(8, 'big') + data if letter else b''
-    run: Any = SimpleNamespace(**{
-        'scenario': Scenario('s'), 'limits': Limits(3.0), 'cut': None, 'complete': bool(letter), 'frame': frame,
-        'announced': len(data), 'returncode': 0, 'printed': b'', **changes})
+    run: Any = SimpleNamespace(
+        **{
+            'scenario': Scenario('s'),
+            'limits': Limits(3.0),
+            'cut': None,
+            'complete': bool(letter),
+            'frame': frame,
+            'announced': len(data),
+            'returncode': 0,
+            'printed': b'',
+            **changes,
+        }
+    )
     return verdict(run)
 
 
-@pytest.mark.parametrize(('cut', 'text'), [
-    ('wall', 'it did not finish within 3 s of real time'),
-    ('printed', 'it printed more than 4 MiB'),
-    ('recording', 'its recording grew larger than 128 MiB'),
-    ('starter', 'the program that starts the runs was ended from inside a run'),
-    ('garbage', 'what came back from the run is not a recording of it'),
-])
+@pytest.mark.parametrize(
+    ('cut', 'text'),
+    [
+        ('wall', 'it did not finish within 3 s of real time'),
+        ('printed', 'it printed more than 4 MiB'),
+        ('recording', 'its recording grew larger than 128 MiB'),
+        ('starter', 'the program that starts the runs was ended from inside a run'),
+        ('garbage', 'what came back from the run is not a recording of it'),
+    ],
+)
 def test_a_child_that_was_cut_off(cut: str, text: str) -> None:
     outcome = judged(cut=cut)
     assert (outcome.kind, outcome.text) == ('stopped', text)
@@ -61,13 +74,16 @@ def test_what_makes_no_sense_is_no_recording(letter: str, content: object) -> No
     assert judged(letter, content).text == 'what came back from the run is not a recording of it'
 
 
-@pytest.mark.parametrize(('code', 'text'), [
-    (0, 'the program ended itself with exit code 0 before the run was over'),
-    (None, 'the program ended itself before the run was over'),
-    (-signal.SIGKILL, 'the program was ended by SIGKILL before the run was over'),
-    (-99, 'the program was ended by signal 99 before the run was over'),
-    (-signal.SIGXCPU, 'it did not finish within 3 s of real time'),
-])
+@pytest.mark.parametrize(
+    ('code', 'text'),
+    [
+        (0, 'the program ended itself with exit code 0 before the run was over'),
+        (None, 'the program ended itself before the run was over'),
+        (-signal.SIGKILL, 'the program was ended by SIGKILL before the run was over'),
+        (-99, 'the program was ended by signal 99 before the run was over'),
+        (-signal.SIGXCPU, 'it did not finish within 3 s of real time'),
+    ],
+)
 def test_a_child_that_ended_says_how(code: int | None, text: str) -> None:
     assert judged(returncode=code).text == text
 

@@ -1,4 +1,5 @@
 """edulaunch.graph.names."""
+
 from __future__ import annotations
 
 import pytest
@@ -12,39 +13,55 @@ token = st.from_regex(r'[A-Za-z_][A-Za-z0-9_]{0,8}', fullmatch=True)
 absolute = st.lists(token, min_size=1, max_size=3).map(lambda parts: '/' + '/'.join(parts))
 
 
-@pytest.mark.parametrize(('name', 'problem'), [
-    ('', ('node name must not be empty', 0)),
-    ('a-b', ("node name must not contain characters other than alphanumerics or '_'", 1)),
-    ('1a', ('node name must not start with a number', 0)),
-    ('n' * 256, ("node name length should not exceed '255'", 254)),
-    ('turtle1', None),
-])
+@pytest.mark.parametrize(
+    ('name', 'problem'),
+    [
+        ('', ('node name must not be empty', 0)),
+        ('a-b', ("node name must not contain characters other than alphanumerics or '_'", 1)),
+        ('1a', ('node name must not start with a number', 0)),
+        ('n' * 256, ("node name length should not exceed '255'", 254)),
+        ('turtle1', None),
+    ],
+)
 def test_node_names(name: str, problem: names.Problem | None) -> None:
     assert names.node_name_problem(name) == problem
 
 
-@pytest.mark.parametrize(('namespace', 'problem'), [
-    ('/', None), ('/a/b', None),
-    ('/a/', ("namespace must not end with a '/', unless only a '/'", 2)),
-    ('/a b', ("namespace must not contain characters other than alphanumerics, '_', or '/'", 2)),
-    ('/a//b', ("namespace must not contain repeated '/'", 3)),
-    ('/a/1b', ('namespace must not have a token that starts with a number', 3)),
-])
+@pytest.mark.parametrize(
+    ('namespace', 'problem'),
+    [
+        ('/', None),
+        ('/a/b', None),
+        ('/a/', ("namespace must not end with a '/', unless only a '/'", 2)),
+        ('/a b', ("namespace must not contain characters other than alphanumerics, '_', or '/'", 2)),
+        ('/a//b', ("namespace must not contain repeated '/'", 3)),
+        ('/a/1b', ('namespace must not have a token that starts with a number', 3)),
+    ],
+)
 def test_namespaces(namespace: str, problem: names.Problem | None) -> None:
     assert names.namespace_problem(namespace) == problem
 
 
-@pytest.mark.parametrize(('name', 'problem'), [
-    ('chatter', None), ('/a/b', None), ('~', None), ('~/x', None), ('{node}/x', None), ('a//b', None), ('~a', None),
-    ('', ('topic name must not be empty string', 0)),
-    ('a/', ('topic name must not end with a forward slash', 1)),
-    ('a b', ("topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'", 1)),
-    ('1a', ('topic name token must not start with a number', 0)),
-    ('a/1b', ('topic name token must not start with a number', 2)),
-    ('a~', ("topic name must not have tilde '~' unless it is the first character", 1)),
-    ('{{node}}', ("substitution name must not contain characters other than alphanumerics or '_'", 1)),
-    ('a{b', ("topic name must not have unmatched (unbalanced) curly braces '{}'", 1)),
-])
+@pytest.mark.parametrize(
+    ('name', 'problem'),
+    [
+        ('chatter', None),
+        ('/a/b', None),
+        ('~', None),
+        ('~/x', None),
+        ('{node}/x', None),
+        ('a//b', None),
+        ('~a', None),
+        ('', ('topic name must not be empty string', 0)),
+        ('a/', ('topic name must not end with a forward slash', 1)),
+        ('a b', ("topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'", 1)),
+        ('1a', ('topic name token must not start with a number', 0)),
+        ('a/1b', ('topic name token must not start with a number', 2)),
+        ('a~', ("topic name must not have tilde '~' unless it is the first character", 1)),
+        ('{{node}}', ("substitution name must not contain characters other than alphanumerics or '_'", 1)),
+        ('a{b', ("topic name must not have unmatched (unbalanced) curly braces '{}'", 1)),
+    ],
+)
 def test_topic_names_as_written(name: str, problem: names.Problem | None) -> None:
     assert names.topic_name_problem(name) == problem
 
@@ -59,13 +76,23 @@ def test_a_refused_name_is_shown_with_a_caret_under_the_place() -> None:
     assert names.caret_text('topic name', 'turtle 1', problem) == (
         "Invalid topic name: topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}':\n"
         "  'turtle 1'\n"
-        '         ^')
+        '         ^'
+    )
 
 
-@pytest.mark.parametrize(('name', 'expanded'), [
-    ('/abs', '/abs'), ('rel', '/ns/rel'), ('~', '/ns/n'), ('~/x', '/ns/n/x'), ('{node}/x', '/ns/n/x'),
-    ('/{ns}/x', '//ns/x'), ('{namespace}/x', '/ns/x'), ('~a', '/ns/na'),
-])
+@pytest.mark.parametrize(
+    ('name', 'expanded'),
+    [
+        ('/abs', '/abs'),
+        ('rel', '/ns/rel'),
+        ('~', '/ns/n'),
+        ('~/x', '/ns/n/x'),
+        ('{node}/x', '/ns/n/x'),
+        ('/{ns}/x', '//ns/x'),
+        ('{namespace}/x', '/ns/x'),
+        ('~a', '/ns/na'),
+    ],
+)
 def test_expansion(name: str, expanded: str) -> None:
     assert names.expand_name(name, 'n', '/ns') == expanded
 

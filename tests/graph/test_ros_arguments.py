@@ -1,4 +1,5 @@
 """edulaunch.graph.ros_arguments."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -22,48 +23,80 @@ def test_a_section_ends_at_two_dashes_and_may_come_again() -> None:
     assert (result.others, [rule.match for rule in result.remap_rules]) == (['prog', '1', '2'], ['a', 'c'])
 
 
-@pytest.mark.parametrize(('text', 'rule'), [
-    ('a:=b', RemapRule('any', None, 'a', 'b')),
-    ('n:a:=b', RemapRule('any', 'n', 'a', 'b')),
-    ('rostopic://a:=b', RemapRule('topic', None, 'a', 'b')),
-    ('n:rosservice:///a:=b', RemapRule('service', 'n', '/a', 'b')),
-    ('__node:=x', RemapRule('node', None, '__node', 'x')),
-    ('__name:=x', RemapRule('node', None, '__name', 'x')),
-    ('n:__ns:=/x', RemapRule('namespace', 'n', '__ns', '/x')),
-    ('__ns:=/', RemapRule('namespace', None, '__ns', '/')),
-    ('~/a:=/b/c', RemapRule('any', None, '~/a', '/b/c')),
-])
+@pytest.mark.parametrize(
+    ('text', 'rule'),
+    [
+        ('a:=b', RemapRule('any', None, 'a', 'b')),
+        ('n:a:=b', RemapRule('any', 'n', 'a', 'b')),
+        ('rostopic://a:=b', RemapRule('topic', None, 'a', 'b')),
+        ('n:rosservice:///a:=b', RemapRule('service', 'n', '/a', 'b')),
+        ('__node:=x', RemapRule('node', None, '__node', 'x')),
+        ('__name:=x', RemapRule('node', None, '__name', 'x')),
+        ('n:__ns:=/x', RemapRule('namespace', 'n', '__ns', '/x')),
+        ('__ns:=/', RemapRule('namespace', None, '__ns', '/')),
+        ('~/a:=/b/c', RemapRule('any', None, '~/a', '/b/c')),
+    ],
+)
 def test_remap_rules(text: str, rule: RemapRule) -> None:
     assert parsed('-r', text).remap_rules == [rule]
 
 
-REMAP, PARAMETER = "Couldn't parse remap rule: '-r {0}'. Error: {1}", "Couldn't parse parameter override rule: '-p {0}'. Error: {1}"
+REMAP, PARAMETER = (
+    "Couldn't parse remap rule: '-r {0}'. Error: {1}",
+    "Couldn't parse parameter override rule: '-p {0}'. Error: {1}",
+)
 
 
-@pytest.mark.parametrize(('arguments', 'text'), [
-    (['-r', rule], REMAP.format(rule, reason)) for rule, reason in (
-        ('x', 'Expected lexeme type (19) not found, search ended at index 1'),
-        ('/n:x:=y', 'Expected lexeme type 19, got 5 at index 2'), (':=x', 'Expecting token or wildcard'),
-        ('x:=y z', 'Expected lexeme type (19) not found, search ended at index 4'), ('x:=1', 'error not set'),
-        ('a__b:=x', 'Expected lexeme type 19, got 18 at index 2'), ('/*:=x', "Wildcard '*' is not implemented"),
-        (r'x:=\1', 'Backreferences are not implemented'), (r'x:=y\2', 'Expected lexeme type 19, got 10 at index 4'),
-        ('__node:=1', 'Expected lexeme type (18) not found, search ended at index 8'),
-        ('__node:=a/b', 'Expected lexeme type 1, got 19 at index 9'), ('__ns:=g', 'Expected lexeme type 19, got 18 at index 6'),
-        ('__ns:=/a//b', 'Expected lexeme type 1, got 19 at index 9'))
-] + [
-    (['-p', rule], PARAMETER.format(rule, reason)) for rule, reason in (
-        ('x=1', 'Expected lexeme type (22) not found, search ended at index 1'), ('x', 'Expected lexeme type (22) not found, search ended at index 1'),
-        ('/n:x:=1', 'Expected lexeme type 22, got 5 at index 2'), ('a..b:=1', 'Expecting token or wildcard'),
-        ('x-y:=1', 'Expected lexeme type (22) not found, search ended at index 1'), ('__x:=1', 'Expecting token or wildcard'),
-        ('x:=[1, a]', "Sequence should be of same type. Value type 'string' do not belong at line_num 1"))
-] + [
-    (['-r'], "Couldn't parse trailing -r flag. No remap rule found."),
-    (['-p'], "Couldn't parse trailing -p flag. No parameter override rule found."),
-    (['--log-level'], "Couldn't parse trailing log level flag: '--log-level'. No log level provided."),
-    (['--log-level', 'loud'], "Couldn't parse log level: '--log-level loud'. Error: Argument does not use a valid severity level"),
-    (['--log-level', ':=info'], "Couldn't parse log level: '--log-level :=info'. Error: Argument has an invalid logger item that name is empty"),
-    (['--log-level', 'n:='], "Couldn't parse log level: '--log-level n:='. Error: Expected lexeme type (18) not found, search ended at index 3"),
-])
+@pytest.mark.parametrize(
+    ('arguments', 'text'),
+    [
+        (['-r', rule], REMAP.format(rule, reason))
+        for rule, reason in (
+            ('x', 'Expected lexeme type (19) not found, search ended at index 1'),
+            ('/n:x:=y', 'Expected lexeme type 19, got 5 at index 2'),
+            (':=x', 'Expecting token or wildcard'),
+            ('x:=y z', 'Expected lexeme type (19) not found, search ended at index 4'),
+            ('x:=1', 'error not set'),
+            ('a__b:=x', 'Expected lexeme type 19, got 18 at index 2'),
+            ('/*:=x', "Wildcard '*' is not implemented"),
+            (r'x:=\1', 'Backreferences are not implemented'),
+            (r'x:=y\2', 'Expected lexeme type 19, got 10 at index 4'),
+            ('__node:=1', 'Expected lexeme type (18) not found, search ended at index 8'),
+            ('__node:=a/b', 'Expected lexeme type 1, got 19 at index 9'),
+            ('__ns:=g', 'Expected lexeme type 19, got 18 at index 6'),
+            ('__ns:=/a//b', 'Expected lexeme type 1, got 19 at index 9'),
+        )
+    ]
+    + [
+        (['-p', rule], PARAMETER.format(rule, reason))
+        for rule, reason in (
+            ('x=1', 'Expected lexeme type (22) not found, search ended at index 1'),
+            ('x', 'Expected lexeme type (22) not found, search ended at index 1'),
+            ('/n:x:=1', 'Expected lexeme type 22, got 5 at index 2'),
+            ('a..b:=1', 'Expecting token or wildcard'),
+            ('x-y:=1', 'Expected lexeme type (22) not found, search ended at index 1'),
+            ('__x:=1', 'Expecting token or wildcard'),
+            ('x:=[1, a]', "Sequence should be of same type. Value type 'string' do not belong at line_num 1"),
+        )
+    ]
+    + [
+        (['-r'], "Couldn't parse trailing -r flag. No remap rule found."),
+        (['-p'], "Couldn't parse trailing -p flag. No parameter override rule found."),
+        (['--log-level'], "Couldn't parse trailing log level flag: '--log-level'. No log level provided."),
+        (
+            ['--log-level', 'loud'],
+            "Couldn't parse log level: '--log-level loud'. Error: Argument does not use a valid severity level",
+        ),
+        (
+            ['--log-level', ':=info'],
+            "Couldn't parse log level: '--log-level :=info'. Error: Argument has an invalid logger item that name is empty",
+        ),
+        (
+            ['--log-level', 'n:='],
+            "Couldn't parse log level: '--log-level n:='. Error: Expected lexeme type (18) not found, search ended at index 3",
+        ),
+    ],
+)
 def test_refused_arguments(arguments: list[str], text: str) -> None:
     with pytest.raises(RosArgumentsError) as caught:
         parsed(*arguments)
@@ -77,11 +110,17 @@ def test_parameter_names(name: str) -> None:
 
 def test_a_remap_rule_outside_of_a_section_counts_and_is_deprecated() -> None:
     result = parse_ros_arguments(['prog', 'a:=b', '1:=2', '--ros-args', '-r', 'c:=d'])
-    assert ([rule.match for rule in result.remap_rules], result.deprecated, result.others) == (['a', 'c'], ['a:=b'], ['prog', '1:=2'])
+    assert ([rule.match for rule in result.remap_rules], result.deprecated, result.others) == (
+        ['a', 'c'],
+        ['a:=b'],
+        ['prog', '1:=2'],
+    )
 
 
 def test_a_missing_parameter_file_is_refused() -> None:
-    with pytest.raises(RosArgumentsError, match="Couldn't parse params file: '--params-file /no'. Error: Error opening YAML file"):
+    with pytest.raises(
+        RosArgumentsError, match="Couldn't parse params file: '--params-file /no'. Error: Error opening YAML file"
+    ):
         parse_ros_arguments(['--ros-args', '--params-file', '/no'])
 
 

@@ -1,4 +1,5 @@
 """Requests and replies."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """Delivery between publishers and subscriptions."""
+
 from __future__ import annotations
 
 from typing import Any

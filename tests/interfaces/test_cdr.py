@@ -44,18 +44,17 @@ def test_the_values_that_rosbags_reads_are_ours(get):
     [
         (
             b'',
-            ('these bytes are not little-endian CDR: they start with nothing\n'
-             '  help: a std_msgs/msg/String starts with 00 01 00 00'),
+            (
+                'these bytes are not little-endian CDR: they start with nothing\n'
+                '  help: a std_msgs/msg/String starts with 00 01 00 00'
+            ),
         ),
         (b'\0\1\0\0', 'these 4 bytes are not a std_msgs/msg/String: '),
         (
             b'\0\1\0\0\xff\0\0\0a\0',
             'these 10 bytes are not a std_msgs/msg/String: a count of 255 at byte 0 reaches beyond the end',
         ),
-        (
-            b'\0\1\0\0\2\0\0\0ab',
-            'these 10 bytes are not a std_msgs/msg/String: a string at byte 4 does not end with a zero',
-        ),
+        (b'\0\1\0\0\2\0\0\0ab', 'these 10 bytes are not a std_msgs/msg/String: a string at byte 4 does not end with a zero'),
         (b'\0\1\0\0\1\0\0\0\0abcd', 'these 13 bytes are not a std_msgs/msg/String: 4 bytes are left over'),
     ],
 )

@@ -27,12 +27,7 @@ def test_fields_are_aligned_to_their_size(define, text, wire, body):
     assert cdr.decode(cls, cdr.encode(cls, wire)) == wire
 
 
-TYPES = [
-    'std_msgs/msg/String',
-    'sensor_msgs/msg/JointState',
-    'tf2_msgs/msg/TFMessage',
-    'rcl_interfaces/msg/ParameterEvent',
-]
+TYPES = ['std_msgs/msg/String', 'sensor_msgs/msg/JointState', 'tf2_msgs/msg/TFMessage', 'rcl_interfaces/msg/ParameterEvent']
 
 
 @given(st.binary(max_size=60), st.sampled_from(TYPES))

@@ -18,11 +18,7 @@ def test_a_service_class_holds_its_messages(get):
 def test_an_action_class_holds_its_messages_and_the_services_behind_it(get):
     rotate = get('turtlesim/action/RotateAbsolute')
     impl = rotate.Impl
-    assert (rotate.Goal(theta=1.0).theta, rotate.Result().delta, rotate.Feedback().remaining) == (
-        1.0,
-        0.0,
-        0.0,
-    )
+    assert (rotate.Goal(theta=1.0).theta, rotate.Result().delta, rotate.Feedback().remaining) == (1.0, 0.0, 0.0)
     assert list(impl.SendGoalService.Request.get_fields_and_field_types()) == ['goal_id', 'goal']
     assert list(impl.SendGoalService.Response.get_fields_and_field_types()) == ['accepted', 'stamp']
     assert list(impl.GetResultService.Response.get_fields_and_field_types()) == ['status', 'result']

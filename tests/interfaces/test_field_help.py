@@ -34,12 +34,7 @@ import pytest
             numpy.zeros(2),
             "a numpy.ndarray was given of 'float64': write value.astype('int8')",
         ),
-        (
-            'sensor_msgs/msg/JointState',
-            'name',
-            numpy.array(['a', 'b']),
-            'a numpy.ndarray was given: write value.tolist()',
-        ),
+        ('sensor_msgs/msg/JointState', 'name', numpy.array(['a', 'b']), 'a numpy.ndarray was given: write value.tolist()'),
         ('geometry_msgs/msg/PoseWithCovariance', 'covariance', [0.0], '1 value given'),
         ('std_msgs/msg/Int8MultiArray', 'data', [200], 'a value is out of range'),
     ],

@@ -17,31 +17,11 @@ SEVERAL = 'field must be a set or sequence'
         ('std_msgs/msg/String', 'data', 2, "The 'data' field must be of type 'str'"),
         ('std_msgs/msg/Bool', 'data', 1, "The 'data' field must be of type 'bool'"),
         ('std_msgs/msg/Int32', 'data', numpy.int64(2), "The 'data' field must be of type 'int'"),
-        (
-            'std_msgs/msg/Byte',
-            'data',
-            b'ab',
-            "The 'data' field must be of type 'bytes' or 'ByteString' with length 1",
-        ),
-        (
-            'geometry_msgs/msg/Twist',
-            'linear',
-            2.0,
-            "The 'linear' field must be a sub message of type 'Vector3'",
-        ),
-        (
-            'builtin_interfaces/msg/Time',
-            'sec',
-            2**31,
-            "The 'sec' field must be an integer in [-2147483648, 2147483647]",
-        ),
+        ('std_msgs/msg/Byte', 'data', b'ab', "The 'data' field must be of type 'bytes' or 'ByteString' with length 1"),
+        ('geometry_msgs/msg/Twist', 'linear', 2.0, "The 'linear' field must be a sub message of type 'Vector3'"),
+        ('builtin_interfaces/msg/Time', 'sec', 2**31, "The 'sec' field must be an integer in [-2147483648, 2147483647]"),
         ('turtlesim/msg/Color', 'r', 256, "The 'r' field must be an unsigned integer in [0, 255]"),
-        (
-            'turtlesim/msg/Pose',
-            'x',
-            4e38,
-            "The 'x' field must be a float in [-3.402823466e+38, 3.402823466e+38]",
-        ),
+        ('turtlesim/msg/Pose', 'x', 4e38, "The 'x' field must be a float in [-3.402823466e+38, 3.402823466e+38]"),
         (
             'type_description_interfaces/msg/FieldType',
             'nested_type_name',
@@ -66,12 +46,7 @@ SEVERAL = 'field must be a set or sequence'
             numpy.zeros(36, 'complex'),
             "The 'covariance' numpy.ndarray() must have the dtype of 'numpy.float64'",
         ),
-        (
-            'nav_msgs/msg/OccupancyGrid',
-            'data',
-            array('d', [1.0]),
-            "The 'data' array.array() must have the type code of 'b'",
-        ),
+        ('nav_msgs/msg/OccupancyGrid', 'data', array('d', [1.0]), "The 'data' array.array() must have the type code of 'b'"),
         (
             'shape_msgs/msg/SolidPrimitive',
             'dimensions',
@@ -84,12 +59,7 @@ SEVERAL = 'field must be a set or sequence'
             'abc',
             f"The 'data' {SEVERAL} and each value of type 'int' and each unsigned integer in [0, 255]",
         ),
-        (
-            'tf2_msgs/msg/TFMessage',
-            'transforms',
-            3,
-            f"The 'transforms' {SEVERAL} and each value of type 'TransformStamped'",
-        ),
+        ('tf2_msgs/msg/TFMessage', 'transforms', 3, f"The 'transforms' {SEVERAL} and each value of type 'TransformStamped'"),
     ],
 )
 def test_a_wrong_value_is_refused_in_rclpys_words(get, type_name, field, value, text):

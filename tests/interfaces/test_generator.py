@@ -47,21 +47,8 @@ def test_a_class_is_named_as_ros_names_it(get):
 
 def test_fields_start_with_their_defaults(everything):
     msg = everything()
-    assert (msg.flag, msg.level, msg.letter, msg.small, msg.third, msg.short) == (
-        True,
-        b'\0',
-        0,
-        -3,
-        0.1,
-        'abc',
-    )
-    assert (msg.many, msg.few, msg.words, msg.pair, msg.raw) == (
-        array('i', [4, 5]),
-        array('d'),
-        ['a', 'b'],
-        [False] * 2,
-        [],
-    )
+    assert (msg.flag, msg.level, msg.letter, msg.small, msg.third, msg.short) == (True, b'\0', 0, -3, 0.1, 'abc')
+    assert (msg.many, msg.few, msg.words, msg.pair, msg.raw) == (array('i', [4, 5]), array('d'), ['a', 'b'], [False] * 2, [])
     assert (msg.fixed.tolist(), msg.id.tolist(), str(msg.id.dtype)) == ([0.0] * 3, [1, 2], 'uint8')
     assert (len(msg.ends), msg.middle, msg.turn.w) == (2, [], 1.0)
 
@@ -88,10 +75,7 @@ def test_two_messages_never_share_a_default(everything):
 def test_slots_and_field_types_are_those_of_ros(get):
     cls = get('geometry_msgs/msg/Twist')
     assert cls.__slots__ == ['_linear', '_angular', '_check_fields']
-    assert cls.get_fields_and_field_types() == {
-        'linear': 'geometry_msgs/Vector3',
-        'angular': 'geometry_msgs/Vector3',
-    }
+    assert cls.get_fields_and_field_types() == {'linear': 'geometry_msgs/Vector3', 'angular': 'geometry_msgs/Vector3'}
 
 
 def test_a_constant_cannot_be_assigned_to(get):
@@ -101,9 +85,7 @@ def test_a_constant_cannot_be_assigned_to(get):
     assert cls.STATUS_ABORTED == cls().STATUS_ABORTED == 6
 
 
-@pytest.mark.parametrize(
-    'how', [copy.deepcopy, lambda msg: pickle.loads(pickle.dumps(msg))], ids=['deepcopy', 'pickle']
-)
+@pytest.mark.parametrize('how', [copy.deepcopy, lambda msg: pickle.loads(pickle.dumps(msg))], ids=['deepcopy', 'pickle'])
 def test_a_copy_is_equal_and_shares_nothing(get, how):
     msg = get('geometry_msgs/msg/PoseWithCovariance')()
     msg.pose.position.x = 0.1
@@ -156,10 +138,5 @@ def test_positional_arguments_are_refused(get):
 
 
 def test_a_field_may_have_the_name_of_a_generated_variable(define):
-    cls = define(
-        'Names.msg',
-        'float64 m\nfloat64 wire\nfloat64 self\nfloat64 type\nfloat64 kwargs\nint8 property\nfloat32 f0',
-    )
-    assert cls(m=1.0, self=2.0, kwargs=3.0).to_wire(cls.from_wire((1.0, 2.0, 3.0, 4.0, 5.0, 6, 0.5)))[
-        2:4
-    ] == (3.0, 4.0)
+    cls = define('Names.msg', 'float64 m\nfloat64 wire\nfloat64 self\nfloat64 type\nfloat64 kwargs\nint8 property\nfloat32 f0')
+    assert cls(m=1.0, self=2.0, kwargs=3.0).to_wire(cls.from_wire((1.0, 2.0, 3.0, 4.0, 5.0, 6, 0.5)))[2:4] == (3.0, 4.0)

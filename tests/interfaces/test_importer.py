@@ -29,25 +29,17 @@ def test_a_module_is_found_by_every_form_of_import(finder, get):
     from turtlesim import action
 
     assert geometry_msgs.msg.Twist is get('geometry_msgs/msg/Twist')
-    assert (srv.Spawn.TYPE, action.RotateAbsolute.TYPE) == (
-        'turtlesim/srv/Spawn',
-        'turtlesim/action/RotateAbsolute',
-    )
+    assert (srv.Spawn.TYPE, action.RotateAbsolute.TYPE) == ('turtlesim/srv/Spawn', 'turtlesim/action/RotateAbsolute')
 
 
 def test_private_modules_of_ros_can_be_imported(finder, get):
     from geometry_msgs.msg._transform_stamped import TransformStamped
     from turtlesim.srv._spawn import Spawn_Request
 
-    assert (TransformStamped, Spawn_Request) == (
-        get('geometry_msgs/msg/TransformStamped'),
-        get('turtlesim/srv/Spawn').Request,
-    )
+    assert (TransformStamped, Spawn_Request) == (get('geometry_msgs/msg/TransformStamped'), get('turtlesim/srv/Spawn').Request)
 
 
-@pytest.mark.parametrize(
-    'name', ['geometry_msgs.mgs', 'geometry_msgs.srv', 'geometry_msgs.msg._twits', 'no_such_msgs']
-)
+@pytest.mark.parametrize('name', ['geometry_msgs.mgs', 'geometry_msgs.srv', 'geometry_msgs.msg._twits', 'no_such_msgs'])
 def test_what_is_not_there_is_pythons_own_error(finder, name):
     with pytest.raises(ModuleNotFoundError, match=f"^No module named '{name}'$"):
         importlib.import_module(name)
@@ -60,9 +52,7 @@ def test_a_real_package_keeps_its_place_and_a_bare_folder_does_not(tmp_path, reg
     (tmp_path / 'real_pkg' / '__init__.py').write_text('')
     monkeypatch.syspath_prepend(tmp_path)
     finder = InterfaceFinder(Registry([tmp_path], base=registry))
-    specs = [
-        finder.find_spec(name) for name in ('real_pkg', 'real_pkg.msg', 'bare_pkg', 'bare_pkg.msg', 'os')
-    ]
+    specs = [finder.find_spec(name) for name in ('real_pkg', 'real_pkg.msg', 'bare_pkg', 'bare_pkg.msg', 'os')]
     assert [spec and spec.name for spec in specs] == [None, 'real_pkg.msg', 'bare_pkg', 'bare_pkg.msg', None]
 
 
@@ -79,10 +69,7 @@ def test_classes_are_asked_for_by_type_name(tmp_path, registry, finder):
     (tmp_path / 'p' / 'msg').mkdir(parents=True)
     (tmp_path / 'p' / 'msg' / 'Num.msg').write_text('int64 num')
     install(Registry([tmp_path], base=registry))
-    assert (message_class('p/msg/Num')(num=3).num, service_class('std_srvs/srv/Empty').TYPE) == (
-        3,
-        'std_srvs/srv/Empty',
-    )
+    assert (message_class('p/msg/Num')(num=3).num, service_class('std_srvs/srv/Empty').TYPE) == (3, 'std_srvs/srv/Empty')
 
 
 def test_using_messages_loads_neither_numpy_nor_asyncio():
@@ -95,7 +82,4 @@ def test_using_messages_loads_neither_numpy_nor_asyncio():
         late = ('numpy', 'asyncio', 'dataclasses', 'difflib', 'json')
         print([name for name in late if name in sys.modules])
     """
-    assert (
-        subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, check=True).stdout
-        == '[]\n'
-    )
+    assert subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, check=True).stdout == '[]\n'

@@ -45,11 +45,7 @@ def test_list_defaults_stand_in_brackets(field_type, text, value):
         (FieldType('int8', None, 'fixed', 3), '[1]', '3 values, not 1'),
         (FieldType('int8', None, 'bounded', 1), '[1, 2]', 'at most 1 values, not 2'),
         (FieldType('int8', None, 'unbounded'), '1', 'a list in brackets such as [1, 2], not 1'),
-        (
-            FieldType('string'),
-            '"a',
-            'a closing " on the same line (ROS cuts a line at #, even inside quotes)',
-        ),
+        (FieldType('string'), '"a', 'a closing " on the same line (ROS cuts a line at #, even inside quotes)'),
         (FieldType('string'), '"a"b"', 'one quoted string with a backslash before each inner ", not "a"b"'),
     ],
 )

@@ -14,18 +14,12 @@ def test_repr_names_every_field_and_nested_message(get):
 
 def test_repr_shows_number_sequences_as_lists_and_fixed_arrays_as_numpy_does(get):
     layout = 'layout=std_msgs.msg.MultiArrayLayout(dim=[], data_offset=0)'
-    assert (
-        repr(get('std_msgs/msg/Int32MultiArray')(data=[1]))
-        == f'std_msgs.msg.Int32MultiArray({layout}, data=[1])'
-    )
+    assert repr(get('std_msgs/msg/Int32MultiArray')(data=[1])) == f'std_msgs.msg.Int32MultiArray({layout}, data=[1])'
     assert repr(get('shape_msgs/msg/Plane')()) == 'shape_msgs.msg.Plane(coef=array([0., 0., 0., 0.]))'
 
 
 def test_a_request_shows_its_long_name(get):
-    assert (
-        repr(get('turtlesim/srv/Spawn').Request(x=2.0))
-        == "turtlesim.srv.Spawn_Request(x=2.0, y=0.0, theta=0.0, name='')"
-    )
+    assert repr(get('turtlesim/srv/Spawn').Request(x=2.0)) == "turtlesim.srv.Spawn_Request(x=2.0, y=0.0, theta=0.0, name='')"
 
 
 @pytest.mark.parametrize(
@@ -35,10 +29,7 @@ def test_a_request_shows_its_long_name(get):
             {'linaer': 1, 'angluar': 2},
             "Invalid arguments passed to constructor: angluar, linaer\n  help: did you mean 'angular'?",
         ),
-        (
-            {'q': 1},
-            'Invalid arguments passed to constructor: q\n  help: the fields of Twist are: linear, angular',
-        ),
+        ({'q': 1}, 'Invalid arguments passed to constructor: q\n  help: the fields of Twist are: linear, angular'),
     ],
 )
 def test_unknown_arguments_are_refused_in_rclpys_words(get, arguments, text):
@@ -53,11 +44,7 @@ def test_check_fields_is_taken_but_checks_stay_on(get):
 
 
 def test_wire_type_describes_each_entry(get):
-    assert get('std_msgs/msg/Header').wire_type() == (
-        ('stamp.sec', 'int32'),
-        ('stamp.nanosec', 'uint32'),
-        ('frame_id', 'string'),
-    )
+    assert get('std_msgs/msg/Header').wire_type() == (('stamp.sec', 'int32'), ('stamp.nanosec', 'uint32'), ('frame_id', 'string'))
 
 
 def test_a_lazy_attribute_is_computed_once():

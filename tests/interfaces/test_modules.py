@@ -24,18 +24,13 @@ def module(registry, monkeypatch):
 def test_a_wrong_name_in_from_import_is_an_import_error_with_help(module, name, help):
     with pytest.raises(ImportError) as caught:
         exec(f'from std_msgs.msg import {name}')
-    assert (
-        str(caught.value)
-        == f"cannot import name '{name}' from 'std_msgs.msg' (unknown location)\n  help: {help}"
-    )
+    assert str(caught.value) == f"cannot import name '{name}' from 'std_msgs.msg' (unknown location)\n  help: {help}"
 
 
 def test_a_wrong_attribute_is_an_attribute_error_with_help(module):
     with pytest.raises(AttributeError) as caught:
         module.Strnig  # noqa: B018
-    assert (
-        str(caught.value) == "module 'std_msgs.msg' has no attribute 'Strnig'\n  help: did you mean 'String'?"
-    )
+    assert str(caught.value) == "module 'std_msgs.msg' has no attribute 'Strnig'\n  help: did you mean 'String'?"
     assert not hasattr(module, 'Strnig')
 
 
@@ -53,8 +48,5 @@ def test_star_import_brings_all_classes(module):
 
 def test_a_part_module_has_the_classes_of_one_interface(registry):
     module = PartModule('turtlesim.srv._spawn', registry, 'turtlesim/srv/Spawn')
-    assert (module.Spawn.TYPE, module.Spawn_Response.TYPE) == (
-        'turtlesim/srv/Spawn',
-        'turtlesim/srv/Spawn_Response',
-    )
+    assert (module.Spawn.TYPE, module.Spawn_Response.TYPE) == ('turtlesim/srv/Spawn', 'turtlesim/srv/Spawn_Response')
     assert not hasattr(module, 'Kill') and not hasattr(module, 'Spawn_Reply')

@@ -57,11 +57,7 @@ def test_a_service_has_two_parts_and_an_action_three():
     service = parse('int64 a\n---\nint64 b', 'p/srv/S')
     action = parse('---\nint64 b\n---\n', 'p/action/A')
     assert (service.request.type, service.response.fields[0].line) == ('p/srv/S_Request', 3)
-    assert [part.type for part in action[1:]] == [
-        'p/action/A_Goal',
-        'p/action/A_Result',
-        'p/action/A_Feedback',
-    ]
+    assert [part.type for part in action[1:]] == ['p/action/A_Goal', 'p/action/A_Result', 'p/action/A_Feedback']
 
 
 @pytest.mark.parametrize(
@@ -75,7 +71,7 @@ def test_a_service_has_two_parts_and_an_action_three():
             (
                 "src/Num.msg:1: 'firstName' is an invalid field name. It should have the pattern "
                 "'^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'\n"
-                "  help: lower-case letters, digits and single underscores, starting with a letter"
+                '  help: lower-case letters, digits and single underscores, starting with a letter'
             ),
         ),
         (
@@ -100,10 +96,7 @@ def test_a_service_has_two_parts_and_an_action_three():
                 '  help: only primitive types have defaults'
             ),
         ),
-        (
-            'uint8 A=300',
-            "src/Num.msg:1: constant 'A' of type 'uint8' expected a whole number in [0, 255], not 300",
-        ),
+        ('uint8 A=300', "src/Num.msg:1: constant 'A' of type 'uint8' expected a whole number in [0, 255], not 300"),
         ('int8 a\nint8 a', "src/Num.msg:2: 'a' is already the name of line 1"),
         (
             'int8 class',
@@ -122,11 +115,7 @@ def test_a_long_constant_name_is_refused_quickly():
     assert 'invalid constant name' in error(f'int32 {"A" * 200}a=1')
 
 
-LINE = st.one_of(
-    st.text(),
-    st.from_regex(r'[a-zA-Z0-9/<=\[\]]{1,12} [a-zA-Z_]{1,6}( |=)[-0-9a-z\[\]\'",.]{0,9}'),
-    st.just('---'),
-)
+LINE = st.one_of(st.text(), st.from_regex(r'[a-zA-Z0-9/<=\[\]]{1,12} [a-zA-Z_]{1,6}( |=)[-0-9a-z\[\]\'",.]{0,9}'), st.just('---'))
 
 
 @given(st.lists(LINE).map('\n'.join), st.sampled_from(['msg', 'srv', 'action']))

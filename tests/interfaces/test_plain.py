@@ -33,10 +33,7 @@ def test_wires_become_columns(get):
 
 def test_float32_values_of_a_stranger_are_rounded(get):
     forms = Forms(forms_of(get('turtlesim/msg/Pose')))
-    assert forms.wire('turtlesim/msg/Pose', [0.1, math.inf, 0.0, 0.0, 0.0])[:2] == (
-        0.10000000149011612,
-        math.inf,
-    )
+    assert forms.wire('turtlesim/msg/Pose', [0.1, math.inf, 0.0, 0.0, 0.0])[:2] == (0.10000000149011612, math.inf)
 
 
 @pytest.mark.parametrize(
@@ -49,16 +46,8 @@ def test_float32_values_of_a_stranger_are_rounded(get):
         ('std_msgs/msg/Int8', [128], 'std_msgs/msg/Int8: data: expected int8, not 128'),
         ('std_msgs/msg/Byte', ['ab'], "std_msgs/msg/Byte: data: expected byte, not b'ab'"),
         ('std_msgs/msg/Byte', ['\u0101'], "std_msgs/msg/Byte: data: expected bytes, not '\u0101'"),
-        (
-            'unique_identifier_msgs/msg/UUID',
-            ['a'],
-            "unique_identifier_msgs/msg/UUID: uuid: expected uint8[16], not 'a'",
-        ),
-        (
-            'geometry_msgs/msg/Polygon',
-            [5],
-            'geometry_msgs/msg/Polygon: points: expected geometry_msgs/msg/Point32[], not 5',
-        ),
+        ('unique_identifier_msgs/msg/UUID', ['a'], "unique_identifier_msgs/msg/UUID: uuid: expected uint8[16], not 'a'"),
+        ('geometry_msgs/msg/Polygon', [5], 'geometry_msgs/msg/Polygon: points: expected geometry_msgs/msg/Point32[], not 5'),
         ('geometry_msgs/msg/Polygon', [[[1]]], 'geometry_msgs/msg/Point32: expected 3 values, not [1]'),
     ],
 )

@@ -42,13 +42,7 @@ def test_a_workspace_package_stands_before_one_of_the_underlay(workspace):
 
 
 def test_packages_kinds_and_names_are_listed_in_order(registry):
-    assert registry.names('turtlesim', 'srv') == [
-        'Kill',
-        'SetPen',
-        'Spawn',
-        'TeleportAbsolute',
-        'TeleportRelative',
-    ]
+    assert registry.names('turtlesim', 'srv') == ['Kill', 'SetPen', 'Spawn', 'TeleportAbsolute', 'TeleportRelative']
     assert registry.types('action') == [
         'action_tutorials_interfaces/action/Fibonacci',
         'example_interfaces/action/Fibonacci',

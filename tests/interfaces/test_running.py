@@ -1,4 +1,5 @@
 """Whose interfaces count."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator

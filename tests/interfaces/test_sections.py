@@ -16,10 +16,7 @@ def test_comments_and_blank_lines_are_left_out_but_counted():
             'int8 a',
             'srv',
             2,
-            (
-                "f.srv:1: expected 1 more line with '---'\n"
-                '  help: a .srv file is: request --- response; a part may be empty'
-            ),
+            ("f.srv:1: expected 1 more line with '---'\n  help: a .srv file is: request --- response; a part may be empty"),
         ),
         (
             '',

@@ -11,10 +11,7 @@ from edulaunch.interfaces.slot_types import (
 
 
 def test_slot_types_describe_each_field(define):
-    cls = define(
-        'All.msg',
-        'float64 a\nstring b\nstring<=3[] c\nwstring d\nint8[2] e\nuint8[<=4] f\ngeometry_msgs/Point g',
-    )
+    cls = define('All.msg', 'float64 a\nstring b\nstring<=3[] c\nwstring d\nint8[2] e\nuint8[<=4] f\ngeometry_msgs/Point g')
     assert (
         BasicType('double'),
         UnboundedString(),

@@ -13,18 +13,9 @@ def test_a_twist_is_flat_on_the_wire(get):
 
 def test_float32_values_are_rounded_on_the_wire(get):
     pose = get('turtlesim/msg/Pose')
-    assert pose.to_wire(pose(x=5.5444445, theta=0.1)) == (
-        5.544444561004639,
-        0.0,
-        0.10000000149011612,
-        0.0,
-        0.0,
-    )
+    assert pose.to_wire(pose(x=5.5444445, theta=0.1)) == (5.544444561004639, 0.0, 0.10000000149011612, 0.0, 0.0)
     scan = get('sensor_msgs/msg/LaserScan')
-    assert scan.to_wire(scan(angle_min=0.1, ranges=[0.1]))[3::7] == (
-        0.10000000149011612,
-        (0.10000000149011612,),
-    )
+    assert scan.to_wire(scan(angle_min=0.1, ranges=[0.1]))[3::7] == (0.10000000149011612, (0.10000000149011612,))
 
 
 def test_repeated_messages_are_tuples_of_flat_tuples(get):

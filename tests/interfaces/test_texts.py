@@ -1,4 +1,5 @@
 """Interfaces kept as text."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -3,8 +3,12 @@ import pytest
 from edulaunch.interfaces.underlay import underlay_registry
 
 MORE = [
-    'actionlib_msgs/msg/GoalID', 'actionlib_msgs/msg/GoalStatus', 'actionlib_msgs/msg/GoalStatusArray', 'nav_msgs/msg/Goals',
-    'stereo_msgs/msg/DisparityImage']
+    'actionlib_msgs/msg/GoalID',
+    'actionlib_msgs/msg/GoalStatus',
+    'actionlib_msgs/msg/GoalStatusArray',
+    'nav_msgs/msg/Goals',
+    'stereo_msgs/msg/DisparityImage',
+]
 """What Jazzy's common_interfaces has beyond the list; test_msgs is there for tests that use it."""
 
 
@@ -14,15 +18,9 @@ def test_the_underlay_is_one_registry():
 
 def test_every_interface_of_the_reference_list_is_there(registry, shared):
     """Field by field, in order: names and constants as the Jazzy lines of the list have them."""
-    lines = [
-        line.strip()
-        for line in (shared / 'reference' / 'interfaces.txt').read_text().splitlines()
-        if line[:1].isalpha()
-    ]
+    lines = [line.strip() for line in (shared / 'reference' / 'interfaces.txt').read_text().splitlines() if line[:1].isalpha()]
     students_own = ('tutorial_interfaces', 'more_interfaces')
-    wanted = {
-        line.split(': ')[0]: line.split(': ', 1)[1] for line in lines if not line.startswith(students_own)
-    }
+    wanted = {line.split(': ')[0]: line.split(': ', 1)[1] for line in lines if not line.startswith(students_own)}
     more = [name for name in registry.types() if name not in wanted]
     assert more == sorted(MORE + [name for name in more if name.startswith('test_msgs/')])
     assert set(wanted) <= set(registry.types())

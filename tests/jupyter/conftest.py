@@ -1,4 +1,5 @@
 """A terminal on a simulated machine whose output is kept."""
+
 from __future__ import annotations
 
 from pathlib import Path

@@ -1,4 +1,5 @@
 """The magics in a real IPython shell."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -13,6 +14,7 @@ from edulaunch.recording import Recording
 def shell(desk: Any) -> Iterator[Any]:
     """An IPython shell that has loaded the extension."""
     from IPython.core.interactiveshell import InteractiveShell
+
     InteractiveShell.clear_instance()
     shell: Any = InteractiveShell.instance(colors='nocolor')
     shell.history_manager.enabled = False
@@ -38,7 +40,10 @@ def test_an_error_is_shown_without_a_traceback_of_ours(shell: Any, capsys: pytes
     result = shell.run_cell('%ros2 launch simm.launch.py')
     said = capsys.readouterr().out
     assert type(result.error_in_exec).__name__ == 'UnusableInput'
-    assert said.strip().splitlines() == ["UnusableInput: launch file 'simm.launch.py' does not exist.", "  help: did you mean 'sim.launch.py'?"]
+    assert said.strip().splitlines() == [
+        "UnusableInput: launch file 'simm.launch.py' does not exist.",
+        "  help: did you mean 'sim.launch.py'?",
+    ]
 
 
 def test_sourcing_and_its_error(shell: Any, desk: Any, capsys: pytest.CaptureFixture[str]) -> None:

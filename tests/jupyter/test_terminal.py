@@ -1,4 +1,5 @@
 """One simulated machine behind a notebook."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -70,6 +71,7 @@ def test_a_recording_is_a_snapshot(desk: Any) -> None:
 
 def test_the_recording_of_a_launch_equals_that_of_the_command(desk: Any) -> None:
     import edulaunch
+
     assert desk.ros2('launch sim.launch.py --for 2').digest() == edulaunch.run('sim.launch.py', duration_s=2.0).digest()
 
 
@@ -103,12 +105,17 @@ def generate_launch_description():
 """
 
 
-@pytest.mark.parametrize(('line', 'message'), [
-    ('launch', 'launch what?'), ('topic echo "/x', 'cannot read this command: No closing quotation'),
-    ('launch sim.launch.py --for soon', "--for needs a number from 0 to 1000000, not 'soon'"),
-    ('launch sim.launch.py --for', "--for needs a number from 0 to 1000000, not 'nothing'"),
-    ('launch simm.launch.py', "launch file 'simm.launch.py' does not exist."),
-    ('launch sim.launch.py speed=3', "malformed launch argument 'speed=3', expected format '<name>:=<value>'")])
+@pytest.mark.parametrize(
+    ('line', 'message'),
+    [
+        ('launch', 'launch what?'),
+        ('topic echo "/x', 'cannot read this command: No closing quotation'),
+        ('launch sim.launch.py --for soon', "--for needs a number from 0 to 1000000, not 'soon'"),
+        ('launch sim.launch.py --for', "--for needs a number from 0 to 1000000, not 'nothing'"),
+        ('launch simm.launch.py', "launch file 'simm.launch.py' does not exist."),
+        ('launch sim.launch.py speed=3', "malformed launch argument 'speed=3', expected format '<name>:=<value>'"),
+    ],
+)
 def test_unusable_words_are_explained(desk: Any, line: str, message: str) -> None:
     with pytest.raises(UnusableInput) as caught:
         desk.ros2(line)

@@ -1,4 +1,5 @@
 """Which packages the commands of a notebook find."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -25,7 +26,9 @@ def test_a_notebook_inside_a_workspace_finds_it_too(desk: Any) -> None:
     assert desk.terminal.workspaces() == [str(desk.folder)]
 
 
-@pytest.mark.parametrize('word', ['my_ws', 'my_ws/', 'my_ws/install', 'my_ws/install/setup.bash', 'my_ws/install/local_setup.bash'])
+@pytest.mark.parametrize(
+    'word', ['my_ws', 'my_ws/', 'my_ws/install', 'my_ws/install/setup.bash', 'my_ws/install/local_setup.bash']
+)
 def test_sourcing_takes_what_a_shell_takes_without_a_build(workspace: Any, word: str) -> None:
     workspace.terminal.source(word)
     assert workspace.terminal.workspaces() == [str(workspace.folder / 'my_ws')]

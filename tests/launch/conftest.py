@@ -1,4 +1,5 @@
 """A fresh simulation for each test, with programs that do what the test says."""
+
 from __future__ import annotations
 
 import signal
@@ -16,12 +17,7 @@ from edulaunch.sim.task import AmbientTask
 @pytest.fixture(autouse=True)
 def fresh_simulation(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     """The ambient process of this test, whose simulation nobody has used before."""
-    for name in (
-        'ROS_LOG_DIR',
-        'ROS_HOME',
-        'OVERRIDE_LAUNCH_PROCESS_OUTPUT',
-        'OVERRIDE_LAUNCH_SCREEN_FORMAT',
-    ):
+    for name in ('ROS_LOG_DIR', 'ROS_HOME', 'OVERRIDE_LAUNCH_PROCESS_OUTPUT', 'OVERRIDE_LAUNCH_SCREEN_FORMAT'):
         monkeypatch.delenv(name, raising=False)
     here: Any = getcurrent()
     before = here.__dict__.pop('task', None)
@@ -74,6 +70,7 @@ class FakeHost:
 
     def overlay(self, index: Any) -> Any:
         from edulaunch.processes.overlay import Overlay
+
         return Overlay(index)
 
     def start(self, spec: Any, on_output: Any = None, on_exit: Any = None) -> FakeProgram:
@@ -102,7 +99,10 @@ def host(fresh_simulation: Any) -> FakeHost:
     fake.scripts = {
         'quick': lambda program: program.at(1.0, lambda: program.exit(0)),
         'failing': lambda program: program.at(1.0, lambda: program.exit(3)),
-        'forever': lambda program: None, 'stubborn': resist, 'talker': talk}
+        'forever': lambda program: None,
+        'stubborn': resist,
+        'talker': talk,
+    }
     return fake
 
 
@@ -118,4 +118,5 @@ def launch_it(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, li
         first, *lines = capsys.readouterr().out.splitlines()
         assert first == '[INFO] [launch]: Default logging verbosity is set to INFO'
         return code, lines
+
     return run

@@ -1,4 +1,5 @@
 """Launch files of robots that need what edulaunch does not have: the rest goes on, and one sentence says what is missing."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -39,20 +40,27 @@ def run(folder: Path, entity: str) -> list[str]:
 def test_a_program_of_an_absent_package_ends_with_one_sentence(tmp_path: Path) -> None:
     lines = run(tmp_path, "Node(package='ros_gz_bridge', executable='parameter_bridge')")
     assert '[INFO] [launch.user]: it goes on' in lines
-    assert ("[parameter_bridge-1]   help: parameter_bridge-1 needs the package 'ros_gz_bridge' (Gazebo), which is not here; "
-            'the other programs go on without it') in lines
+    assert (
+        "[parameter_bridge-1]   help: parameter_bridge-1 needs the package 'ros_gz_bridge' (Gazebo), which is not here; "
+        'the other programs go on without it'
+    ) in lines
     assert any(line.startswith('[ERROR] [parameter_bridge-1]: process has died [pid 1002, exit code 1,') for line in lines)
 
 
-@pytest.mark.parametrize('path', [
-    "[get_package_share_directory('gazebo_ros'), '/launch/gazebo.launch.py']",
-    "os.path.join(get_package_share_directory('gazebo_ros'), 'launch', 'gazebo.launch.py')",
-    "PathJoinSubstitution([FindPackageShare('gazebo_ros'), 'launch', 'gazebo.launch.py'])",
-])
+@pytest.mark.parametrize(
+    'path',
+    [
+        "[get_package_share_directory('gazebo_ros'), '/launch/gazebo.launch.py']",
+        "os.path.join(get_package_share_directory('gazebo_ros'), 'launch', 'gazebo.launch.py')",
+        "PathJoinSubstitution([FindPackageShare('gazebo_ros'), 'launch', 'gazebo.launch.py'])",
+    ],
+)
 def test_a_launch_file_of_an_absent_package_is_left_out(tmp_path: Path, path: str) -> None:
     told, last = run(tmp_path, f"IncludeLaunchDescription({path}, launch_arguments={{'world': 'w'}}.items())")[-2:]
-    assert told == ("[ERROR] [launch]: gazebo_ros/launch/gazebo.launch.py is not included: the package 'gazebo_ros' (Gazebo) is not here; "
-                    'the rest of the launch goes on without it')
+    assert told == (
+        "[ERROR] [launch]: gazebo_ros/launch/gazebo.launch.py is not included: the package 'gazebo_ros' (Gazebo) is not here; "
+        'the rest of the launch goes on without it'
+    )
     assert last == '[INFO] [launch.user]: it goes on'
 
 
@@ -60,7 +68,8 @@ def test_a_launch_file_of_an_absent_package_is_left_out(tmp_path: Path, path: st
 def test_the_output_of_an_absent_program_is_empty(tmp_path: Path, command: str) -> None:
     assert run(tmp_path, f"LogInfo(msg=['<', Command({command}), '>'])")[-3:-1] == [
         "[ERROR] [launch]: the program 'xacro' (robot descriptions) is not here: the output of its command is empty",
-        '[INFO] [launch.user]: <>']
+        '[INFO] [launch.user]: <>',
+    ]
 
 
 def test_a_file_of_an_absent_package_that_is_opened_is_explained(tmp_path: Path) -> None:

@@ -1,4 +1,5 @@
 """What all actions have: conditions, completion, the line they were made on."""
+
 from __future__ import annotations
 
 import sys
@@ -45,8 +46,10 @@ def test_an_exception_knows_the_innermost_action() -> None:
     assert error.value.edulaunch_entity == 'OpaqueFunction'  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize(('condition', 'executed'), [
-    (None, True), (IfCondition(' TRUE '), True), (IfCondition('0'), False), (UnlessCondition('False'), True)])
+@pytest.mark.parametrize(
+    ('condition', 'executed'),
+    [(None, True), (IfCondition(' TRUE '), True), (IfCondition('0'), False), (UnlessCondition('False'), True)],
+)
 def test_conditions_decide(condition: Any, executed: bool) -> None:
     calls: list[int] = []
     OpaqueFunction(function=lambda context: calls.append(1), condition=condition).visit(LaunchContext())
@@ -57,8 +60,7 @@ def test_a_false_condition_means_no_completion(launch_it: Any) -> None:
     lines = launch_it(
         RegisterEventHandler(
             OnExecutionComplete(
-                target_action=lambda action: isinstance(action, OpaqueFunction),
-                on_completion=LogInfo(msg='done'),
+                target_action=lambda action: isinstance(action, OpaqueFunction), on_completion=LogInfo(msg='done')
             )
         ),
         OpaqueFunction(function=lambda context: None),
@@ -77,14 +79,12 @@ def test_completion_is_told_even_after_an_error(launch_it: Any) -> None:
 
 def test_sub_entities_are_conditional_when_the_action_is() -> None:
     inside = LogInfo(msg='x')
-    plain, conditional = (
-        GroupAction([inside], scoped=False),
-        GroupAction([inside], scoped=False, condition=IfCondition('1')),
-    )
+    plain, conditional = (GroupAction([inside], scoped=False), GroupAction([inside], scoped=False, condition=IfCondition('1')))
     assert (plain.describe_sub_entities(), plain.describe_conditional_sub_entities()) == ([inside], [])
     assert conditional.describe_sub_entities() == []
     assert conditional.describe_conditional_sub_entities() == [
-        ('Conditionally included by <launch.actions.group_action.GroupAction object at 0x>', [inside])]
+        ('Conditionally included by <launch.actions.group_action.GroupAction object at 0x>', [inside])
+    ]
 
 
 def test_descriptions_of_objects_have_no_address() -> None:

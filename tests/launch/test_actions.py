@@ -1,4 +1,5 @@
 """The small actions: configurations, environment, functions, coroutines, events, timers."""
+
 from __future__ import annotations
 
 import asyncio
@@ -54,15 +55,21 @@ def test_a_declared_argument_keeps_a_value_that_is_set(launch_it: Any) -> None:
 def test_a_required_argument_that_is_missing_is_logged_and_raised(launch_it: Any) -> None:
     code, lines = launch_it(DeclareLaunchArgument('a', description='why'))
     assert code == 1
-    assert lines[0] == ('[ERROR] [launch.actions.declare_launch_argument]: Required launch argument "a" '
-                        '(description: "why") was not provided')
+    assert lines[0] == (
+        '[ERROR] [launch.actions.declare_launch_argument]: Required launch argument "a" (description: "why") was not provided'
+    )
     assert lines[1].endswith('Required launch argument "a" was not provided.')
 
 
-@pytest.mark.parametrize(('kwargs', 'description'), [
-    ({}, 'no description given'), ({'choices': ['a', 'b']}, "One of: ['a', 'b']"),
-    ({'description': 'A x', 'choices': ['a']}, "A x. Valid choices are: ['a']"),
-    ({'description': 'A x.', 'choices': ['a']}, "A x. Valid choices are: ['a']")])
+@pytest.mark.parametrize(
+    ('kwargs', 'description'),
+    [
+        ({}, 'no description given'),
+        ({'choices': ['a', 'b']}, "One of: ['a', 'b']"),
+        ({'description': 'A x', 'choices': ['a']}, "A x. Valid choices are: ['a']"),
+        ({'description': 'A x.', 'choices': ['a']}, "A x. Valid choices are: ['a']"),
+    ],
+)
 def test_descriptions_name_the_choices(kwargs: Any, description: str) -> None:
     assert DeclareLaunchArgument('x', **kwargs).description == description
 
@@ -70,19 +77,15 @@ def test_descriptions_name_the_choices(kwargs: Any, description: str) -> None:
 def test_a_scoped_group_undoes_configurations_and_environment(launch_it: Any) -> None:
     inside = [SetLaunchConfiguration('a', '1'), SetEnvironmentVariable('E', '1')]
     after = say(conf('a'), EnvironmentVariable('E', default_value='-'))
-    assert said(launch_it(GroupAction(inside), after, GroupAction(inside, scoped=False), after)) == [
-        '--',
-        '11',
-    ]
+    assert said(launch_it(GroupAction(inside), after, GroupAction(inside, scoped=False), after)) == ['--', '11']
 
 
 def test_a_group_without_forwarding_sees_only_what_it_is_given(launch_it: Any) -> None:
-    group = GroupAction(
-        [say(conf('a'), conf('b'), conf('c'))], forwarding=False, launch_configurations={'c': conf('a')}
-    )
-    assert said(
-        launch_it(SetLaunchConfiguration('a', '1'), SetLaunchConfiguration('b', '2'), group, say(conf('b')))
-    ) == ['--1', '2']
+    group = GroupAction([say(conf('a'), conf('b'), conf('c'))], forwarding=False, launch_configurations={'c': conf('a')})
+    assert said(launch_it(SetLaunchConfiguration('a', '1'), SetLaunchConfiguration('b', '2'), group, say(conf('b')))) == [
+        '--1',
+        '2',
+    ]
 
 
 def test_configurations_can_be_unset_and_reset(launch_it: Any) -> None:
@@ -102,24 +105,30 @@ def test_configurations_can_be_unset_and_reset(launch_it: Any) -> None:
 
 def test_environment_variables_are_set_appended_and_unset(launch_it: Any) -> None:
     show = say(EnvironmentVariable('P', default_value='-'))
-    assert said(launch_it(
-        SetEnvironmentVariable('P', 'b'), AppendEnvironmentVariable('P', 'c'),
-        AppendEnvironmentVariable('P', 'a', prepend=True, separator=';'), show,
-        AppendEnvironmentVariable('P', 'z', prepend='false', separator=','), show,
-        UnsetEnvironmentVariable('P'), show)) == ['a;b:c', 'a;b:c,z', '-']
+    assert said(
+        launch_it(
+            SetEnvironmentVariable('P', 'b'),
+            AppendEnvironmentVariable('P', 'c'),
+            AppendEnvironmentVariable('P', 'a', prepend=True, separator=';'),
+            show,
+            AppendEnvironmentVariable('P', 'z', prepend='false', separator=','),
+            show,
+            UnsetEnvironmentVariable('P'),
+            show,
+        )
+    ) == ['a;b:c', 'a;b:c,z', '-']
 
 
 def test_an_opaque_function_gets_context_and_arguments_and_may_return_entities(launch_it: Any) -> None:
     def build(context: Any, word: str, *, end: str) -> Any:
         return [say(context.launch_configurations['a'], word, end)]
 
-    assert said(launch_it(SetLaunchConfiguration('a', '1'),
-                          OpaqueFunction(function=build, args=['2'], kwargs={'end': '3'}))) == ['123']
+    assert said(launch_it(SetLaunchConfiguration('a', '1'), OpaqueFunction(function=build, args=['2'], kwargs={'end': '3'}))) == [
+        '123'
+    ]
 
 
-def test_a_coroutine_runs_in_simulated_time_and_ends_with_the_launch(
-    launch_it: Any, fresh_simulation: Any
-) -> None:
+def test_a_coroutine_runs_in_simulated_time_and_ends_with_the_launch(launch_it: Any, fresh_simulation: Any) -> None:
     log: list[Any] = []
 
     async def count(context: Any) -> None:
@@ -164,15 +173,19 @@ def test_own_events_are_emitted_and_handled_until_unregistered(launch_it: Any) -
 
 def test_a_handler_sees_only_later_events(launch_it: Any) -> None:
     timers = [TimerAction(period=float(n), actions=[Shutdown(reason=str(n))]) for n in (1, 2)]
-    assert said(launch_it(*timers, RegisterEventHandler(OnShutdown(
-        on_shutdown=lambda event, context: say(event.reason))))) == ['1']
+    assert said(launch_it(*timers, RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: say(event.reason))))) == [
+        '1'
+    ]
 
 
 def test_a_timer_is_cancelled_by_a_shutdown_unless_told_otherwise(launch_it: Any) -> None:
-    assert said(launch_it(
-        TimerAction(period=2.0, actions=[say('cancelled')]),
-        TimerAction(period=3.0, actions=[say('kept')], cancel_on_shutdown=False),
-        TimerAction(period=1.0, actions=[Shutdown()]))) == ['kept']
+    assert said(
+        launch_it(
+            TimerAction(period=2.0, actions=[say('cancelled')]),
+            TimerAction(period=3.0, actions=[say('kept')], cancel_on_shutdown=False),
+            TimerAction(period=1.0, actions=[Shutdown()]),
+        )
+    ) == ['kept']
 
 
 def test_a_timer_can_be_cancelled_before_and_while_it_waits(launch_it: Any) -> None:
@@ -183,9 +196,7 @@ def test_a_timer_can_be_cancelled_before_and_while_it_waits(launch_it: Any) -> N
 
 
 def test_a_period_may_be_a_substitution_that_is_wrong(launch_it: Any) -> None:
-    code, lines = launch_it(
-        SetLaunchConfiguration('p', 'soon'), TimerAction(period=LaunchConfiguration('p'), actions=[])
-    )
+    code, lines = launch_it(SetLaunchConfiguration('p', 'soon'), TimerAction(period=LaunchConfiguration('p'), actions=[]))
     assert code == 1
     assert lines[0].endswith("could not convert string to float: 'soon'")
 

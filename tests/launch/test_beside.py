@@ -1,4 +1,5 @@
 """A launch beside what else a plain script does: real threads, signals, other asyncio loops."""
+
 from __future__ import annotations
 
 import asyncio
@@ -39,7 +40,10 @@ def test_ctrl_c_reaches_a_real_program_in_a_plain_script() -> None:
     program = ExecuteProcess(cmd=['sh', '-c', 'echo up; exec sleep 20'], on_exit=lambda event, _: codes.append(event.returncode))
     press = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
     launch_service = service(
-        program, RegisterEventHandler(OnProcessIO(target_action=program, on_stdout=lambda event: press.start())), noninteractive=True)
+        program,
+        RegisterEventHandler(OnProcessIO(target_action=program, on_stdout=lambda event: press.start())),
+        noninteractive=True,
+    )
     assert launch_service.run() == 0
     assert codes == [-signal.SIGINT]
 

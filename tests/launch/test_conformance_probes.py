@@ -1,4 +1,5 @@
 """The recorded answers of the original launch to small questions (`../shared/probes`), asked here."""
+
 from __future__ import annotations
 
 import asyncio
@@ -28,11 +29,8 @@ def _questions() -> list[str]:
 def names() -> Iterator[dict[str, Any]]:
     """What the probes see: their own functions, and launch."""
     text = (PROBES / 'launch_probes.py').read_text()
-    helpers = (
-        text[text.index('CONF = {') : text.index('def S(text')]
-        + text[text.index('def C(cond)') : text.index('def XML(')]
-    )
-    helpers += text[text.index('def visit('):text.index('def N(')]
+    helpers = text[text.index('CONF = {') : text.index('def S(text')] + text[text.index('def C(cond)') : text.index('def XML(')]
+    helpers += text[text.index('def visit(') : text.index('def N(')]
     loop = asyncio.new_event_loop()
     known: dict[str, Any] = {'loop': loop, 'HERE': str(PROBES)}
     exec(
@@ -47,9 +45,7 @@ def names() -> Iterator[dict[str, Any]]:
 
 @pytest.mark.skipif(not PROBES.exists(), reason='../shared/probes is not here')
 @pytest.mark.parametrize('question', _questions())
-def test_answers_as_the_original(
-    question: str, names: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_answers_as_the_original(question: str, names: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('PROBE_ENV', 'probe value')
     monkeypatch.delenv('PROBE_MISSING', raising=False)
     with warnings.catch_warnings():
@@ -57,5 +53,5 @@ def test_answers_as_the_original(
         try:
             answer = names['norm'](eval(question, names))
         except Exception as error:
-            answer = f"raises {type(error).__name__}: {names['norm'](str(error))}"
+            answer = f'raises {type(error).__name__}: {names["norm"](str(error))}'
     assert answer == json.loads((PROBES / 'launch_probes.json').read_text())[question]

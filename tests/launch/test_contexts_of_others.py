@@ -1,4 +1,5 @@
 """Unit tests of launch files bring contexts of their own, which have just what upstream's code asks for."""
+
 from __future__ import annotations
 
 import os
@@ -33,17 +34,36 @@ class Context:
         return text
 
 
-@pytest.mark.parametrize('substitution', [
-    LaunchConfiguration('here'), FindExecutable(name='sh'), PythonExpression('1'), AnonName('a'), EqualsSubstitution('1', '1'),
-    FindPackageShare('turtlesim'), ExecutableInPackage('turtlesim_node', 'turtlesim')], ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize(
+    'substitution',
+    [
+        LaunchConfiguration('here'),
+        FindExecutable(name='sh'),
+        PythonExpression('1'),
+        AnonName('a'),
+        EqualsSubstitution('1', '1'),
+        FindPackageShare('turtlesim'),
+        ExecutableInPackage('turtlesim_node', 'turtlesim'),
+    ],
+    ids=lambda one: type(one).__name__,
+)
 def test_substitutions_ask_for_no_more(substitution: Any) -> None:
     assert substitution.perform(Context())
 
 
-@pytest.mark.parametrize('action', [
-    SetLaunchConfiguration('a', 'b'), DeclareLaunchArgument('a', default_value='b'), GroupAction([]),
-    SetEnvironmentVariable('EDULAUNCH_TEST', '1'), SetParameter('a', 1), SetRemap('a', 'b'), PushROSNamespace('n')],
-    ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize(
+    'action',
+    [
+        SetLaunchConfiguration('a', 'b'),
+        DeclareLaunchArgument('a', default_value='b'),
+        GroupAction([]),
+        SetEnvironmentVariable('EDULAUNCH_TEST', '1'),
+        SetParameter('a', 1),
+        SetRemap('a', 'b'),
+        PushROSNamespace('n'),
+    ],
+    ids=lambda one: type(one).__name__,
+)
 def test_actions_ask_for_no_more(action: Any) -> None:
     context: Any = Context()
     context.would_handle_event = lambda event: False

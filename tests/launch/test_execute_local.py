@@ -1,4 +1,5 @@
 """Processes: names, command lines, output, signals, respawn and ends."""
+
 from __future__ import annotations
 
 import signal
@@ -32,18 +33,21 @@ def said(lines: list[str]) -> list[str]:
 
 
 def test_numbers_count_all_processes_in_order_of_visiting(launch_it: Any, host: Any) -> None:
-    launch_it(
-        ExecuteProcess(cmd=['quick']),
-        ExecuteProcess(cmd=['quick'], name='named'),
-        ExecuteProcess(cmd=['quick']),
-    )
+    launch_it(ExecuteProcess(cmd=['quick']), ExecuteProcess(cmd=['quick'], name='named'), ExecuteProcess(cmd=['quick']))
     assert [spec.name for spec in host.specs] == ['quick-1', 'named-2', 'quick-3']
 
 
 def test_the_command_line_is_resolved_where_it_is_visited(launch_it: Any, host: Any) -> None:
-    launch_it(GroupAction([SetLaunchConfiguration('x', '1'), SetEnvironmentVariable('IN_GROUP', 'yes'),
-                           ExecuteProcess(cmd=['quick', ['-', LaunchConfiguration('x')]])]),
-              SetLaunchConfiguration('x', '2'))
+    launch_it(
+        GroupAction(
+            [
+                SetLaunchConfiguration('x', '1'),
+                SetEnvironmentVariable('IN_GROUP', 'yes'),
+                ExecuteProcess(cmd=['quick', ['-', LaunchConfiguration('x')]]),
+            ]
+        ),
+        SetLaunchConfiguration('x', '2'),
+    )
     assert host.specs[0].argv == ('quick', '-1')
     assert host.specs[0].env['IN_GROUP'] == 'yes'
 
@@ -54,10 +58,7 @@ def test_a_plain_text_as_command_is_split_into_characters() -> None:
 
 def test_additional_env_adds_and_env_replaces(launch_it: Any, host: Any, fresh_simulation: Any) -> None:
     fresh_simulation.env['OLD'] = '1'
-    launch_it(
-        ExecuteProcess(cmd=['quick'], additional_env={'NEW': '2'}),
-        ExecuteProcess(cmd=['quick'], env={'NEW': '3'}),
-    )
+    launch_it(ExecuteProcess(cmd=['quick'], additional_env={'NEW': '2'}), ExecuteProcess(cmd=['quick'], env={'NEW': '3'}))
     added, replaced = (spec.env for spec in host.specs)
     assert (added['OLD'], added['NEW']) == ('1', '2')
     assert replaced == {'NEW': '3'}
@@ -77,9 +78,7 @@ def test_the_launch_prefix_goes_to_programs_that_match_the_filter(launch_it: Any
 
 def test_an_own_prefix_ignores_the_filter(launch_it: Any, host: Any) -> None:
     host.scripts['time'] = host.scripts['quick']
-    launch_it(
-        SetLaunchConfiguration('launch-prefix-filter', 'zzz'), ExecuteProcess(cmd=['quick'], prefix='time')
-    )
+    launch_it(SetLaunchConfiguration('launch-prefix-filter', 'zzz'), ExecuteProcess(cmd=['quick'], prefix='time'))
     assert host.specs[0].argv == ('time', 'quick')
 
 
@@ -110,11 +109,12 @@ def test_empty_lines_get_the_prefix_too(launch_it: Any, host: Any) -> None:
         ('own_log', []),
     ],
 )
-def test_output_decides_what_the_screen_shows(
-    output: Any, shown: list[str], launch_it: Any, host: Any
-) -> None:
+def test_output_decides_what_the_screen_shows(output: Any, shown: list[str], launch_it: Any, host: Any) -> None:
     host.scripts['both'] = lambda program: (
-        program.print('out\n'), program.print('err\n', 'stderr'), program.at(1.0, lambda: program.exit(0)))
+        program.print('out\n'),
+        program.print('err\n', 'stderr'),
+        program.at(1.0, lambda: program.exit(0)),
+    )
     lines = launch_it(ExecuteProcess(cmd=['both'], output=output))[1]
     assert [line for line in lines if line.startswith('[both-1]')] == shown
 
@@ -131,9 +131,7 @@ def test_the_environment_can_override_all_outputs(launch_it: Any, host: Any, fre
 
 
 def test_output_format_may_use_the_line_and_the_action(launch_it: Any, host: Any) -> None:
-    talker = ExecuteProcess(
-        cmd=['talker'], output='screen', output_format='{this.process_details[pid]}: {line}'
-    )
+    talker = ExecuteProcess(cmd=['talker'], output='screen', output_format='{this.process_details[pid]}: {line}')
     assert '101: one' in launch_it(talker)[1]
 
 
@@ -141,9 +139,7 @@ def test_cached_output_can_be_read_and_other_output_cannot(launch_it: Any, host:
     cached, plain = ExecuteProcess(cmd=['talker'], cached_output=True), ExecuteProcess(cmd=['talker'])
     launch_it(cached, plain)
     assert (cached.get_stdout(), cached.get_stderr()) == ('one\ntwo\nrest', '')
-    with pytest.raises(
-        RuntimeError, match="cached output must be true to be able to get stdout, proc 'talker-2'"
-    ):
+    with pytest.raises(RuntimeError, match="cached output must be true to be able to get stdout, proc 'talker-2'"):
         plain.get_stdout()
 
 
@@ -161,13 +157,10 @@ def test_a_command_that_is_not_there_is_reported_and_the_rest_goes_on(launch_it:
 
 
 def test_signals_escalate_with_ros_texts(launch_it: Any, host: Any) -> None:
-    lines = launch_it(ExecuteProcess(cmd=['stubborn'], sigterm_timeout='2', sigkill_timeout='3'),
-                      TimerAction(period=1.0, actions=[Shutdown()]))[1]
-    assert host.log[1:] == [
-        (1.0, 'SIGINT', 'stubborn-1'),
-        (3.0, 'SIGTERM', 'stubborn-1'),
-        (6.0, 'SIGKILL', 'stubborn-1'),
-    ]
+    lines = launch_it(
+        ExecuteProcess(cmd=['stubborn'], sigterm_timeout='2', sigkill_timeout='3'), TimerAction(period=1.0, actions=[Shutdown()])
+    )[1]
+    assert host.log[1:] == [(1.0, 'SIGINT', 'stubborn-1'), (3.0, 'SIGTERM', 'stubborn-1'), (6.0, 'SIGKILL', 'stubborn-1')]
     failed = '[ERROR] [stubborn-1]: process[stubborn-1] failed to terminate'
     assert lines[1:-1] == [
         "[INFO] [stubborn-1]: sending signal 'SIGINT' to process[stubborn-1]",
@@ -179,8 +172,11 @@ def test_signals_escalate_with_ros_texts(launch_it: Any, host: Any) -> None:
 
 
 def test_the_timeouts_are_launch_configurations_by_default(launch_it: Any, host: Any) -> None:
-    launch_it(SetLaunchConfiguration('sigterm_timeout', '1'), ExecuteProcess(cmd=['stubborn']),
-              TimerAction(period=1.0, actions=[Shutdown()]))
+    launch_it(
+        SetLaunchConfiguration('sigterm_timeout', '1'),
+        ExecuteProcess(cmd=['stubborn']),
+        TimerAction(period=1.0, actions=[Shutdown()]),
+    )
     assert [entry[0] for entry in host.log] == [0.0, 1.0, 2.0, 7.0]
 
 
@@ -196,9 +192,7 @@ def test_a_shutdown_right_at_the_start_reaches_the_process(launch_it: Any, host:
 
 
 def test_after_a_shutdown_nothing_is_started(launch_it: Any, host: Any) -> None:
-    launch_it(
-        Shutdown(), TimerAction(period=1.0, actions=[ExecuteProcess(cmd=['quick'])], cancel_on_shutdown=False)
-    )
+    launch_it(Shutdown(), TimerAction(period=1.0, actions=[ExecuteProcess(cmd=['quick'])], cancel_on_shutdown=False))
     assert host.log == []
 
 
@@ -208,8 +202,7 @@ def test_respawn_starts_again_after_the_delay_under_the_same_name(launch_it: Any
 
 
 def test_respawn_ends_with_the_launch_also_during_the_delay(launch_it: Any, host: Any) -> None:
-    launch_it(ExecuteProcess(cmd=['failing'], respawn=True, respawn_delay=5),
-              TimerAction(period=2.0, actions=[Shutdown()]))
+    launch_it(ExecuteProcess(cmd=['failing'], respawn=True, respawn_delay=5), TimerAction(period=2.0, actions=[Shutdown()]))
     assert host.log == [(0.0, 'start', 'failing-1')]
 
 
@@ -228,19 +221,28 @@ def test_handlers_see_start_output_completion_and_exit(launch_it: Any, host: Any
     talker = ExecuteProcess(cmd=['talker'])
     lines = launch_it(
         RegisterEventHandler(OnExecutionComplete(target_action=talker, on_completion=[say('complete')])),
-        talker, ExecuteProcess(cmd=['quick']),
+        talker,
+        ExecuteProcess(cmd=['quick']),
         RegisterEventHandler(OnProcessStart(target_action=talker, on_start=[say('started')])),
-        RegisterEventHandler(OnProcessIO(
-            target_action=talker, on_stdout=lambda event: say(event.text.decode().split()[0]))),
-        RegisterEventHandler(OnProcessExit(target_action=talker, on_exit=[say('exited')])))[1]
+        RegisterEventHandler(OnProcessIO(target_action=talker, on_stdout=lambda event: say(event.text.decode().split()[0]))),
+        RegisterEventHandler(OnProcessExit(target_action=talker, on_exit=[say('exited')])),
+    )[1]
     assert said(lines) == ['started', 'one', 'exited', 'complete']
 
 
 def test_events_can_signal_and_end_one_process(launch_it: Any, host: Any) -> None:
     one, two = ExecuteProcess(cmd=['stubborn']), ExecuteProcess(cmd=['forever'])
-    launch_it(one, two, TimerAction(period=1.0, actions=[
-        EmitEvent(event=SignalProcess(signal_number='SIGKILL', process_matcher=matches_action(one))),
-        EmitEvent(event=ShutdownProcess(process_matcher=matches_action(two)))]))
+    launch_it(
+        one,
+        two,
+        TimerAction(
+            period=1.0,
+            actions=[
+                EmitEvent(event=SignalProcess(signal_number='SIGKILL', process_matcher=matches_action(one))),
+                EmitEvent(event=ShutdownProcess(process_matcher=matches_action(two))),
+            ],
+        ),
+    )
     assert host.log[2:] == [(1.0, 'SIGKILL', 'stubborn-1'), (1.0, 'SIGINT', 'forever-2')]
 
 

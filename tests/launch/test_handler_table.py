@@ -1,4 +1,5 @@
 """Asking only the handlers that can match gives the same answer as asking all, newest first."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -30,8 +31,7 @@ TYPES = (Event, About, AboutMore)
 def make_handler(event_type: Any, action: Any) -> BaseEventHandler:
     handler = BaseEventHandler(
         matcher=lambda event: (
-            (event_type is None or isinstance(event, event_type))
-            and (action is None or getattr(event, 'action', None) is action)
+            (event_type is None or isinstance(event, event_type)) and (action is None or getattr(event, 'action', None) is action)
         )
     )
     if event_type is not None:
@@ -39,13 +39,7 @@ def make_handler(event_type: Any, action: Any) -> BaseEventHandler:
     return handler
 
 
-@given(
-    st.lists(
-        st.tuples(
-            st.sampled_from((None, *TYPES)), st.sampled_from((None, *ACTIONS)), st.booleans(), st.booleans()
-        )
-    )
-)
+@given(st.lists(st.tuples(st.sampled_from((None, *TYPES)), st.sampled_from((None, *ACTIONS)), st.booleans(), st.booleans())))
 def test_the_same_handlers_in_the_same_order_as_a_plain_list(steps: list[Any]) -> None:
     table, plain = HandlerTable(), deque[BaseEventHandler]()
     for event_type, action, append, remove in steps:
@@ -77,8 +71,12 @@ def test_an_event_of_another_action_costs_no_question() -> None:
 def test_whether_anybody_would_handle_an_event_is_known_after_each_change() -> None:
     table, first, second = HandlerTable(), make_handler(About, 'a'), make_handler(About, 'b')
     answers = [table.may_handle(AboutMore)]
-    for change in (lambda: table.add(first, append=False), lambda: table.add(second, append=False),
-                   lambda: table.remove(first), lambda: table.remove(second)):
+    for change in (
+        lambda: table.add(first, append=False),
+        lambda: table.add(second, append=False),
+        lambda: table.remove(first),
+        lambda: table.remove(second),
+    ):
         change()
         answers.append(table.may_handle(AboutMore))
     assert answers == [False, True, True, True, False]

@@ -1,4 +1,5 @@
 """The line of help below each mistake that students make: golden texts."""
+
 # ruff: noqa: E501
 from __future__ import annotations
 
@@ -72,7 +73,8 @@ def test_a_module_beside_the_launch_file_is_not_found(tmp_path: Path) -> None:
     with pytest.raises(Exception) as caught:
         get_launch_description_from_any_launch_file(str(path))
     assert launch_help(caught.value) == (
-        "the launch file's own folder is not searched: move shared_nodes.py into your Python package")
+        "the launch file's own folder is not searched: move shared_nodes.py into your Python package"
+    )
 
 
 def test_syntax_errors_have_their_line(tmp_path: Path) -> None:
@@ -99,13 +101,14 @@ VISITED = {
 
 
 @pytest.mark.parametrize('entity', VISITED)
-def test_a_mistake_found_while_launching_is_explained_with_its_line(
-    entity: str, launch_it: Any, tmp_path: Path
-) -> None:
+def test_a_mistake_found_while_launching_is_explained_with_its_line(entity: str, launch_it: Any, tmp_path: Path) -> None:
     path = tmp_path / 'wrong.launch.py'
-    path.write_text(f"{IMPORTS}def generate_launch_description():\n    return LaunchDescription([\n"
-                    f"        SetLaunchConfiguration('robot_name', 'r2'),\n        {entity}])\n")
+    path.write_text(
+        f'{IMPORTS}def generate_launch_description():\n    return LaunchDescription([\n'
+        f"        SetLaunchConfiguration('robot_name', 'r2'),\n        {entity}])\n"
+    )
     from launch.actions import IncludeLaunchDescription
+
     code, lines = launch_it(IncludeLaunchDescription(str(path)))
     assert code == 1
     assert lines[-1].startswith('  help: ')
@@ -117,16 +120,21 @@ def test_a_mistake_found_while_launching_is_explained_with_its_line(
 def test_an_argument_of_a_group_that_is_over_is_explained(launch_it: Any, tmp_path: Path) -> None:
     from launch.actions import GroupAction, LogInfo
     from launch.substitutions import LaunchConfiguration
+
     path = tmp_path / 'part.launch.py'
-    path.write_text(f"{IMPORTS}def generate_launch_description():\n"
-                    "    return LaunchDescription([DeclareLaunchArgument('robot', default_value='r2')])\n")
+    path.write_text(
+        f'{IMPORTS}def generate_launch_description():\n'
+        "    return LaunchDescription([DeclareLaunchArgument('robot', default_value='r2')])\n"
+    )
     from launch.actions import IncludeLaunchDescription
+
     lines = launch_it(GroupAction([IncludeLaunchDescription(str(path))]), LogInfo(msg=LaunchConfiguration('robot')))[1]
     assert "'robot' was set inside a GroupAction that is over by now" in lines[-1]
 
 
 def test_a_namespace_that_cannot_be_one_is_explained(launch_it: Any) -> None:
     from launch_ros.actions import PushROSNamespace
+
     lines = launch_it(PushROSNamespace('a-b'))[1]
     assert lines[-1].endswith(": a namespace has letters, digits, '_' and '/' only, and no part of it begins with a digit")
 
@@ -138,6 +146,7 @@ def test_an_error_nobody_knows_has_no_line() -> None:
 def test_a_session_can_show_the_help_itself(launch_it: Any, fresh_simulation: Any) -> None:
     from launch.actions import LogInfo
     from launch.substitutions import LaunchConfiguration
+
     shown: list[BaseException] = []
     fresh_simulation.state['launch.show_help'] = shown.append
     lines = launch_it(LogInfo(msg=LaunchConfiguration('x')))[1]

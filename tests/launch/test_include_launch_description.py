@@ -1,4 +1,5 @@
 """Including files: arguments, scope, locals, required arguments, and how often files are loaded."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -10,21 +11,19 @@ from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDesc
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration, ThisLaunchFileDir
 
-HEAD = (
-    'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'
-)
+HEAD = 'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'
 
 
 @pytest.fixture
 def write(tmp_path: Path) -> Any:
     """Writes a launch file with the given list of entities; gives its path."""
+
     def write_file(name: str, entities: str, before: str = '') -> str:
         path = tmp_path / name
         path.parent.mkdir(exist_ok=True)
-        path.write_text(
-            f'{HEAD}{before}def generate_launch_description():\n    return LaunchDescription([{entities}])\n'
-        )
+        path.write_text(f'{HEAD}{before}def generate_launch_description():\n    return LaunchDescription([{entities}])\n')
         return str(path)
+
     return write_file
 
 
@@ -33,20 +32,20 @@ def said(lines: list[str]) -> list[str]:
 
 
 def test_arguments_are_set_before_and_leak_afterwards(launch_it: Any, write: Any) -> None:
-    path = write(
-        'a.launch.py', "LogInfo(msg=['in ', LaunchConfiguration('x')]), SetLaunchConfiguration('y', '2')"
-    )
-    lines = launch_it(IncludeLaunchDescription(path, launch_arguments={'x': '1'}.items()),
-                      LogInfo(msg=['out ', LaunchConfiguration('x'), LaunchConfiguration('y')]))[1]
+    path = write('a.launch.py', "LogInfo(msg=['in ', LaunchConfiguration('x')]), SetLaunchConfiguration('y', '2')")
+    lines = launch_it(
+        IncludeLaunchDescription(path, launch_arguments={'x': '1'}.items()),
+        LogInfo(msg=['out ', LaunchConfiguration('x'), LaunchConfiguration('y')]),
+    )[1]
     assert said(lines) == ['in 1', 'out 12']
 
 
-def test_a_group_keeps_arguments_inside_but_not_the_current_folder(
-    launch_it: Any, write: Any, tmp_path: Path
-) -> None:
+def test_a_group_keeps_arguments_inside_but_not_the_current_folder(launch_it: Any, write: Any, tmp_path: Path) -> None:
     path = write('sub/a.launch.py', '')
-    lines = launch_it(GroupAction([IncludeLaunchDescription(path, launch_arguments=[('x', '1')])]),
-                      LogInfo(msg=[LaunchConfiguration('x', default='gone'), ' ', ThisLaunchFileDir()]))[1]
+    lines = launch_it(
+        GroupAction([IncludeLaunchDescription(path, launch_arguments=[('x', '1')])]),
+        LogInfo(msg=[LaunchConfiguration('x', default='gone'), ' ', ThisLaunchFileDir()]),
+    )[1]
     assert said(lines) == [f'gone {tmp_path}/sub']
 
 
@@ -54,21 +53,21 @@ def test_a_missing_required_argument_names_what_was_given(launch_it: Any, write:
     path = write('a.launch.py', "DeclareLaunchArgument('needed', description='must')")
     code, lines = launch_it(IncludeLaunchDescription(path, launch_arguments=[('a', '1'), ('b', '2')]))
     assert code == 1
-    assert lines[0].endswith("Included launch description missing required argument 'needed' "
-                             "(description: 'must'), given: [a, b]")
+    assert lines[0].endswith(
+        "Included launch description missing required argument 'needed' (description: 'must'), given: [a, b]"
+    )
 
 
 def test_configurations_that_are_set_do_not_replace_arguments(launch_it: Any, write: Any) -> None:
     from launch.actions import SetLaunchConfiguration
+
     path = write('a.launch.py', "DeclareLaunchArgument('needed')")
     assert launch_it(SetLaunchConfiguration('needed', '1'), IncludeLaunchDescription(path))[0] == 1
 
 
 def test_arguments_of_nested_includes_count_as_given(launch_it: Any, write: Any) -> None:
     inner = write('inner.launch.py', "DeclareLaunchArgument('needed')")
-    outer = write(
-        'outer.launch.py', f"IncludeLaunchDescription({inner!r}, launch_arguments=[('needed', '1')])"
-    )
+    outer = write('outer.launch.py', f"IncludeLaunchDescription({inner!r}, launch_arguments=[('needed', '1')])")
     assert launch_it(IncludeLaunchDescription(outer)) == (0, [])
 
 
@@ -81,27 +80,20 @@ def test_conditional_arguments_are_not_required(launch_it: Any, write: Any) -> N
 
 
 def test_the_first_declaration_of_a_name_wins_and_a_reset_hides_the_rest(write: Any) -> None:
-    path = write('a.launch.py', "DeclareLaunchArgument('x', default_value='1'), ResetLaunchConfigurations(), "
-                                "DeclareLaunchArgument('hidden')")
-    description = LaunchDescription(
-        [IncludeLaunchDescription(path), DeclareLaunchArgument('x'), DeclareLaunchArgument('y')]
+    path = write(
+        'a.launch.py',
+        "DeclareLaunchArgument('x', default_value='1'), ResetLaunchConfigurations(), DeclareLaunchArgument('hidden')",
     )
+    description = LaunchDescription([IncludeLaunchDescription(path), DeclareLaunchArgument('x'), DeclareLaunchArgument('y')])
     found = description.get_launch_arguments_with_include_launch_description_actions()
-    assert [(argument.name, includes and len(includes)) for argument, includes in found] == [
-        ('x', 1),
-        ('y', None),
-    ]
+    assert [(argument.name, includes and len(includes)) for argument, includes in found] == [('x', 1), ('y', None)]
 
 
 def test_paths_that_depend_on_configurations_are_passed_over() -> None:
-    assert (
-        LaunchDescription([IncludeLaunchDescription(LaunchConfiguration('p'))]).get_launch_arguments() == []
-    )
+    assert LaunchDescription([IncludeLaunchDescription(LaunchConfiguration('p'))]).get_launch_arguments() == []
 
 
-def test_a_chain_of_includes_loads_each_file_at_most_twice(
-    launch_it: Any, write: Any, tmp_path: Path
-) -> None:
+def test_a_chain_of_includes_loads_each_file_at_most_twice(launch_it: Any, write: Any, tmp_path: Path) -> None:
     log = tmp_path / 'log'
     depth = 12
     for n in range(depth):
@@ -112,9 +104,9 @@ def test_a_chain_of_includes_loads_each_file_at_most_twice(
     assert [loads.count(str(n)) for n in range(depth)] == [1] + [2] * (depth - 1)
 
 
-def test_a_chain_of_includes_looks_a_few_times_at_each_file(
-        launch_it: Any, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_chain_of_includes_looks_a_few_times_at_each_file(launch_it: Any, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from launch import _static_loads
+
     looks: list[str] = []
     stamp_of = _static_loads._stamp_of
     monkeypatch.setattr(_static_loads, '_stamp_of', lambda place: looks.append(place) or stamp_of(place))
@@ -132,36 +124,21 @@ def test_a_file_that_changed_is_searched_again(write: Any) -> None:
     assert [a.name for a in LaunchDescription([include]).get_launch_arguments()] == ['other']
 
 
-def test_a_file_without_a_description_is_reported_as_in_ros(
-    launch_it: Any, write: Any, tmp_path: Path
-) -> None:
+def test_a_file_without_a_description_is_reported_as_in_ros(launch_it: Any, write: Any, tmp_path: Path) -> None:
     (tmp_path / 'none.launch.py').write_text('def generate_launch_description():\n    pass\n')
     code, lines = launch_it(IncludeLaunchDescription(f'{tmp_path}/none.launch.py'))
-    assert (
-        "'NoneType' object has no attribute 'get_launch_arguments_with_include_launch_description_actions'"
-        in lines[0]
-    )
-    assert lines[1].endswith(
-        'generate_launch_description() returned nothing: end it with "return LaunchDescription([...])"'
-    )
+    assert "'NoneType' object has no attribute 'get_launch_arguments_with_include_launch_description_actions'" in lines[0]
+    assert lines[1].endswith('generate_launch_description() returned nothing: end it with "return LaunchDescription([...])"')
 
 
 def test_a_deprecated_file_warns_with_its_path(launch_it: Any, tmp_path: Path) -> None:
     path = tmp_path / 'old.launch.py'
-    path.write_text(
-        HEAD
-        + "def generate_launch_description():\n    return LaunchDescription(deprecated_reason='use new')\n"
-    )
-    assert launch_it(IncludeLaunchDescription(str(path)))[1] == [
-        f'[WARNING] [root]: launch file [{path}] is deprecated: use new']
+    path.write_text(HEAD + "def generate_launch_description():\n    return LaunchDescription(deprecated_reason='use new')\n")
+    assert launch_it(IncludeLaunchDescription(str(path)))[1] == [f'[WARNING] [root]: launch file [{path}] is deprecated: use new']
 
 
-def test_what_was_declared_included_and_read_is_noted(
-    launch_it: Any, write: Any, fresh_simulation: Any
-) -> None:
-    path = write(
-        'a.launch.py', "DeclareLaunchArgument('x', default_value=LaunchConfiguration('y', default='z'))"
-    )
+def test_what_was_declared_included_and_read_is_noted(launch_it: Any, write: Any, fresh_simulation: Any) -> None:
+    path = write('a.launch.py', "DeclareLaunchArgument('x', default_value=LaunchConfiguration('y', default='z'))")
     launch_it(IncludeLaunchDescription(path))
     state = fresh_simulation.state
     assert [argument.name for argument in state['launch.declared']] == ['x']

@@ -1,4 +1,5 @@
 """Locals, stacks and events of a context."""
+
 from __future__ import annotations
 
 import asyncio
@@ -19,9 +20,7 @@ def test_locals_are_read_through_attributes_and_hide_globals() -> None:
 def test_a_missing_local_is_an_error_that_lists_the_others() -> None:
     context = LaunchContext()
     context.extend_locals({'a': 1, 'b': 2})
-    with pytest.raises(
-        AttributeError, match=r"context.locals does not contain attribute 'x', it contains: \[a, b\]"
-    ):
+    with pytest.raises(AttributeError, match=r"context.locals does not contain attribute 'x', it contains: \[a, b\]"):
         _ = context.locals.x
     with pytest.raises(AttributeError):
         context.locals.x = 1

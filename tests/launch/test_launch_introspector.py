@@ -1,4 +1,5 @@
 """The tree that `ros2 launch -p` prints."""
+
 from __future__ import annotations
 
 from launch import LaunchDescription, LaunchIntrospector
@@ -10,9 +11,15 @@ from launch.substitutions import LaunchConfiguration
 
 def test_the_tree() -> None:
     process = ExecuteProcess(cmd=['a', ['b', LaunchConfiguration('c')]])
-    description = LaunchDescription([
-        LogInfo(msg=['text', LaunchConfiguration('x')]), process, EmitEvent(event=Shutdown()),
-        RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='x')])), DeclareLaunchArgument('x')])
+    description = LaunchDescription(
+        [
+            LogInfo(msg=['text', LaunchConfiguration('x')]),
+            process,
+            EmitEvent(event=Shutdown()),
+            RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='x')])),
+            DeclareLaunchArgument('x'),
+        ]
+    )
     assert LaunchIntrospector().format_launch_description(description).splitlines() == [
         '<launch.launch_description.LaunchDescription object at 0x>',
         "├── LogInfo('text' + LaunchConfig('x'))",
@@ -21,4 +28,5 @@ def test_the_tree() -> None:
         "├── RegisterEventHandler('<launch.event_handlers.on_process_exit.OnProcessExit object at 0x>'):",
         "│   └── OnProcessExit(matcher='event == ProcessExited', handler='<actions>', handle_once=False)",
         "│       └── LogInfo('x')",
-        "└── Action('<launch.actions.declare_launch_argument.DeclareLaunchArgument object at 0x>')"]
+        "└── Action('<launch.actions.declare_launch_argument.DeclareLaunchArgument object at 0x>')",
+    ]

@@ -1,4 +1,5 @@
 """The main loop: order of visiting, handling and starting; ends, errors and interrupts."""
+
 from __future__ import annotations
 
 import asyncio
@@ -35,9 +36,7 @@ def test_nothing_to_do_ends_at_once(launch_it: Any) -> None:
 
 
 def test_messages_of_the_visit_come_before_any_process(launch_it: Any, host: Any) -> None:
-    code, lines = launch_it(
-        say('a'), ExecuteProcess(cmd=['quick']), say('b'), ExecuteProcess(cmd=['quick']), say('c')
-    )
+    code, lines = launch_it(say('a'), ExecuteProcess(cmd=['quick']), say('b'), ExecuteProcess(cmd=['quick']), say('c'))
     assert code == 0
     assert lines == [
         '[INFO] [launch.user]: a',
@@ -51,17 +50,20 @@ def test_messages_of_the_visit_come_before_any_process(launch_it: Any, host: Any
 
 
 def test_an_exception_in_the_visit_starts_nothing_and_gives_one(launch_it: Any, host: Any) -> None:
-    code, lines = launch_it(ExecuteProcess(cmd=['forever']), TimerAction(period=1.0, actions=[]),
-                            say(LaunchConfiguration('missing')))
+    code, lines = launch_it(
+        ExecuteProcess(cmd=['forever']), TimerAction(period=1.0, actions=[]), say(LaunchConfiguration('missing'))
+    )
     assert code == 1
-    assert lines[0] == ("[ERROR] [launch]: Caught exception in launch (see debug for traceback): "
-                        "launch configuration 'missing' does not exist")
+    assert lines[0] == (
+        "[ERROR] [launch]: Caught exception in launch (see debug for traceback): launch configuration 'missing' does not exist"
+    )
     assert host.log == []
 
 
 def test_an_exception_later_lets_processes_end_first(launch_it: Any, host: Any) -> None:
-    code, lines = launch_it(ExecuteProcess(cmd=['forever']),
-                            TimerAction(period=2.0, actions=[say(LaunchConfiguration('missing'))]))
+    code, lines = launch_it(
+        ExecuteProcess(cmd=['forever']), TimerAction(period=2.0, actions=[say(LaunchConfiguration('missing'))])
+    )
     assert code == 1
     assert host.log == [(0.0, 'start', 'forever-1'), (2.0, 'SIGINT', 'forever-1')]
     assert lines[-1].startswith('[ERROR] [forever-1]: process has died [pid 101, exit code -2,')
@@ -75,8 +77,8 @@ def test_exit_codes_of_processes_do_not_count(launch_it: Any, host: Any) -> None
 
 def test_the_shutdown_reason_reaches_handlers(launch_it: Any) -> None:
     code, lines = launch_it(
-        RegisterEventHandler(OnShutdown(on_shutdown=[say(['why: ', LocalSubstitution('event.reason')])])),
-        Shutdown(reason='done'))
+        RegisterEventHandler(OnShutdown(on_shutdown=[say(['why: ', LocalSubstitution('event.reason')])])), Shutdown(reason='done')
+    )
     assert (code, lines) == (0, ['[INFO] [launch.user]: why: done'])
 
 
@@ -86,9 +88,7 @@ def test_the_reason_of_an_idle_launch_is_idle(launch_it: Any) -> None:
 
 
 def test_a_handler_must_return_entities(launch_it: Any) -> None:
-    code, lines = launch_it(
-        RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: ['x'])), Shutdown()
-    )
+    code, lines = launch_it(RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: ['x'])), Shutdown())
     assert code == 1
     assert "expected a LaunchDescriptionEntity from event_handler, got 'x'" in lines[0]
 
@@ -104,19 +104,19 @@ def test_what_a_timer_visits_sees_the_configurations_of_that_moment(launch_it: A
     assert launch_it(group)[1] == ['[INFO] [launch.user]: inside', '[INFO] [launch.user]: gone']
 
 
-def test_ctrl_c_ends_the_launch_and_a_second_one_is_ignored(
-    launch_it: Any, host: Any, fresh_simulation: Any
-) -> None:
+def test_ctrl_c_ends_the_launch_and_a_second_one_is_ignored(launch_it: Any, host: Any, fresh_simulation: Any) -> None:
     def press(context: Any) -> None:
         fresh_simulation.signal_handlers[signal.SIGINT](signal.SIGINT)
 
-    presses = [TimerAction(period=period, actions=[OpaqueFunction(function=press)], cancel_on_shutdown=False)
-               for period in (1.0, 2.0)]
+    presses = [
+        TimerAction(period=period, actions=[OpaqueFunction(function=press)], cancel_on_shutdown=False) for period in (1.0, 2.0)
+    ]
     code, lines = launch_it(ExecuteProcess(cmd=['stubborn']), *presses, noninteractive=True)
     assert code == 0
     assert [line for line in lines if 'ctrl-c' in line] == [
         '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)',
-        '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT) again, ignoring...']
+        '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT) again, ignoring...',
+    ]
     assert host.log == [
         (0.0, 'start', 'stubborn-1'),
         (1.0, 'SIGINT', 'stubborn-1'),
@@ -134,8 +134,9 @@ def test_in_a_terminal_ctrl_c_has_reached_the_processes_already(launch_it: Any, 
 def test_a_keyboard_interrupt_counts_as_ctrl_c(launch_it: Any, host: Any, fresh_simulation: Any) -> None:
     def interrupt() -> None:
         raise KeyboardInterrupt
+
     sim = fresh_simulation.sim
-    sim.schedule(sim.now_ns + 10 ** 9, interrupt)
+    sim.schedule(sim.now_ns + 10**9, interrupt)
     code, lines = launch_it(ExecuteProcess(cmd=['forever']), noninteractive=True)
     assert code == 0
     assert '[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)' in lines
@@ -144,6 +145,7 @@ def test_a_keyboard_interrupt_counts_as_ctrl_c(launch_it: Any, host: Any, fresh_
 def test_a_keyboard_interrupt_inside_launch_itself_ends_the_run(launch_it: Any) -> None:
     def interrupt(context: Any) -> None:
         raise KeyboardInterrupt
+
     with pytest.raises(KeyboardInterrupt):
         launch_it(OpaqueFunction(function=interrupt))
 
@@ -153,24 +155,19 @@ def test_shutdown_from_outside_ends_the_run(host: Any, fresh_simulation: Any) ->
     assert service.shutdown() is None
     service.include_launch_description(LaunchDescription([ExecuteProcess(cmd=['forever'])]))
     sim = fresh_simulation.sim
-    sim.schedule(sim.now_ns + 10 ** 9, service.shutdown)
+    sim.schedule(sim.now_ns + 10**9, service.shutdown)
     assert service.run() == 0
     assert host.log == [(0.0, 'start', 'forever-1'), (1.0, 'SIGINT', 'forever-1')]
 
 
-def test_a_description_may_be_included_while_it_runs(
-    launch_it: Any, capsys: Any, fresh_simulation: Any
-) -> None:
+def test_a_description_may_be_included_while_it_runs(launch_it: Any, capsys: Any, fresh_simulation: Any) -> None:
     service = LaunchService()
     later = LaunchDescription([say('later')])
     sim = fresh_simulation.sim
-    sim.schedule(sim.now_ns + 10 ** 9, lambda: service.include_launch_description(later))
+    sim.schedule(sim.now_ns + 10**9, lambda: service.include_launch_description(later))
     service.include_launch_description(LaunchDescription([TimerAction(period=2.0, actions=[say('end')])]))
     service.run()
-    assert capsys.readouterr().out.splitlines()[1:] == [
-        '[INFO] [launch.user]: later',
-        '[INFO] [launch.user]: end',
-    ]
+    assert capsys.readouterr().out.splitlines()[1:] == ['[INFO] [launch.user]: later', '[INFO] [launch.user]: end']
 
 
 def test_two_runs_at_once_are_refused(capsys: Any) -> None:
@@ -184,6 +181,7 @@ def test_two_runs_at_once_are_refused(capsys: Any) -> None:
             errors.append(str(error))
 
     from launch.actions import OpaqueCoroutine
+
     service.include_launch_description(LaunchDescription([OpaqueCoroutine(coroutine=again)]))
     assert service.run() == 0
     assert errors == ['LaunchService cannot be run multiple times concurrently.']
@@ -213,6 +211,7 @@ def test_run_async_works_on_a_loop_of_real_time(capsys: Any) -> None:
 
 def test_a_cancelled_run_says_so(capsys: Any) -> None:
     from edulaunch.sim.aio import new_event_loop
+
     service, loop = LaunchService(), new_event_loop()
     task = loop.create_task(service.run_async(shutdown_when_idle=False))
     loop.call_later(1.0, task.cancel)
@@ -225,12 +224,14 @@ def test_two_launches_in_one_simulation_do_not_share_anything(fresh_simulation: 
     """Each in a process of its own: numbers, loggers and environments are separate, and they take turns."""
     from edulaunch.processes import ProcessSpec
     from edulaunch.processes.process import Process
+
     outputs: dict[str, str] = {'a': '', 'b': ''}
 
     def main(process: Any) -> int:
         service = LaunchService()
-        service.include_launch_description(LaunchDescription(
-            [TimerAction(period=float(n), actions=[say(f'{process.name} {n}')]) for n in (1, 2)]))
+        service.include_launch_description(
+            LaunchDescription([TimerAction(period=float(n), actions=[say(f'{process.name} {n}')]) for n in (1, 2)])
+        )
         return service.run()
 
     for name in outputs:
@@ -239,7 +240,8 @@ def test_two_launches_in_one_simulation_do_not_share_anything(fresh_simulation: 
         process.task.start()
     fresh_simulation.sim.run()
     assert {name: text.splitlines()[1:] for name, text in outputs.items()} == {
-        name: [f'[INFO] [launch.user]: {name} 1', f'[INFO] [launch.user]: {name} 2'] for name in outputs}
+        name: [f'[INFO] [launch.user]: {name} 1', f'[INFO] [launch.user]: {name} 2'] for name in outputs
+    }
 
 
 def test_a_thread_of_a_simulated_process_is_not_its_main_thread(fresh_simulation: Any) -> None:

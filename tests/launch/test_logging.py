@@ -1,4 +1,5 @@
 """Loggers of one process: formats, places, levels."""
+
 from __future__ import annotations
 
 import logging
@@ -64,7 +65,8 @@ def test_with_ros_log_dir_files_are_written(tmp_path: Path, capsys: Any, fresh_s
     assert Path(launch_config.log_dir).parent == tmp_path
     assert (tmp_path / 'latest' / 'launch.log').read_text() == (
         f'1700000000.0000000 [INFO] [n]: All log files can be found below {launch_config.log_dir}\n'
-        '1700000000.0000000 [INFO] [n]: Default logging verbosity is set to INFO\n')
+        '1700000000.0000000 [INFO] [n]: Default logging verbosity is set to INFO\n'
+    )
 
 
 def test_the_folder_is_below_ros_home_or_home(fresh_simulation: Any) -> None:
@@ -80,7 +82,8 @@ def test_two_launches_at_one_time_have_two_folders(tmp_path: Path) -> None:
 
 
 def test_the_thousandth_launch_at_one_time_asks_the_disk_a_few_times_only(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     first = launch.logging._make_unique_log_dir(base_path=str(tmp_path))
     for number in range(2, 1000):
         os.mkdir(f'{first}-{number}')
@@ -96,17 +99,30 @@ def test_latest_is_not_made_over_a_real_folder(tmp_path: Path) -> None:
     assert not launch.logging._renew_latest_log_dir(log_dir=str(tmp_path / 'x'))
 
 
-@pytest.mark.parametrize(('output', 'counts'), [
-    ('screen', (1, 1)), ('log', (1, 2)), ('both', (2, 2)), ('own_log', (2, 2)), ('full', (4, 4)),
-    ({'stdout': {'screen', 'log'}}, (2, 0)), ({'both': ['own_log']}, (1, 1))])
+@pytest.mark.parametrize(
+    ('output', 'counts'),
+    [
+        ('screen', (1, 1)),
+        ('log', (1, 2)),
+        ('both', (2, 2)),
+        ('own_log', (2, 2)),
+        ('full', (4, 4)),
+        ({'stdout': {'screen', 'log'}}, (2, 0)),
+        ({'both': ['own_log']}, (1, 1)),
+    ],
+)
 def test_output_loggers_have_a_handler_for_each_place(output: Any, counts: tuple[int, int]) -> None:
     assert tuple(len(logger.handlers) for logger in get_output_loggers('p', output)) == counts
 
 
-@pytest.mark.parametrize(('output', 'message'), [
-    ('x', 'x is not a valid standard output config i.e. "screen", "log" or "both"'),
-    ({'x': 'log'}, 'x is not a valid output source i.e. "stdout", "stderr" or "both"'),
-    ({'both': 'x'}, 'x is not a valid output destination i.e. "screen", "log" or "own_log"')])
+@pytest.mark.parametrize(
+    ('output', 'message'),
+    [
+        ('x', 'x is not a valid standard output config i.e. "screen", "log" or "both"'),
+        ({'x': 'log'}, 'x is not a valid output source i.e. "stdout", "stderr" or "both"'),
+        ({'both': 'x'}, 'x is not a valid output destination i.e. "screen", "log" or "own_log"'),
+    ],
+)
 def test_wrong_outputs(output: Any, message: str) -> None:
     with pytest.raises(ValueError) as error:
         get_output_loggers('p', output)
@@ -142,9 +158,7 @@ def test_other_handlers_can_have_a_format_for_one_logger(capsys: Any) -> None:
         _ = launch.logging.handlers.NoSuchHandler
 
 
-def test_messages_of_launch_are_recorded_and_output_of_programs_is_not(
-    fresh_simulation: Any, capsys: Any
-) -> None:
+def test_messages_of_launch_are_recorded_and_output_of_programs_is_not(fresh_simulation: Any, capsys: Any) -> None:
     recorded: list[Any] = []
     fresh_simulation.log = lambda *entry: recorded.append(entry)
     get_logger('n').error('text')

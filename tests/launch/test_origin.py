@@ -1,4 +1,5 @@
 """Where actions come from, whatever made them and however long the file is."""
+
 from __future__ import annotations
 
 import time
@@ -15,7 +16,10 @@ def seconds_per_action(constants: int) -> float:
     """To make actions, and to ask for their lines, in a function of a text with so many constants."""
     names: dict[str, Any] = {'LogInfo': LogInfo}
     numbers = ', '.join(str(float(number)) for number in range(constants))
-    exec(f'def make(n):\n    x = [{numbers}, n] if n < 0 else 0\n    while n:\n        LogInfo(msg="").origin\n        n -= 1\n', names)
+    exec(
+        f'def make(n):\n    x = [{numbers}, n] if n < 0 else 0\n    while n:\n        LogInfo(msg="").origin\n        n -= 1\n',
+        names,
+    )
     names['make'](1)
     times = []
     for _ in range(5):
@@ -37,17 +41,19 @@ class Pair(Action):
 
 
 def test_what_a_students_action_makes_comes_from_its_own_line() -> None:
-    made, = Pair().execute(LaunchContext())
-    again, = Pair().visit(LaunchContext()) or ()
+    (made,) = Pair().execute(LaunchContext())
+    (again,) = Pair().visit(LaunchContext()) or ()
     assert made.origin == again.origin
     assert made.origin.file == __file__
 
 
 def test_a_wrong_argument_of_an_include_is_shown_at_the_include(tmp_path: Path) -> None:
     (tmp_path / 'b.launch.py').write_text(
-        'from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription()\n')
+        'from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription()\n'
+    )
     (tmp_path / 'a.launch.xml').write_text(
-        '<launch>\n\n<include file="$(dirname)/b.launch.py"><arg name="x" value="$(eval 1/0)"/></include>\n</launch>\n')
+        '<launch>\n\n<include file="$(dirname)/b.launch.py"><arg name="x" value="$(eval 1/0)"/></include>\n</launch>\n'
+    )
     include = IncludeLaunchDescription(str(tmp_path / 'a.launch.xml'))
     with pytest.raises(ZeroDivisionError) as error:
         visit_all_entities_and_collect_futures(LaunchDescription([include]), LaunchContext())

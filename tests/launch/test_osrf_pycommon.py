@@ -1,4 +1,5 @@
 """The borrowed parts of osrf_pycommon."""
+
 from __future__ import annotations
 
 import asyncio

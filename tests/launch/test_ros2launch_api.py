@@ -1,4 +1,5 @@
 """What `ros2 launch` is made of."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -37,17 +38,22 @@ Arguments (pass arguments as '<name>:=<value>'):
 
 
 def test_the_list_of_arguments() -> None:
-    assert arguments_text(LaunchDescription([
-        DeclareLaunchArgument('x', default_value='3', description='an x'),
-        DeclareLaunchArgument('who', default_value=[LaunchConfiguration('x'), '_w']),
-        DeclareLaunchArgument('cond', default_value='q', condition=IfCondition('true'))])) == GOLDEN
+    assert (
+        arguments_text(
+            LaunchDescription(
+                [
+                    DeclareLaunchArgument('x', default_value='3', description='an x'),
+                    DeclareLaunchArgument('who', default_value=[LaunchConfiguration('x'), '_w']),
+                    DeclareLaunchArgument('cond', default_value='q', condition=IfCondition('true')),
+                ]
+            )
+        )
+        == GOLDEN
+    )
 
 
 def test_no_arguments() -> None:
-    assert (
-        arguments_text(LaunchDescription())
-        == "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
-    )
+    assert arguments_text(LaunchDescription()) == "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
 
 
 def test_arguments_are_split_at_the_first_sign_and_the_last_wins() -> None:
@@ -91,6 +97,9 @@ def test_a_missing_argument_of_the_file_itself(file: str, capsys: Any) -> None:
 def test_what_a_launch_file_is_called(file: str, tmp_path: Path) -> None:
     (tmp_path / 'a.txt').touch()
     (tmp_path / 'a.launch.xml').touch()
-    assert [
-        is_launch_file(str(tmp_path / name)) for name in ('a.launch.py', 'a.launch.xml', 'a.txt', 'b.py')
-    ] == [True, True, False, False]
+    assert [is_launch_file(str(tmp_path / name)) for name in ('a.launch.py', 'a.launch.xml', 'a.txt', 'b.py')] == [
+        True,
+        True,
+        False,
+        False,
+    ]

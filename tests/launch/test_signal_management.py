@@ -1,4 +1,5 @@
 """Signals as callbacks of a loop, in a plain script."""
+
 from __future__ import annotations
 
 import asyncio

@@ -1,4 +1,5 @@
 """Substitutions beyond the probes."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -79,7 +80,8 @@ def test_a_command_with_warnings_logs_them(capsys: Any) -> None:
 def test_a_command_that_the_simulation_knows_runs_in_it(fresh_simulation: Any) -> None:
     def run(process: Any) -> int:
         from edulaunch.sim.task import current_task
-        current_task().sleep_until(process.sim.now_ns + 10 ** 9)
+
+        current_task().sleep_until(process.sim.now_ns + 10**9)
         process.stdout.write(' '.join(process.argv))
         return 0
 
@@ -96,9 +98,7 @@ def test_executables_are_looked_for_on_the_path_of_the_launch(tmp_path: Path, fr
 
 
 def test_expressions_may_use_other_modules() -> None:
-    assert (
-        PythonExpression("os.path.join('a', str(sin(0)))", ['os', 'math']).perform(LaunchContext()) == 'a/0.0'
-    )
+    assert PythonExpression("os.path.join('a', str(sin(0)))", ['os', 'math']).perform(LaunchContext()) == 'a/0.0'
 
 
 def test_chance_in_an_expression_comes_from_the_simulation() -> None:
@@ -119,8 +119,5 @@ def test_paths_and_texts_are_joined() -> None:
     context.launch_configurations['x'] = 'X'
     path = PathSubstitution('/a') / 'b' / ['c_', LaunchConfiguration('x'), '.py']
     assert path.perform(context) == '/a/b/c_X.py'
-    assert (
-        StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context)
-        == 'a,bX'
-    )
+    assert StringJoinSubstitution(['a', ['b', LaunchConfiguration('x')]], delimiter=',').perform(context) == 'a,bX'
     assert PathJoinSubstitution(['a', '/b', 'c']).perform(context) == '/b/c'

@@ -55,11 +55,7 @@ def test_texts_are_converted(text: str, data_type: Any, value: Any) -> None:
         ('7', bool, "Cannot convert value '7' to '<class 'bool'>'"),
         ('1.5', int, "invalid literal for int() with base 10: '1.5'"),
         ('[1, 2]', List[float], "Cannot convert value '[1, 2]' to a list of '<class 'float'>', got [1, 2]"),
-        (
-            '{a: 1}',
-            None,
-            "Failed to convert '{a: 1}' using yaml rules: output type is not allowed, got <class 'dict'>",
-        ),
+        ('{a: 1}', None, "Failed to convert '{a: 1}' using yaml rules: output type is not allowed, got <class 'dict'>"),
         ('x', dict, "Unrecognized data type: <class 'dict'>"),
     ],
 )
@@ -77,45 +73,35 @@ def test_a_text_may_stay_a_text() -> None:
 
 @pytest.mark.parametrize(
     ('value', 'data_type', 'answer'),
-    [
-        (True, int, True),
-        (1, float, False),
-        ([1, 2], List[int], True),
-        ([1, 'a'], None, False),
-        ([1, 'a'], List[int], False),
-    ],
+    [(True, int, True), (1, float, False), ([1, 2], List[int], True), ([1, 'a'], None, False), ([1, 'a'], List[int], False)],
 )
 def test_instances(value: Any, data_type: Any, answer: bool) -> None:
     assert is_instance_of(value, data_type) is answer
 
 
 def test_types_are_taken_apart() -> None:
-    assert (extract_type(List[int]), extract_type(list[str]), extract_type(bool)) == (
-        (int, True), (str, True), (bool, False))
+    assert (extract_type(List[int]), extract_type(list[str]), extract_type(bool)) == ((int, True), (str, True), (bool, False))
 
 
 def test_what_counts_as_a_substitution() -> None:
     text = TextSubstitution(text='a')
-    assert [is_substitution(x) for x in (text, ['a', text], 'a', ['a'], [1, text])] == [
-        True,
-        True,
-        False,
-        False,
-        False,
-    ]
+    assert [is_substitution(x) for x in (text, ['a', text], 'a', ['a'], [1, text])] == [True, True, False, False, False]
     assert [is_normalized_substitution(x) for x in ([text], [text, 'a'], [])] == [True, False, False]
 
 
-@pytest.mark.parametrize(('value', 'data_type', 'result'), [
-    ([LaunchConfiguration('i'), '5'], int, 75), (['a', [LaunchConfiguration('i')]], List[str], ['a', '7']),
-    ([[LaunchConfiguration('i')], 3], List[int], [7, 3]), (1.5, float, 1.5)])
+@pytest.mark.parametrize(
+    ('value', 'data_type', 'result'),
+    [
+        ([LaunchConfiguration('i'), '5'], int, 75),
+        (['a', [LaunchConfiguration('i')]], List[str], ['a', '7']),
+        ([[LaunchConfiguration('i')], 3], List[int], [7, 3]),
+        (1.5, float, 1.5),
+    ],
+)
 def test_substitutions_are_evaluated_and_converted(value: Any, data_type: Any, result: Any) -> None:
     context = LaunchContext()
     context.launch_configurations['i'] = '7'
-    assert (
-        perform_typed_substitution(context, normalize_typed_substitution(value, data_type), data_type)
-        == result
-    )
+    assert perform_typed_substitution(context, normalize_typed_substitution(value, data_type), data_type) == result
 
 
 @given(st.text(alphabet='abcxyzn0123456789.-+_:~[]{}\'" eEtrufalso/#', max_size=8))

@@ -14,8 +14,7 @@ def text_of(substitutions, **configurations):
 
 def test_arg(actions_of):
     plain, full = actions_of(
-        '<arg name="a"/><arg name="b" default="$(var a)x" description="d">'
-        '<choice value="1"/><choice value="2"/></arg>'
+        '<arg name="a"/><arg name="b" default="$(var a)x" description="d"><choice value="1"/><choice value="2"/></arg>'
     )
     assert (plain.name, plain.default_value, plain.choices) == ('a', None, None)
     assert text_of(full.default_value, a='v') == 'vx'
@@ -59,16 +58,7 @@ def test_include(actions_of):
 @pytest.mark.parametrize(
     ('attributes', 'names'),
     [
-        (
-            '',
-            [
-                'PushLaunchConfigurations',
-                'PushEnvironment',
-                'LogInfo',
-                'PopEnvironment',
-                'PopLaunchConfigurations',
-            ],
-        ),
+        ('', ['PushLaunchConfigurations', 'PushEnvironment', 'LogInfo', 'PopEnvironment', 'PopLaunchConfigurations']),
         ('scoped="false"', ['LogInfo']),
         (
             'forwarding="false"',
@@ -91,10 +81,7 @@ def test_group(actions_of, attributes, names):
 
 def test_group_keeps_configurations(actions_of):
     (it,) = actions_of('<group scoped="false"><keep name="a" value="b"/><log message="a"/></group>')
-    assert [type(entity).__name__ for entity in it.get_sub_entities()] == [
-        'SetLaunchConfiguration',
-        'LogInfo',
-    ]
+    assert [type(entity).__name__ for entity in it.get_sub_entities()] == ['SetLaunchConfiguration', 'LogInfo']
 
 
 def test_group_s_scope_takes_no_substitution(failure_of):
@@ -141,18 +128,12 @@ def test_on_exit_is_shutdown_or_nothing(actions_of, failure_of):
 
 
 @pytest.mark.parametrize(
-    ('attribute', 'holds'),
-    [('if="true"', True), ('if="0"', False), ('unless="1"', False), ('unless="$(var f)"', True)],
+    ('attribute', 'holds'), [('if="true"', True), ('if="0"', False), ('unless="1"', False), ('unless="$(var f)"', True)]
 )
 def test_every_action_can_have_a_condition(actions_of, attribute, holds):
     context = LaunchContext()
     context.launch_configurations['f'] = 'false'
-    for text in (
-        '<log message="a" {}/>',
-        '<let name="a" value="b" {}/>',
-        '<group {}/>',
-        '<arg name="a" {}/>',
-    ):
+    for text in ('<log message="a" {}/>', '<let name="a" value="b" {}/>', '<group {}/>', '<arg name="a" {}/>'):
         (it,) = actions_of(text.format(attribute))
         assert it.condition.evaluate(context) is holds
 
@@ -182,8 +163,7 @@ PARAMETERS = [
     ('<param name="p" value="a;b" value-sep=";"/>', {'p': ('a', 'b')}),
     ('<param name="p" value="[1.0, 2.0]" type="list_of_float"/>', {'p': (1.0, 2.0)}),
     (
-        ('<param name="g"><param name="a" value="1"/>'
-        '<param name="b"><param name="c" value="x"/></param></param>'),
+        ('<param name="g"><param name="a" value="1"/><param name="b"><param name="c" value="x"/></param></param>'),
         {'g.a': 1, 'g.b.c': 'x'},
     ),
     ('<param name="p" value="1"/><param name="q$(var i)" value="2"/>', {'p': 1, 'q7': 2}),
@@ -268,9 +248,12 @@ def test_composition(actions_of):
         load._LoadComposableNodes__composable_node_descriptions,
     ):
         (it,) = descriptions
-        assert [
-            text_of(value) for value in (it.package, it.node_plugin, it.node_name, it.node_namespace)
-        ] == ['p', 'p::P', 'n', 's']
+        assert [text_of(value) for value in (it.package, it.node_plugin, it.node_name, it.node_namespace)] == [
+            'p',
+            'p::P',
+            'n',
+            's',
+        ]
         assert it.condition() is not None
 
 
@@ -295,14 +278,18 @@ def test_a_group_in_yaml_is_a_list_of_actions(yaml_actions_of):
     assert [type(entity).__name__ for entity in it.get_sub_entities()][2:4] == ['PushROSNamespace', 'LogInfo']
 
 
-@pytest.mark.parametrize(('text', 'message'), [
-    ('<executable cmd="ls" env="a"/>', "Unexpected attribute(s) found in `executable`: {'env'}"),
-    ('<executable cmd="ls"><name/></executable>', "Unexpected nested tag(s) found in `executable`: {'name'}"),
-    ('<node exec="e" param="a.yaml"/>', "Unexpected attribute(s) found in `node`: {'param'}"),
-    ('<node exec="e"><param name="a" value="b" param="c"/></node>', "Unexpected attribute(s) found in `param`: {'param'}"),
-    ('<log message="a"><if/></log>', "Unexpected nested tag(s) found in `log`: {'if'}"),
-    ('<include file="a" arg="b"/>', "Unexpected attribute(s) found in `include`: {'arg'}"),
-    ('<arg name="a" choice="b"/>', "Unexpected attribute(s) found in `arg`: {'choice'}")])
+@pytest.mark.parametrize(
+    ('text', 'message'),
+    [
+        ('<executable cmd="ls" env="a"/>', "Unexpected attribute(s) found in `executable`: {'env'}"),
+        ('<executable cmd="ls"><name/></executable>', "Unexpected nested tag(s) found in `executable`: {'name'}"),
+        ('<node exec="e" param="a.yaml"/>', "Unexpected attribute(s) found in `node`: {'param'}"),
+        ('<node exec="e"><param name="a" value="b" param="c"/></node>', "Unexpected attribute(s) found in `param`: {'param'}"),
+        ('<log message="a"><if/></log>', "Unexpected nested tag(s) found in `log`: {'if'}"),
+        ('<include file="a" arg="b"/>', "Unexpected attribute(s) found in `include`: {'arg'}"),
+        ('<arg name="a" choice="b"/>', "Unexpected attribute(s) found in `arg`: {'choice'}"),
+    ],
+)
 def test_an_attribute_is_no_child_and_a_child_no_attribute(failure_of, text, message):
     assert str(failure_of(f'<launch>{text}</launch>', raises=ValueError)) == message
 

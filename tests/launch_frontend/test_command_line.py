@@ -21,10 +21,7 @@ def described(text):
         ('-x$(var a)/y z', [["'-x'", "LaunchConfig('a')", "'/y'"], ["'z'"]]),
         ('a $(var b) c', [["'a'"], ["LaunchConfig('b')"], ["'c'"]]),
         ('a b$(var c)', [["'a'"], ["'b'", "LaunchConfig('c')"]]),
-        (
-            'ls -l $(var s)/x$(var i) "a b"',
-            [["'ls'"], ["'-l'"], ["LaunchConfig('s')", "'/x'", "LaunchConfig('i')"], ["'a b'"]],
-        ),
+        ('ls -l $(var s)/x$(var i) "a b"', [["'ls'"], ["'-l'"], ["LaunchConfig('s')", "'/x'", "LaunchConfig('i')"], ["'a b'"]]),
         ('a ""', [["'a'"], ["''"]]),
     ],
 )

@@ -32,9 +32,7 @@ def test_a_function_is_registered_itself():
 
 
 def test_a_class_without_parse_is_refused():
-    with pytest.raises(
-        RuntimeError, match="Did not find a method called 'parse' in the class being decorated"
-    ):
+    with pytest.raises(RuntimeError, match="Did not find a method called 'parse' in the class being decorated"):
         expose_impl('it', {}, 'action')(int)
 
 

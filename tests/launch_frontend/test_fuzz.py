@@ -10,28 +10,11 @@ from launch.frontend import InvalidFrontendLaunchFileError, Parser
 from launch.frontend.expose import action_parse_methods
 from launch.frontend.substitution_errors import SubstitutionSyntaxError
 
-ERRORS = (
-    InvalidFrontendLaunchFileError,
-    SubstitutionSyntaxError,
-    RuntimeError,
-    ValueError,
-    TypeError,
-    AttributeError,
-)
+ERRORS = (InvalidFrontendLaunchFileError, SubstitutionSyntaxError, RuntimeError, ValueError, TypeError, AttributeError)
 quickly = settings(max_examples=80, deadline=None, suppress_health_check=list(HealthCheck))
 
 tags = st.sampled_from(
-    [
-        *sorted(action_parse_methods),
-        'param',
-        'remap',
-        'env',
-        'keep',
-        'choice',
-        'composable_node',
-        'extra_arg',
-        'bogus',
-    ]
+    [*sorted(action_parse_methods), 'param', 'remap', 'env', 'keep', 'choice', 'composable_node', 'extra_arg', 'bogus']
 )
 names = st.sampled_from(
     [

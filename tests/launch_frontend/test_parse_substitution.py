@@ -2,11 +2,7 @@
 
 import pytest
 from launch.frontend.expose import substitution_parse_methods
-from launch.frontend.parse_substitution import (
-    parse_if_substitutions,
-    parse_substitution,
-    replace_escaped_characters,
-)
+from launch.frontend.parse_substitution import parse_if_substitutions, parse_substitution, replace_escaped_characters
 from launch.frontend.substitution_errors import SubstitutionSyntaxError, VisitError
 from launch.substitutions import TextSubstitution
 
@@ -92,10 +88,7 @@ def test_a_nested_error_is_wrapped_once():
     [
         ('$(arg x)', 'write $(var ...) instead of $(arg ...)'),
         ('$(find p)', 'write $(find-pkg-share ...) instead of $(find ...)'),
-        (
-            '$(find_pkg_share p)',
-            '$(find_pkg_share ...) is no substitution; did you mean $(find-pkg-share ...)?',
-        ),
+        ('$(find_pkg_share p)', '$(find_pkg_share ...) is no substitution; did you mean $(find-pkg-share ...)?'),
         ('$(qqqqqq p)', '$(qqqqqq ...) is no substitution'),
     ],
 )

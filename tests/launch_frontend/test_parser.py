@@ -30,9 +30,7 @@ def test_the_name_of_the_file_decides_the_format(tmp_path):
         assert (root.type_name, type(parser), parser.file) == ('launch', expected, str(tmp_path / name))
 
 
-@pytest.mark.parametrize(
-    ('text', 'expected'), [('<launch/>', launch_xml.Parser), ('launch: []', launch_yaml.Parser)]
-)
+@pytest.mark.parametrize(('text', 'expected'), [('<launch/>', launch_xml.Parser), ('launch: []', launch_yaml.Parser)])
 def test_without_a_telling_name_every_format_is_tried(text, expected):
     for name in (None, 'x.launch', 'x.txt'):
         assert type(Parser.load(stream(text, name))[1]) is expected
@@ -59,16 +57,12 @@ def test_what_no_format_reads_is_reported_with_each_format_s_reason():
 
 
 def test_an_unknown_kind_of_file_says_only_that():
-    with pytest.raises(
-        InvalidFrontendLaunchFileError, match='^The launch file may have a syntax error, or its format'
-    ):
+    with pytest.raises(InvalidFrontendLaunchFileError, match='^The launch file may have a syntax error, or its format'):
         Parser.load(stream('import os\ndef f():\n    pass', 'x.launch.py'))
 
 
 def test_a_missing_file_is_python_s_error():
-    with pytest.raises(
-        FileNotFoundError, match=r"\[Errno 2\] No such file or directory: '/no/such/x.launch.xml'"
-    ):
+    with pytest.raises(FileNotFoundError, match=r"\[Errno 2\] No such file or directory: '/no/such/x.launch.xml'"):
         Parser.load('/no/such/x.launch.xml')
 
 
@@ -118,16 +112,8 @@ class BadEntryPoint:
 @pytest.mark.parametrize(
     ('group', 'load', 'message'),
     [
-        (
-            'launch.frontend.launch_extension',
-            'load_launch_extensions',
-            'Failed to load the launch extension: broken',
-        ),
-        (
-            'launch.frontend.parser',
-            'load_parser_implementations',
-            'Failed to load the parser implementation: broken',
-        ),
+        ('launch.frontend.launch_extension', 'load_launch_extensions', 'Failed to load the launch extension: broken'),
+        ('launch.frontend.parser', 'load_parser_implementations', 'Failed to load the parser implementation: broken'),
     ],
 )
 def test_a_broken_extension_gives_a_warning(monkeypatch, group, load, message):

@@ -1,4 +1,5 @@
 """Every answer that ROS 2's own launch gave to the frontend probes is our answer too."""
+
 import json
 import os
 import subprocess
@@ -16,7 +17,7 @@ def frontend_probes():
     if not PROBES.exists():
         return []
     text = PROBES.read_text(encoding='utf-8')
-    return text[text.index('# frontend strings'):text.index('# actions\n')].splitlines()
+    return text[text.index('# frontend strings') : text.index('# actions\n')].splitlines()
 
 
 @pytest.fixture(scope='module')
@@ -24,8 +25,14 @@ def answers():
     if not PROBES.exists():
         pytest.skip(f'the reference probes are not at {PROBES}')
     path = os.pathsep.join([str(REPOSITORY / 'edulaunch' / 'underlay' / 'python'), str(REPOSITORY)])
-    done = subprocess.run([sys.executable, str(PROBES)], env={**os.environ, 'PYTHONPATH': path},
-                          capture_output=True, text=True, check=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, str(PROBES)],
+        env={**os.environ, 'PYTHONPATH': path},
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    )
     return json.loads(done.stdout)
 
 

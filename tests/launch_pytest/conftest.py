@@ -1,4 +1,5 @@
 """Running small files of launch tests in an inner pytest of this same program."""
+
 from __future__ import annotations
 
 import sys
@@ -62,10 +63,26 @@ def inner(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Inne
             (tmp_path / f'{name}.py').write_text(content)
         collector = Collector()
         before, finders = set(sys.modules), list(sys.meta_path)
-        pytest.main([str(tmp_path), '-q', '-p', 'edulaunch.pytest_plugin', '-p', 'no:cacheprovider', '--strict-markers',
-                     '--import-mode=importlib', f'--rootdir={tmp_path}', '-W', 'always::pytest.PytestWarning', *options], plugins=[collector])
+        pytest.main(
+            [
+                str(tmp_path),
+                '-q',
+                '-p',
+                'edulaunch.pytest_plugin',
+                '-p',
+                'no:cacheprovider',
+                '--strict-markers',
+                '--import-mode=importlib',
+                f'--rootdir={tmp_path}',
+                '-W',
+                'always::pytest.PytestWarning',
+                *options,
+            ],
+            plugins=[collector],
+        )
         for name in [name for name in sys.modules if name not in before and name.startswith('test_it')]:
             del sys.modules[name]
         sys.meta_path[:] = finders
         return Inner(collector.outcomes, '\n'.join(collector.texts))
+
     return run

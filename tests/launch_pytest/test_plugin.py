@@ -1,4 +1,5 @@
 """Launch tests in plain pytest: what runs when, and what is said when it cannot."""
+
 from __future__ import annotations
 
 import os
@@ -31,7 +32,9 @@ def shared(proc):
 
 
 def test_all_kinds_of_tests_run_beside_the_launch_or_after_it(inner: Run) -> None:
-    done = inner(ALIVE + """
+    done = inner(
+        ALIVE
+        + """
 is_over = lambda service: service._is_idle() and service.event_loop is None
 @pytest.mark.launch(fixture=alive)
 def test_function(launch_service):
@@ -61,12 +64,15 @@ class TestInClass:
         assert launch_context is launch_service.context
 def test_plain():
     assert True
-""")
+"""
+    )
     assert [outcome for _, outcome in done.outcomes] == ['passed'] * 8, done.text
 
 
 def test_tests_share_a_launch_of_their_module_and_its_end_comes_last(inner: Run) -> None:
-    done = inner(SHARED + """
+    done = inner(
+        SHARED
+        + """
 @pytest.mark.launch(fixture=shared, shutdown=True)
 def test_after(proc):
     assert proc.return_code is not None
@@ -87,15 +93,24 @@ def test_broken_before(proc):
 @pytest.mark.launch(fixture=shared)
 def test_beside(proc):
     assert proc.return_code is None
-""")
+"""
+    )
     assert done.outcomes == [
-        ('test_two_parts', 'passed'), ('test_two_async_parts', 'passed'), ('test_broken_before', 'failed'), ('test_beside', 'passed'),
-        ('test_after', 'passed'), ('test_two_parts[shutdown_test]', 'passed'), ('test_two_async_parts[shutdown_test]', 'passed'),
-        ('test_broken_before[shutdown_test]', 'skipped')], done.text
+        ('test_two_parts', 'passed'),
+        ('test_two_async_parts', 'passed'),
+        ('test_broken_before', 'failed'),
+        ('test_beside', 'passed'),
+        ('test_after', 'passed'),
+        ('test_two_parts[shutdown_test]', 'passed'),
+        ('test_two_async_parts[shutdown_test]', 'passed'),
+        ('test_broken_before[shutdown_test]', 'skipped'),
+    ], done.text
 
 
 def test_time_of_a_test_file_is_simulated(inner: Run) -> None:
-    done = inner(ALIVE + """
+    done = inner(
+        ALIVE
+        + """
 @pytest.mark.launch(fixture=alive)
 def test_sleep():
     began = time.time()
@@ -115,7 +130,8 @@ async def test_async_sleep(event_loop):
     began = event_loop.time()
     await asyncio.sleep(100)
     assert event_loop.time() - began == pytest.approx(100)
-""")
+"""
+    )
     assert [outcome for _, outcome in done.outcomes] == ['passed'] * 3, done.text
 
 
@@ -159,29 +175,65 @@ def test_ended():
     assert [outcome for _, outcome in done.outcomes] == ['passed'] * 5, done.text
 
 
-@pytest.mark.parametrize(('text', 'outcome', 'said'), [
-    (ALIVE + '@pytest.mark.launch\ndef test_it(): pass', 'skipped',
-     '"fixture" keyword argument is required in a pytest.mark.launch() decorator'),
-    ('@pytest.fixture\ndef plain(): pass\n@pytest.mark.launch(fixture=plain)\ndef test_it(): pass', 'skipped',
-     "must be a launch fixture: decorate 'plain' with @launch_pytest.fixture"),
-    (ALIVE + '@pytest.mark.launch(fixture=alive, shutdown=True)\ndef test_it(): yield', 'skipped',
-     'generator or async generator based launch test items cannot be marked with shutdown=True'),
-    (ALIVE + '@pytest.mark.launch(fixture=alive)\ndef test_it():\n    yield\n    yield', 'failed',
-     'launch tests using a generator function must stop iteration after yielding once'),
-    (ALIVE + '@pytest.mark.launch(fixture=alive)\nasync def test_it():\n    yield\n    yield', 'failed',
-     'launch tests using an async gen function must stop iteration after yielding once'),
-    ('@launch_pytest.fixture\ndef empty(): pass\n@pytest.mark.launch(fixture=empty)\ndef test_it(): pass', 'error',
-     "When running launch_pytest fixture 'empty': return value must be either a launch description or a sequence whose first "
-     'item is a launch description\n  help: it is None'),
-    ('@launch_pytest.fixture\ndef two(): return launch.LaunchDescription([ReadyToTest(), ReadyToTest()])\n'
-     '@pytest.mark.launch(fixture=two)\ndef test_it(): pass', 'error', 'containing only one ReadyToTest action'),
-    ('@launch_pytest.fixture\ndef bad(): return launch.LaunchDescription([Node(package="nowhere", executable="x"), ReadyToTest()])\n'
-     '@pytest.mark.launch(fixture=bad)\ndef test_it(): pass', 'error',
-     "fixture 'bad': the launch ended before ReadyToTest was reached: PackageNotFoundError: \"package 'nowhere' not found"),
-    (ALIVE + '@pytest.mark.launch(fixture=alive)\ndef test_it(): threading.Event().wait()', 'failed',
-     'the test did not come to its end: it was still waiting after 600.0 s of simulated time'),
-    ('@launch_pytest.fixture(auto_shutdown=False)\ndef stays(): return launch.LaunchDescription([KeepAliveProc()])\n'
-     '@pytest.mark.launch(fixture=stays, shutdown=True)\ndef test_it(): pass', 'failed', 'the launch did not come to its end')])
+@pytest.mark.parametrize(
+    ('text', 'outcome', 'said'),
+    [
+        (
+            ALIVE + '@pytest.mark.launch\ndef test_it(): pass',
+            'skipped',
+            '"fixture" keyword argument is required in a pytest.mark.launch() decorator',
+        ),
+        (
+            '@pytest.fixture\ndef plain(): pass\n@pytest.mark.launch(fixture=plain)\ndef test_it(): pass',
+            'skipped',
+            "must be a launch fixture: decorate 'plain' with @launch_pytest.fixture",
+        ),
+        (
+            ALIVE + '@pytest.mark.launch(fixture=alive, shutdown=True)\ndef test_it(): yield',
+            'skipped',
+            'generator or async generator based launch test items cannot be marked with shutdown=True',
+        ),
+        (
+            ALIVE + '@pytest.mark.launch(fixture=alive)\ndef test_it():\n    yield\n    yield',
+            'failed',
+            'launch tests using a generator function must stop iteration after yielding once',
+        ),
+        (
+            ALIVE + '@pytest.mark.launch(fixture=alive)\nasync def test_it():\n    yield\n    yield',
+            'failed',
+            'launch tests using an async gen function must stop iteration after yielding once',
+        ),
+        (
+            '@launch_pytest.fixture\ndef empty(): pass\n@pytest.mark.launch(fixture=empty)\ndef test_it(): pass',
+            'error',
+            "When running launch_pytest fixture 'empty': return value must be either a launch description or a sequence whose first "
+            'item is a launch description\n  help: it is None',
+        ),
+        (
+            '@launch_pytest.fixture\ndef two(): return launch.LaunchDescription([ReadyToTest(), ReadyToTest()])\n'
+            '@pytest.mark.launch(fixture=two)\ndef test_it(): pass',
+            'error',
+            'containing only one ReadyToTest action',
+        ),
+        (
+            '@launch_pytest.fixture\ndef bad(): return launch.LaunchDescription([Node(package="nowhere", executable="x"), ReadyToTest()])\n'
+            '@pytest.mark.launch(fixture=bad)\ndef test_it(): pass',
+            'error',
+            "fixture 'bad': the launch ended before ReadyToTest was reached: PackageNotFoundError: \"package 'nowhere' not found",
+        ),
+        (
+            ALIVE + '@pytest.mark.launch(fixture=alive)\ndef test_it(): threading.Event().wait()',
+            'failed',
+            'the test did not come to its end: it was still waiting after 600.0 s of simulated time',
+        ),
+        (
+            '@launch_pytest.fixture(auto_shutdown=False)\ndef stays(): return launch.LaunchDescription([KeepAliveProc()])\n'
+            '@pytest.mark.launch(fixture=stays, shutdown=True)\ndef test_it(): pass',
+            'failed',
+            'the launch did not come to its end',
+        ),
+    ],
+)
 def test_what_goes_wrong_is_told(inner: Run, text: str, outcome: str, said: str) -> None:
     done = inner(text)
     assert done.outcomes[0] == ('test_it', outcome)
@@ -189,7 +241,9 @@ def test_what_goes_wrong_is_told(inner: Run, text: str, outcome: str, said: str)
 
 
 def test_fixtures_of_one_scope_share_a_launch(inner: Run) -> None:
-    done = inner(SHARED + """
+    done = inner(
+        SHARED
+        + """
 @launch_pytest.fixture(scope='module')
 def more(proc):
     return launch.LaunchDescription([KeepAliveProc()])
@@ -199,7 +253,8 @@ def test_one(launch_service):
 @pytest.mark.launch(fixture=more)
 def test_other(proc):
     assert proc.return_code is None
-""")
+"""
+    )
     assert [outcome for _, outcome in done.outcomes] == ['passed'] * 2, done.text
 
 
@@ -219,19 +274,31 @@ async def test_it(event_loop):
 
 
 def test_a_conftest_may_hold_the_fixtures(inner: Run) -> None:
-    done = inner(ALIVE + """
+    done = inner(
+        ALIVE
+        + """
 @pytest.mark.launch(fixture=alive)
 def test_it(from_conftest):
     assert from_conftest == 'launch_pytest'
-""", conftest='import launch_pytest, pytest\n@pytest.fixture\ndef from_conftest(): return launch_pytest.__name__\n')
+""",
+        conftest='import launch_pytest, pytest\n@pytest.fixture\ndef from_conftest(): return launch_pytest.__name__\n',
+    )
     assert done.outcomes == [('test_it', 'passed')], done.text
 
 
-@pytest.mark.parametrize(('source', 'imported', 'answer'), [
-    (b'import launch_pytest', False, True), (b'@pytest.mark.launch(fixture=f)\ndef test(): ...', True, True),
-    (b"@pytest.mark.launch('a browser')\ndef test(): ...", False, False), (b'TEXT = "import launch_pytest"', True, False),
-    (b'def test_plain(): ...', True, False)])
-def test_a_mark_of_somebody_else_is_left_alone(source: bytes, imported: bool, answer: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ('source', 'imported', 'answer'),
+    [
+        (b'import launch_pytest', False, True),
+        (b'@pytest.mark.launch(fixture=f)\ndef test(): ...', True, True),
+        (b"@pytest.mark.launch('a browser')\ndef test(): ...", False, False),
+        (b'TEXT = "import launch_pytest"', True, False),
+        (b'def test_plain(): ...', True, False),
+    ],
+)
+def test_a_mark_of_somebody_else_is_left_alone(
+    source: bytes, imported: bool, answer: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     if not imported:
         monkeypatch.delitem(sys.modules, 'launch_pytest', raising=False)
     else:
@@ -244,10 +311,12 @@ def test_a_test_file_sees_its_workspace(inner: Run, tmp_path: Path) -> None:
     package.mkdir()
     (tmp_path / 'package.xml').write_text(
         '<package format="3"><name>pkg</name><version>0.0.1</version><description>d</description><maintainer email="a@b.c">m'
-        '</maintainer><license>MIT</license><export><build_type>ament_python</build_type></export></package>')
+        '</maintainer><license>MIT</license><export><build_type>ament_python</build_type></export></package>'
+    )
     (tmp_path / 'setup.py').write_text(
         "from setuptools import setup\nsetup(name='pkg', version='0.0.1', packages=['pkg'], "
-        "entry_points={'console_scripts': ['wait = pkg.node:main']})\n")
+        "entry_points={'console_scripts': ['wait = pkg.node:main']})\n"
+    )
     (tmp_path / 'setup.cfg').write_text('[develop]\nscript_dir=$base/lib/pkg\n[install]\ninstall_scripts=$base/lib/pkg\n')
     (package / '__init__.py').write_text('')
     (package / 'node.py').write_text('import time\ndef main():\n    time.sleep(4)\n    return 3\n')

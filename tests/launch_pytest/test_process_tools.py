@@ -1,4 +1,5 @@
 """Waiting for starts, output and ends, in coroutines and in plain functions."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -27,7 +28,9 @@ sys.exit(4)
 
 
 def test_coroutines_wait(inner: Run) -> None:
-    done = inner(SLOW + """
+    done = inner(
+        SLOW
+        + """
 @pytest.mark.launch(fixture=slow)
 async def test_it(proc, launch_context, event_loop):
     now = lambda: round(event_loop.time() - began)
@@ -41,12 +44,16 @@ async def test_it(proc, launch_context, event_loop):
     assert not await tools.wait_for_exit(launch_context, proc, timeout=2)
     assert await tools.wait_for_exit(launch_context, proc) and now() == 8
     assert proc.return_code == 4
-""", slow=PROGRAM)
+""",
+        slow=PROGRAM,
+    )
     assert done.outcomes == [('test_it', 'passed')], done.text
 
 
 def test_functions_wait(inner: Run) -> None:
-    done = inner(SLOW + """
+    done = inner(
+        SLOW
+        + """
 @pytest.mark.launch(fixture=slow)
 def test_it(proc, launch_context):
     now = lambda: round(time.monotonic() - began)
@@ -60,7 +67,9 @@ def test_it(proc, launch_context):
     assert not tools.wait_for_exit_sync(launch_context, proc, timeout=2)
     assert tools.wait_for_exit_sync(launch_context, proc) and now() == 8
     assert proc.return_code == 4
-""", slow=PROGRAM)
+""",
+        slow=PROGRAM,
+    )
     assert done.outcomes == [('test_it', 'passed')], done.text
 
 
@@ -69,7 +78,9 @@ def test_it(proc, launch_context):
 def test_what_was_not_as_expected_is_told(inner: Run, call: str, stream: str, end: str) -> None:
     call = call.format(stream)
     text = end.format('two\n' if stream == 'stderr' else 'one\n')
-    done = inner(SLOW + f"""
+    done = inner(
+        SLOW
+        + f"""
 def validate(text):
     assert text == 'three', 'my own words'
 {'async ' * call.startswith('await')}def both(launch_context, proc):
@@ -79,7 +90,9 @@ def validate(text):
         {call}launch_context, proc, lambda text: False, timeout=1)
     assert str(found.value).endswith({text!r})
 test_it = pytest.mark.launch(fixture=slow)(both)
-""", slow=PROGRAM)
+""",
+        slow=PROGRAM,
+    )
     assert done.outcomes == [('test_it', 'passed')], done.text
 
 

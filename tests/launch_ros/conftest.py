@@ -52,10 +52,7 @@ def launch(entities: Sequence[Any], index: Index) -> Launched:
     sim.run()
     result.specs = [one.spec for one in host.imaginary]
     result.contents = [
-        Path(word).read_text(encoding='utf-8')
-        for spec in result.specs
-        for word in spec.argv
-        if 'launch_params_' in word
+        Path(word).read_text(encoding='utf-8') for spec in result.specs for word in spec.argv if 'launch_params_' in word
     ]
     while process.returncode is None and host.end_next():
         sim.run()

@@ -25,15 +25,7 @@ def drive(**arguments: Any) -> Node:
 
 
 @pytest.mark.parametrize(
-    ('value', 'word'),
-    [
-        (1, 'p:=1'),
-        ('text', 'p:=text'),
-        (True, 'p:=True'),
-        ([1, 2], 'p:=(1, 2)'),
-        ('', 'p:='),
-        (1.0, 'p:=1.0'),
-    ],
+    ('value', 'word'), [(1, 'p:=1'), ('text', 'p:=text'), (True, 'p:=True'), ([1, 2], 'p:=(1, 2)'), ('', 'p:='), (1.0, 'p:=1.0')]
 )
 def test_a_global_parameter_is_written_as_ros_writes_it(run: Any, value: Any, word: str) -> None:
     assert run(SetParameter('p', value), drive()).words == ['--ros-args', '-p', word]

@@ -14,20 +14,14 @@ from launch_ros.events.matchers import matches_node_name
 
 
 def transition(**labels: str) -> StateTransition:
-    parts = {
-        name: SimpleNamespace(label=labels.get(name, ''))
-        for name in ('transition', 'start_state', 'goal_state')
-    }
+    parts = {name: SimpleNamespace(label=labels.get(name, '')) for name in ('transition', 'start_state', 'goal_state')}
     message: Any = SimpleNamespace(timestamp=5, **parts)
     return StateTransition(action=SimpleNamespace(node_name='/m'), msg=message)  # type: ignore[arg-type]
 
 
 def test_only_transitions_of_ros_can_be_asked_for() -> None:
     assert ChangeState(lifecycle_node_matcher=matches_node_name('m'), transition_id=1).transition_id == 1
-    with pytest.raises(
-        ValueError,
-        match=r"transition_id '99' is not one of the valid transitions: TRANSITION_CONFIGURE \(1\)",
-    ):
+    with pytest.raises(ValueError, match=r"transition_id '99' is not one of the valid transitions: TRANSITION_CONFIGURE \(1\)"):
         ChangeState(lifecycle_node_matcher=matches_node_name('m'), transition_id=99)
 
 
@@ -42,14 +36,8 @@ def test_a_handler_looks_at_every_label_it_was_given() -> None:
     event = transition(start_state='inactive', goal_state='active')
     matching = [{}, {'goal_state': 'active'}, {'start_state': 'inactive', 'goal_state': 'active'}]
     other: list[dict[str, Any]] = [{'goal_state': 'inactive'}, {'transition': 'activate'}]
-    assert [OnStateTransition(entities=[], **labels).matches(event) for labels in [*matching, *other]] == [
-        True
-    ] * 3 + [False] * 2
-    assert (event.timestamp, event.goal_state, event.name) == (
-        5,
-        'active',
-        'launch_ros.events.lifecycle.StateTransition',
-    )
+    assert [OnStateTransition(entities=[], **labels).matches(event) for labels in [*matching, *other]] == [True] * 3 + [False] * 2
+    assert (event.timestamp, event.goal_state, event.name) == (5, 'active', 'launch_ros.events.lifecycle.StateTransition')
 
 
 def test_a_matcher_of_ones_own_excludes_the_others() -> None:

@@ -22,10 +22,7 @@ def drive(**arguments: Any) -> Node:
         ({'namespace': 'a'}, ['--ros-args', '-r', '__ns:=/a']),
         ({'arguments': ['x', ['y', 'z']], 'name': 'n'}, ['x', 'yz', '--ros-args', '-r', '__node:=n']),
         ({'ros_arguments': ['--log-level', 'debug']}, ['--ros-args', '--log-level', 'debug', '--ros-args']),
-        (
-            {'remappings': [('a', 'b'), ('/c', 'd')], 'name': 'n'},
-            ['--ros-args', '-r', '__node:=n', '-r', 'a:=b', '-r', '/c:=d'],
-        ),
+        ({'remappings': [('a', 'b'), ('/c', 'd')], 'name': 'n'}, ['--ros-args', '-r', '__node:=n', '-r', 'a:=b', '-r', '/c:=d']),
         (
             {'parameters': [{'p': 1}], 'remappings': [('a', 'b')], 'name': 'n', 'namespace': 's'},
             ['--ros-args', '-r', '__node:=n', '-r', '__ns:=/s', '--params-file', 'PARAMS', '-r', 'a:=b'],
@@ -56,9 +53,7 @@ def test_the_command_line_has_the_order_of_ros(run: Any, arguments: dict[str, An
         (['/'], None, '/'),
     ],
 )
-def test_namespaces_join_as_in_ros(
-    run: Any, pushed: list[str], given: str | None, expected: str | None
-) -> None:
+def test_namespaces_join_as_in_ros(run: Any, pushed: list[str], given: str | None, expected: str | None) -> None:
     words = run(*map(PushRosNamespace, pushed), drive(namespace=given)).words
     assert words == ['--ros-args', *([] if expected is None else ['-r', f'__ns:={expected}'])]
 
@@ -72,9 +67,7 @@ def test_parameters_of_a_node_with_a_full_name_stand_under_that_name(run: Any) -
     assert run(drive(name='n', namespace='s', parameters=[{'b': 'x', 'a': {'c': [1, 2]}}])).contents == [
         '/s/n:\n  ros__parameters:\n    a.c:\n    - 1\n    - 2\n    b: x\n'
     ]
-    assert run(drive(name='n', parameters=[{'b': '1'}])).contents == [
-        "/**:\n  ros__parameters:\n    b: '1'\n"
-    ]
+    assert run(drive(name='n', parameters=[{'b': '1'}])).contents == ["/**:\n  ros__parameters:\n    b: '1'\n"]
 
 
 def test_generated_files_have_the_same_names_in_every_run_and_differ_within_one(run: Any) -> None:
@@ -90,17 +83,11 @@ def test_generated_files_have_the_same_names_in_every_run_and_differ_within_one(
 def test_a_missing_parameter_file_is_skipped_with_a_warning(run: Any) -> None:
     launched = run(drive(parameters=['/no/such.yaml', {'p': 1}]))
     assert launched.words == ['--ros-args', '--params-file', 'PARAMS']
-    assert launched.logs == [
-        ['WARNING', 'launch_ros.actions.node', 'Parameter file path is not a file: /no/such.yaml']
-    ]
+    assert launched.logs == [['WARNING', 'launch_ros.actions.node', 'Parameter file path is not a file: /no/such.yaml']]
 
 
 def test_the_spec_knows_package_executable_and_where_values_were_written(run: Any) -> None:
-    node = drive(
-        parameters=[
-            {'typed': 1, 'given': LaunchConfiguration('speed'), 'mixed': ['a', LaunchConfiguration('who')]}
-        ]
-    )
+    node = drive(parameters=[{'typed': 1, 'given': LaunchConfiguration('speed'), 'mixed': ['a', LaunchConfiguration('who')]}])
     (spec,) = run(SetLaunchConfiguration('speed', '7'), SetLaunchConfiguration('who', 'x'), node).specs
     assert (spec.package, spec.executable, spec.name) == ('robo', 'drive', 'drive-1')
     assert spec.parameter_origins == {
@@ -113,11 +100,7 @@ def test_the_spec_knows_package_executable_and_where_values_were_written(run: An
 def test_two_nodes_with_one_full_name_are_noticed(run: Any) -> None:
     logs = run(drive(name='n', namespace='/a'), drive(name='n', namespace='/a')).logs
     assert logs == [
-        [
-            'WARNING',
-            'drive-2',
-            'there are now at least 2 nodes with the name /a/n created within this launch context',
-        ]
+        ['WARNING', 'drive-2', 'there are now at least 2 nodes with the name /a/n created within this launch context']
     ]
 
 
@@ -126,10 +109,7 @@ def test_two_nodes_with_one_full_name_are_noticed(run: Any) -> None:
     [
         (
             {'name': 'bad name'},
-            (
-                "Invalid node name: node name must not contain characters other than alphanumerics or '_':\n"
-                "  'bad name'\n      ^"
-            ),
+            ("Invalid node name: node name must not contain characters other than alphanumerics or '_':\n  'bad name'\n      ^"),
         ),
         (
             {'namespace': 'bad ns'},
@@ -140,9 +120,7 @@ def test_two_nodes_with_one_full_name_are_noticed(run: Any) -> None:
         ),
     ],
 )
-def test_names_that_no_node_can_have_are_refused_in_the_words_of_rclpy(
-    run: Any, arguments: Any, text: str
-) -> None:
+def test_names_that_no_node_can_have_are_refused_in_the_words_of_rclpy(run: Any, arguments: Any, text: str) -> None:
     launched = run(drive(**arguments))
     assert launched.specs == []
     assert [log[2] for log in launched.logs[:2]] == [
@@ -160,15 +138,9 @@ def test_names_that_no_node_can_have_are_refused_in_the_words_of_rclpy(
     [
         (
             {'parameters': {'a': 1}},
-            (
-                "'Node' expected 'parameters' to be one of [<class 'list'>], but got '{'a': 1}' of type "
-                "'<class 'dict'>'"
-            ),
+            ("'Node' expected 'parameters' to be one of [<class 'list'>], but got '{'a': 1}' of type '<class 'dict'>'"),
         ),
-        (
-            {'remappings': ['ab']},
-            "Expected 'remap_rule' to be one of [<class 'tuple'>], but got 'ab' of type '<class 'str'>'",
-        ),
+        ({'remappings': ['ab']}, "Expected 'remap_rule' to be one of [<class 'tuple'>], but got 'ab' of type '<class 'str'>'"),
         ({'remappings': [('a', 'b', 'c')]}, 'remap_rule must be a tuple of length 2, got length 3'),
         ({'node_name': 'n'}, "Action.__init__() got an unexpected keyword argument 'node_name'"),
     ],
@@ -184,11 +156,7 @@ def test_node_name_is_known_after_execution_only(run: Any) -> None:
     with pytest.raises(RuntimeError, match="cannot access 'node_name' before executing action"):
         assert node.node_name
     run(node)
-    assert (node.node_name, node.expanded_node_namespace, node.is_node_name_fully_specified()) == (
-        '/s/n',
-        '/s',
-        True,
-    )
+    assert (node.node_name, node.expanded_node_namespace, node.is_node_name_fully_specified()) == ('/s/n', '/s', True)
 
 
 def test_without_a_package_the_executable_is_a_command(run: Any) -> None:

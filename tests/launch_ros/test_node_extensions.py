@@ -1,4 +1,5 @@
 """Installed packages may add to the command line of each node."""
+
 from __future__ import annotations
 
 import logging
@@ -28,12 +29,14 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder.mkdir()
     (folder / 'METADATA').write_text('Metadata-Version: 2.1\nName: marking\nVersion: 1.0\n')
     (folder / 'entry_points.txt').write_text(
-        '[launch_ros.node_action]\nmark = marking_extension:Marking\nbroken = marking_extension:Missing\n')
+        '[launch_ros.node_action]\nmark = marking_extension:Marking\nbroken = marking_extension:Missing\n'
+    )
     monkeypatch.syspath_prepend(str(tmp_path))
 
 
 def test_an_extension_adds_words_and_changes_the_local_variable(installed: None, monkeypatch: pytest.MonkeyPatch) -> None:
     from edulaunch.processes.current import current_process
+
     monkeypatch.delitem(current_process().state, 'launch_ros.node_extensions', raising=False)
     context: Any = LaunchContext()
     node = Node(package='demo_nodes_py', executable='talker', name='me', namespace='/ns')
@@ -64,9 +67,18 @@ def test_an_instance_is_kept_unless_it_is_to_be_unique() -> None:
     assert instantiate_extension('group', 'bad', lambda: 1 / 0, kept, logger) is None
 
 
-@pytest.mark.parametrize(('version', 'wanted', 'problem'), [
-    ('0.1', '^0.1', None), ('0.1.5', '^0.1', None), ('1.4', '^1.2', None), ('0.1', '^0.2', 'too old'), ('0.2', '^0.1', 'newer'),
-    ('2.0', '^1.2', 'newer'), ('1.0', '^1.2', 'too old')])
+@pytest.mark.parametrize(
+    ('version', 'wanted', 'problem'),
+    [
+        ('0.1', '^0.1', None),
+        ('0.1.5', '^0.1', None),
+        ('1.4', '^1.2', None),
+        ('0.1', '^0.2', 'too old'),
+        ('0.2', '^0.1', 'newer'),
+        ('2.0', '^1.2', 'newer'),
+        ('1.0', '^1.2', 'too old'),
+    ],
+)
 def test_an_extension_says_which_extension_point_it_is_written_for(version: str, wanted: str, problem: str | None) -> None:
     if problem is None:
         satisfies_version(version, wanted)

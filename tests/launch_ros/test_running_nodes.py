@@ -152,11 +152,7 @@ def test_a_lifecycle_node_goes_through_its_transitions_in_order(lines: Lines) ->
         RegisterEventHandler(OnStateTransition(
             target_lifecycle_node=node, goal_state='active', entities=[LogInfo(msg='active'), Shutdown()])),
         LifecycleTransition(lifecycle_node_names=['/m'], transition_ids=[1, 3])]
-""") == [
-        (0.0, '[managed.py-1] transition 1'),
-        (0.0, '[managed.py-1] transition 3'),
-        (0.0, '[INFO] [launch.user]: active'),
-    ]
+""") == [(0.0, '[managed.py-1] transition 1'), (0.0, '[managed.py-1] transition 3'), (0.0, '[INFO] [launch.user]: active')]
 
 
 def test_a_ros_timer_fires_once_on_ros_time(lines: Lines) -> None:

@@ -36,10 +36,7 @@ def test_packages_and_executables_are_found(run: Any, robo: Index) -> None:
 
 def test_a_missing_executable_gives_the_text_of_ros_and_a_hint(run: Any, robo: Index) -> None:
     error = performed(run, ExecutableInPackage('drvie', 'robo'))
-    assert (
-        str(error)
-        == f"executable 'drvie' not found on the libexec directory '{robo.search_paths()[0]}/lib/robo' "
-    )
+    assert str(error) == f"executable 'drvie' not found on the libexec directory '{robo.search_paths()[0]}/lib/robo' "
     assert error.edulaunch_hint == "did you mean 'drive'?"
 
 
@@ -48,8 +45,7 @@ def test_a_package_without_executables_has_no_libexec_directory(run: Any, tmp_pa
     marker.write_text('', encoding='utf-8')
     error = performed(run, ExecutableInPackage('x', 'bare'))
     assert (
-        str(error) == f"package 'bare' found at '{tmp_path}/opt', "
-        f"but libexec directory '{tmp_path}/opt/lib/bare' does not exist"
+        str(error) == f"package 'bare' found at '{tmp_path}/opt', but libexec directory '{tmp_path}/opt/lib/bare' does not exist"
     )
     assert error.edulaunch_hint.startswith('bare installs no executable')
 
@@ -76,19 +72,14 @@ def test_a_c_plus_plus_executable_is_found_and_ends_with_a_sentence_while_others
 
 
 def test_a_node_of_a_missing_package_stops_the_launch_before_anything_starts(run: Any) -> None:
-    launched = run(
-        LogInfo(msg='x'), Node(package='robo', executable='drive'), Node(package='rob', executable='drive')
-    )
+    launched = run(LogInfo(msg='x'), Node(package='robo', executable='drive'), Node(package='rob', executable='drive'))
     assert launched.specs == []
     assert "package 'rob' not found, searching: ['" in launched.logs[0][2]
 
 
 @pytest.mark.parametrize(
     ('substitution', 'text'),
-    [
-        (FindPackageShare('p'), "FindPackageShare(pkg='p')"),
-        (ExecutableInPackage('e', 'p'), "ExecInPkg(pkg='p', exec='e')"),
-    ],
+    [(FindPackageShare('p'), "FindPackageShare(pkg='p')"), (ExecutableInPackage('e', 'p'), "ExecInPkg(pkg='p', exec='e')")],
 )
 def test_descriptions_are_those_that_show_args_prints(substitution: Any, text: str) -> None:
     assert substitution.describe() == text

@@ -1,4 +1,5 @@
 """Running the launch tests of `corpus/`."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -25,6 +26,7 @@ def run(pytestconfig: pytest.Config) -> Run:
         test: Any = LaunchTest(str(CORPUS / f'{name}.py'), arguments)
         test.code = run_launch_test(test)
         return test
+
     return run_file
 
 

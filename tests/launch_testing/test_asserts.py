@@ -1,4 +1,5 @@
 """Claims about processes: what they accept, and the texts with which they fail."""
+
 from __future__ import annotations
 
 import re
@@ -58,7 +59,8 @@ def test_exit_codes(world: World) -> None:
     assertExitCodes(world.info, allowable_exit_codes=[0, 3], process='crash')
     assert failure(lambda: assertExitCodes(world.info, process='crash')) == 'Proc crash exited with code 3'
     assert failure(lambda: assertExitCodes(world.info, process=world.second)) == (
-        'Proc talker has not ended: it has no exit code yet')
+        'Proc talker has not ended: it has no exit code yet'
+    )
     with pytest.raises(TypeError, match='must contain integers'):
         assertExitCodes(world.info, allowable_exit_codes=['0'])  # type: ignore[list-item]
 
@@ -70,7 +72,8 @@ def test_output_of_a_stream(world: World) -> None:
     assertInStream(world.output, 'boom')
     assert failure(lambda: assertInStdout(world.output, ['two', 'one'], world.talker)).startswith("Did not find '['two', 'one']'")
     assert failure(lambda: assertInStdout(world.output, 'boom', 'crash')) == (
-        "Did not find 'boom' in output for any of the matching processes: crash")
+        "Did not find 'boom' in output for any of the matching processes: crash"
+    )
     with pytest.raises(ValueError, match="must be 'stdout' or 'stderr', got 'both'"):
         assertInStream(world.output, 'one', world.talker, stream='both')
 
@@ -85,7 +88,8 @@ def test_output_in_order(world: World) -> None:
         checker.assertInStdout('one')
         checker.assertInStdout(re.compile('t.o'))
         assert failure(lambda: checker.assertInStdout('one')) == (
-            "'one' was not found in the output after character 7\n  help: it was not written there, only before it")
+            "'one' was not found in the output after character 7\n  help: it was not written there, only before it"
+        )
 
 
 def test_processes_are_found_by_name_and_arguments(world: World) -> None:

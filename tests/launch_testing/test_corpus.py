@@ -1,4 +1,5 @@
 """Launch tests written for ROS 2 run in simulated time, with ROS 2's rules and texts."""
+
 from __future__ import annotations
 
 import re
@@ -15,9 +16,12 @@ def texts(test: object) -> list[str]:
 def test_a_running_talker_is_tested_and_ends_well(run: Run) -> None:
     test = run('talker')
     assert (test.code, outcome(test)) == (0, [])
-    result, = test.results.values()
+    (result,) = test.results.values()
     assert [case._testMethodName for case in result.passed] == [
-        'test_publishes_once_a_second', 'test_waits_for_output', 'test_exit_code']
+        'test_publishes_once_a_second',
+        'test_waits_for_output',
+        'test_exit_code',
+    ]
 
 
 def test_durations_are_simulated_seconds_and_repeat(run: Run) -> None:
@@ -30,15 +34,19 @@ def test_each_wrong_claim_is_told_with_its_own_lines_only(run: Run) -> None:
     test = run('failing')
     assert (test.code, outcome(test)) == (1, [('ERROR', 'test_c_broken'), ('FAIL', 'test_b_wrong')])
     error, failure = texts(test)
-    assert re.fullmatch(r'Traceback \(most recent call last\):\n  File ".*failing\.py", line 24, in test_c_broken\n'
-                        r"    raise KeyError\('no such thing'\)\nKeyError: 'no such thing'\n", error)
+    assert re.fullmatch(
+        r'Traceback \(most recent call last\):\n  File ".*failing\.py", line 24, in test_c_broken\n'
+        r"    raise KeyError\('no such thing'\)\nKeyError: 'no such thing'\n",
+        error,
+    )
     assert failure.splitlines()[-2:] == [
         'AssertionError: Waiting for output timed out',
-        '  help: nothing was written to stderr within 3 s by: keep_alive_proc-1']
+        '  help: nothing was written to stderr within 3 s by: keep_alive_proc-1',
+    ]
 
 
 def test_skipped_tests_are_no_failures(run: Run) -> None:
-    result, = run('failing').results.values()
+    (result,) = run('failing').results.values()
     assert [(case._testMethodName, reason) for case, reason in result.skipped] == [('test_d_skipped', 'not today')]
 
 
@@ -64,22 +72,27 @@ def test_a_launch_that_ends_too_early_is_a_failure(run: Run, capsys: pytest.Capt
 
 def test_a_launch_that_never_gets_ready_is_a_failure(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     test = run('not_ready')
-    assert texts(test) == ['Processes under test stopped before tests completed\n'
-                           '  help: ReadyToTest was not reached within 5 s of simulated time']
+    assert texts(test) == [
+        'Processes under test stopped before tests completed\n  help: ReadyToTest was not reached within 5 s of simulated time'
+    ]
     assert 'Timed out waiting for processes to start up\n' in capsys.readouterr().out
 
 
 def test_a_description_without_ready_to_test_is_refused(run: Run) -> None:
     test = run('forgetful')
     assert test.code == 1
-    assert str(test.error) == ('generate_test_description functions without a ready_fn argument must return '
-                               'a LaunchDescription containing a ReadyToTest action')
+    assert str(test.error) == (
+        'generate_test_description functions without a ready_fn argument must return '
+        'a LaunchDescription containing a ReadyToTest action'
+    )
 
 
 def test_a_test_that_waits_for_ever_is_ended(run: Run) -> None:
     test = run('waiting')
-    assert str(test.error) == ('waiting.py: the launch test was still waiting after 3600.0 s of simulated time.\n'
-                               '  help: give waits a timeout, such as event.wait(timeout=10)')
+    assert str(test.error) == (
+        'waiting.py: the launch test was still waiting after 3600.0 s of simulated time.\n'
+        '  help: give waits a timeout, such as event.wait(timeout=10)'
+    )
 
 
 def test_tests_of_nodes_wait_for_topics(run: Run) -> None:

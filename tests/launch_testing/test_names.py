@@ -1,4 +1,5 @@
 """Names that other code imports from launch_testing and launch_testing_ros."""
+
 from __future__ import annotations
 
 import re
@@ -34,7 +35,10 @@ def test_ready_aggregator_calls_once() -> None:
 
 def test_arguments_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
     print_arguments_of_launch_description(launch_description=LaunchDescription([DeclareLaunchArgument('speed')]))
-    assert capsys.readouterr().out == "Arguments (pass arguments as '<name>:=<value>'):\n\n    'speed':\n        no description given\n"
+    assert (
+        capsys.readouterr().out
+        == "Arguments (pass arguments as '<name>:=<value>'):\n\n    'speed':\n        no description given\n"
+    )
 
 
 def test_expected_output_comes_from_a_file(tmp_path: Path) -> None:
@@ -74,6 +78,7 @@ def test_a_runner_may_launch_something_before() -> None:
     class Runner(LaunchTestRunner):
         def generate_preamble(self) -> list[Any]:
             from launch.actions import OpaqueFunction
+
             return [OpaqueFunction(function=lambda context: seen.append('preamble'))]
 
     description = LaunchDescription([launch_testing.actions.ReadyToTest(), TimerAction(period=5.0, actions=[])])
@@ -97,7 +102,8 @@ def test_data_is_republished() -> None:
     node.create_subscription(String, 'loud', lambda message: heard.append(message.data), 10)
     talker = node.create_publisher(String, 'quiet', 10)
     republisher = launch_testing_ros.DataRepublisher(
-        node, 'quiet', 'loud', String, lambda message: String(data=message.data.upper()) if message.data else None)
+        node, 'quiet', 'loud', String, lambda message: String(data=message.data.upper()) if message.data else None
+    )
     for text in ('hello', ''):
         talker.publish(String(data=text))
     for _ in range(4):

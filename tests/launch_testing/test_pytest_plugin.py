@@ -1,4 +1,5 @@
 """The pytest plugin and the command `launch_test`, as a user starts them."""
+
 from __future__ import annotations
 
 import os
@@ -19,13 +20,17 @@ from .conftest import CORPUS
 MARKED = b'@pytest.mark.launch_test\ndef generate_test_description():\n    pass\n'
 
 
-@pytest.mark.parametrize(('source', 'answer'), [
-    (MARKED, True),
-    (MARKED.replace(b'launch_test', b'rostest()'), True),
-    (MARKED.replace(b'pytest.mark', b'mark'), True),
-    (MARKED.replace(b'launch_test', b'skip'), False),
-    (b'"""launch_test generate_test_description"""', False),
-    (b'launch_test generate_test_description ((', False)])
+@pytest.mark.parametrize(
+    ('source', 'answer'),
+    [
+        (MARKED, True),
+        (MARKED.replace(b'launch_test', b'rostest()'), True),
+        (MARKED.replace(b'pytest.mark', b'mark'), True),
+        (MARKED.replace(b'launch_test', b'skip'), False),
+        (b'"""launch_test generate_test_description"""', False),
+        (b'launch_test generate_test_description ((', False),
+    ],
+)
 def test_a_launch_test_is_a_marked_function(source: bytes, answer: bool) -> None:
     assert is_launch_test(source) is answer
 
@@ -36,13 +41,30 @@ def test_pytest_runs_launch_tests_among_others(tmp_path: Path) -> None:
     (tmp_path / 'test_plain.py').write_text("import sys\ndef test_plain():\n    assert 'launch' not in sys.modules\n")
     here = str(Path(__file__).resolve().parents[2])
     env = {**os.environ, 'PYTHONPATH': here, 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1', 'PYTHONDONTWRITEBYTECODE': '1'}
-    command = [sys.executable, '-m', 'pytest', '-p', 'edulaunch.pytest_plugin', '-p', 'no:cacheprovider', '--strict-markers', '-v',
-               'test_plain.py', 'test_talker.py', 'test_failing.py', 'test_forgetful.py']
+    command = [
+        sys.executable,
+        '-m',
+        'pytest',
+        '-p',
+        'edulaunch.pytest_plugin',
+        '-p',
+        'no:cacheprovider',
+        '--strict-markers',
+        '-v',
+        'test_plain.py',
+        'test_talker.py',
+        'test_failing.py',
+        'test_forgetful.py',
+    ]
     done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 1, done.stdout + done.stderr
     lines = [line.partition(' [')[0].rstrip() for line in done.stdout.splitlines() if '::' in line and line.startswith('test_')]
-    assert lines == ['test_plain.py::test_plain PASSED', 'test_talker.py::test_talker PASSED',
-                     'test_failing.py::test_failing FAILED', 'test_forgetful.py::test_forgetful FAILED']
+    assert lines == [
+        'test_plain.py::test_plain PASSED',
+        'test_talker.py::test_talker PASSED',
+        'test_failing.py::test_failing FAILED',
+        'test_forgetful.py::test_forgetful FAILED',
+    ]
     assert 'ERROR: test_c_broken (test_failing.TestClaims.test_c_broken) [test_failing]\nTraceback' in done.stdout
     assert 'launch_testing/launch_test.py' not in done.stdout, 'frames of ours are not shown'
 
@@ -52,13 +74,17 @@ def test_the_command_writes_junit_xml(tmp_path: Path, capsys: pytest.CaptureFixt
     assert main([str(CORPUS / 'parametrized.py'), 'who:=me', '--junit-xml', str(report), '--package-name', 'mine']) == 0
     root = ElementTree.parse(report).getroot()
     assert [(suite.get('name'), suite.get('tests'), suite.get('failures')) for suite in root] == [
-        ('mine.parametrized.parametrized[one, 1]', '1', '0'), ('mine.parametrized.parametrized[two, 2]', '1', '0')]
+        ('mine.parametrized.parametrized[one, 1]', '1', '0'),
+        ('mine.parametrized.parametrized[two, 2]', '1', '0'),
+    ]
 
 
 def test_the_command_shows_launch_arguments(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(CORPUS / 'parametrized.py'), '-s']) == 0
-    assert capsys.readouterr().out == ("Arguments (pass arguments as '<name>:=<value>'):\n\n    'who':\n"
-                                       "        no description given\n        (default: 'nobody')\n")
+    assert capsys.readouterr().out == (
+        "Arguments (pass arguments as '<name>:=<value>'):\n\n    'who':\n"
+        "        no description given\n        (default: 'nobody')\n"
+    )
 
 
 def test_the_command_is_installed_under_its_name_in_ros() -> None:

@@ -1,4 +1,5 @@
 """The runner, the loader and the results, as unit tests of launch tests use them."""
+
 from __future__ import annotations
 
 import types
@@ -28,11 +29,12 @@ class Quick(unittest.TestCase):
 
 def test_processes_that_end_early_fail_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     def describe(ready_fn: Any) -> LaunchDescription:
-        return LaunchDescription([ExecuteProcess(cmd=['sh', '-c', 'echo told; exit 3']),
-                                  OpaqueFunction(function=lambda context: ready_fn())])
+        return LaunchDescription(
+            [ExecuteProcess(cmd=['sh', '-c', 'echo told; exit 3']), OpaqueFunction(function=lambda context: ready_fn())]
+        )
 
     with mock.patch('launch_testing.test_runner._RunnerWorker._run_test'):
-        result, = LaunchTestRunner(runs_of(describe)).run().values()
+        (result,) = LaunchTestRunner(runs_of(describe)).run().values()
     assert not result.wasSuccessful()
     out = capsys.readouterr().out
     assert 'Processes under test stopped before tests completed' in out and 'exited with 3' in out and 'told' in out
@@ -40,13 +42,17 @@ def test_processes_that_end_early_fail_the_run(capsys: pytest.CaptureFixture[str
 
 def test_each_parameter_is_a_run() -> None:
     def describe(delay: float) -> LaunchDescription:
-        return LaunchDescription([TimerAction(period=delay, actions=[actions.ReadyToTest()]), TimerAction(period=9.0, actions=[])])
+        return LaunchDescription(
+            [TimerAction(period=delay, actions=[actions.ReadyToTest()]), TimerAction(period=9.0, actions=[])]
+        )
 
     runner = LaunchTestRunner(runs_of(parametrize('delay', [1.0, 2.0])(describe), Quick=Quick))
     runner.validate()
     results = runner.run()
     assert [(str(run), result.wasSuccessful(), len(result.testCases)) for run, result in results.items()] == [
-        ('launch_tests[1.0]', True, 1), ('launch_tests[2.0]', True, 1)]
+        ('launch_tests[1.0]', True, 1),
+        ('launch_tests[2.0]', True, 1),
+    ]
 
 
 def test_arguments_that_nobody_gives_are_found_before_launching() -> None:
@@ -67,7 +73,7 @@ def test_two_ready_actions_are_refused() -> None:
 
 
 def test_run_shows_its_description_and_cases() -> None:
-    run, = runs_of(lambda: LaunchDescription([actions.ReadyToTest()]), Quick=Quick)
+    (run,) = runs_of(lambda: LaunchDescription([actions.ReadyToTest()]), Quick=Quick)
     assert isinstance(run.get_launch_description().entities[0], actions.ReadyToTest)
     assert [type(case) for case in run.all_cases()] == [Quick]
 
@@ -75,7 +81,9 @@ def test_run_shows_its_description_and_cases() -> None:
 def test_results_of_whole_launches_are_written_as_xml() -> None:
     tree = unittestResultsToXml(name='all', test_results={'a': FailResult(), 'b': SkipResult(None, 'why')})  # type: ignore[dict-item]
     assert [(suite.get('name'), suite.get('failures'), suite.get('skipped')) for suite in tree.getroot()] == [
-        ('all.a', '1', '0'), ('all.b', '0', '1')]
+        ('all.a', '1', '0'),
+        ('all.b', '0', '1'),
+    ]
 
 
 def test_result_class_suits_the_text_runner(capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,5 @@
 """Comparing and filtering texts; parameters and markers."""
+
 from __future__ import annotations
 
 import re
@@ -10,14 +11,18 @@ from launch_testing.markers import keep_alive, retry_on_failure
 from launch_testing.tools import basic_output_filter, build_text_match, expect_output
 
 
-@pytest.mark.parametrize(('arguments', 'answer'), [
-    ({'expected_text': 'b', 'text': 'abc'}, True),
-    ({'expected_text': 'b', 'text': 'abc', 'strict': True}, False),
-    ({'expected_text': re.compile('a.c'), 'text': 'abc', 'strict': True}, True),
-    ({'expected_lines': ['a', re.compile('c+')], 'text': 'a\nb\nccc\n'}, True),
-    ({'expected_lines': ['c', 'a'], 'text': 'a\nb\nc\n'}, False),
-    ({'expected_lines': ['a', 'b'], 'lines': ['a\n', 'b\n'], 'strict': True}, True),
-    ({'expected_lines': ['a'], 'lines': ['a', 'b'], 'strict': True}, False)])
+@pytest.mark.parametrize(
+    ('arguments', 'answer'),
+    [
+        ({'expected_text': 'b', 'text': 'abc'}, True),
+        ({'expected_text': 'b', 'text': 'abc', 'strict': True}, False),
+        ({'expected_text': re.compile('a.c'), 'text': 'abc', 'strict': True}, True),
+        ({'expected_lines': ['a', re.compile('c+')], 'text': 'a\nb\nccc\n'}, True),
+        ({'expected_lines': ['c', 'a'], 'text': 'a\nb\nc\n'}, False),
+        ({'expected_lines': ['a', 'b'], 'lines': ['a\n', 'b\n'], 'strict': True}, True),
+        ({'expected_lines': ['a'], 'lines': ['a', 'b'], 'strict': True}, False),
+    ],
+)
 def test_expected_output(arguments: dict[str, Any], answer: bool) -> None:
     assert expect_output(**arguments) is answer
 
@@ -48,7 +53,11 @@ def test_parametrize_accepts_names_and_values_of_all_kinds() -> None:
         return a
 
     assert [(function(), row) for function, row in one()] == [
-        (1, {'a': 1}), (2, {'a': 2}), ('three', {'a': 'three'}), ([4, 5], {'a': [4, 5]})]
+        (1, {'a': 1}),
+        (2, {'a': 2}),
+        ('three', {'a': 'three'}),
+        ([4, 5], {'a': [4, 5]}),
+    ]
     with pytest.raises(ValueError, match=r"parametrize: 2 names \['a', 'b'\], but 3 values"):
         launch_testing.parametrize('a,b', [(1, 2, 3)])
 

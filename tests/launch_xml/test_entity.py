@@ -40,22 +40,15 @@ def test_a_missing_attribute_is_an_error_unless_optional():
 
 
 def test_an_attribute_of_the_wrong_type_is_an_error():
-    with pytest.raises(
-        TypeError, match="Attribute 'a' of Entity 'x' expected to be of type '<class 'bool'>'"
-    ):
+    with pytest.raises(TypeError, match="Attribute 'a' of Entity 'x' expected to be of type '<class 'bool'>'"):
         entity('<x a="maybe"/>').get_attr('a', data_type=bool, can_be_str=False)
 
 
 def test_children_are_found_by_name():
     it = entity('<node><param name="a"/><remap/><param name="b"/></node>')
-    assert [child.get_attr('name') for child in it.get_attr('param', data_type=list[BaseEntity])] == [
-        'a',
-        'b',
-    ]
+    assert [child.get_attr('name') for child in it.get_attr('param', data_type=list[BaseEntity])] == ['a', 'b']
     assert it.get_attr('env', data_type=list[Entity], optional=True) is None
-    with pytest.raises(
-        AttributeError, match=r"of type 'typing\.List\[launch\.frontend\.entity\.Entity\]' not found"
-    ):
+    with pytest.raises(AttributeError, match=r"of type 'typing\.List\[launch\.frontend\.entity\.Entity\]' not found"):
         it.get_attr('env', data_type=Entities)
 
 
@@ -76,8 +69,10 @@ def test_what_nobody_asked_for_is_an_error():
         it.assert_entity_completely_parsed()
 
 
-@pytest.mark.parametrize(('text', 'what'), [
-    ('<x p="1"/>', r"attribute\(s\) found in `x`: {'p'}"), ('<x><a/></x>', r"nested tag\(s\) found in `x`: {'a'}")])
+@pytest.mark.parametrize(
+    ('text', 'what'),
+    [('<x p="1"/>', r"attribute\(s\) found in `x`: {'p'}"), ('<x><a/></x>', r"nested tag\(s\) found in `x`: {'a'}")],
+)
 def test_to_ask_for_an_attribute_is_not_to_ask_for_a_child_of_that_name(text, what):
     it = entity(text)
     assert it.get_attr('a', optional=True) is None
@@ -91,10 +86,17 @@ def test_elements_of_the_standard_library_will_do():
     assert (it.type_name, it.get_attr('a'), it.children[0].type_name, it.line) == ('x', '1', 'y', 0)
 
 
-@pytest.mark.parametrize(('text', 'expected'), [
-    ('<p name="a" value="1"/><q/><p value="x y" name="b"/>', [('a', 1), ('b', 'x y')]), ('<p name="a"/>', None), ('<q/>', None),
-    ('<p name="a" value="1"/><p name="a" value="1" type="str"/>', None), ('<p name="a" value="1"><p/></p>', None),
-    ('<p name="a" other="1"/>', None)])
+@pytest.mark.parametrize(
+    ('text', 'expected'),
+    [
+        ('<p name="a" value="1"/><q/><p value="x y" name="b"/>', [('a', 1), ('b', 'x y')]),
+        ('<p name="a"/>', None),
+        ('<q/>', None),
+        ('<p name="a" value="1"/><p name="a" value="1" type="str"/>', None),
+        ('<p name="a" value="1"><p/></p>', None),
+        ('<p name="a" other="1"/>', None),
+    ],
+)
 def test_children_are_plain_pairs_when_there_is_nothing_else(text, expected):
     pairs = entity(f'<node>{text}</node>').plain_pairs('p', 'name', 'value', is_typed=True)
     assert (pairs and [pair[:2] for pair in pairs]) == expected

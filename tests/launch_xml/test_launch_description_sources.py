@@ -1,4 +1,5 @@
 """Launch descriptions from XML and YAML files."""
+
 import pytest
 from launch import LaunchContext
 from launch.launch_description_sources import AnyLaunchDescriptionSource
@@ -9,10 +10,13 @@ XML = '<launch><arg name="x" default="1"/></launch>'
 YAML = 'launch:\n- arg: {name: x, default: "1"}\n'
 
 
-@pytest.mark.parametrize(('name', 'text', 'source_class', 'method'), [
-    ('a.launch.xml', XML, XMLLaunchDescriptionSource, 'interpreted XML launch file'),
-    ('a.launch.yaml', YAML, YAMLLaunchDescriptionSource, 'interpreted YAML launch file'),
-])
+@pytest.mark.parametrize(
+    ('name', 'text', 'source_class', 'method'),
+    [
+        ('a.launch.xml', XML, XMLLaunchDescriptionSource, 'interpreted XML launch file'),
+        ('a.launch.yaml', YAML, YAMLLaunchDescriptionSource, 'interpreted YAML launch file'),
+    ],
+)
 def test_a_file_becomes_a_description(tmp_path, name, text, source_class, method):
     path = tmp_path / name
     path.write_text(text)

@@ -81,13 +81,9 @@ def test_namespaces_are_written_as_the_standard_library_writes_them():
 
 names = st.from_regex(r'[a-z][a-z0-9_-]{0,5}', fullmatch=True)
 elements = st.recursive(
-    st.builds(
-        lambda tag, attributes: ET.Element(tag, attributes), names, st.dictionaries(names, st.text('ab<&"\n'))
-    ),
+    st.builds(lambda tag, attributes: ET.Element(tag, attributes), names, st.dictionaries(names, st.text('ab<&"\n'))),
     lambda inner: st.builds(
-        lambda parent, children: (parent.extend(children), parent)[1],
-        st.builds(ET.Element, names),
-        st.lists(inner, max_size=3),
+        lambda parent, children: (parent.extend(children), parent)[1], st.builds(ET.Element, names), st.lists(inner, max_size=3)
     ),
     max_leaves=8,
 )

@@ -41,10 +41,7 @@ def test_a_text_that_is_not_convertible_is_an_error_when_texts_are_not_allowed()
 
 
 @settings(max_examples=200, deadline=None)
-@given(
-    st.text('abT$_/ .,:#-[]{}()!"\'0123456789~=<>|&*%@', min_size=1)
-    | st.sampled_from(['NULL', 'On', 'nO', 'y'])
-)
+@given(st.text('abT$_/ .,:#-[]{}()!"\'0123456789~=<>|&*%@', min_size=1) | st.sampled_from(['NULL', 'On', 'nO', 'y']))
 def test_the_quick_way_agrees_with_yaml(text):
     try:
         loaded = yaml.safe_load(text)

@@ -1,6 +1,5 @@
 """YAML values as parse functions see them."""
 
-
 import pytest
 from launch.frontend import Entity as BaseEntity
 from launch_yaml import Entity
@@ -34,9 +33,7 @@ def test_a_missing_key_is_an_error_unless_optional(text):
         it.get_attr('exec')
 
 
-@pytest.mark.parametrize(
-    'text', ['{param: {name: a}}', '{param: a}', '{param: []}', '{param: [a]}', '{param: null}']
-)
+@pytest.mark.parametrize('text', ['{param: {name: a}}', '{param: a}', '{param: []}', '{param: [a]}', '{param: null}'])
 def test_child_elements_are_a_list_of_mappings(text):
     message = "^Attribute 'param' of Entity 'node' expected to be a list of dictionaries.$"
     with pytest.raises(TypeError, match=message):
@@ -61,9 +58,7 @@ def test_other_children_are_an_error(text):
         entity(text).children  # noqa: B018
 
 
-@pytest.mark.parametrize(
-    ('text', 'error'), [('{a: 1}', ValueError), ('null', TypeError), ('{children: a}', TypeError)]
-)
+@pytest.mark.parametrize(('text', 'error'), [('{a: 1}', ValueError), ('null', TypeError), ('{children: a}', TypeError)])
 def test_an_element_without_a_list_has_no_children(text, error):
     with pytest.raises(error, match='child'):
         entity(text, 'group').children  # noqa: B018
@@ -85,10 +80,19 @@ def test_an_element_must_have_something_even_if_it_is_empty():
     assert caught.value.edulaunch_hint == 'write shutdown: {} when it has no keys'
 
 
-@pytest.mark.parametrize(('text', 'expected'), [
-    ('[{name: a, value: 1}, {value: x y, name: b}]', [('a', 1), ('b', 'x y')]), ('[{name: a}]', None), ('[name, value]', None),
-    ('[{name: a, value: 1}, {name: a, value: 1, type: str}]', None), ('[{name: 1, value: 1}]', None),
-    ('[{name: a, value: [1]}]', None), ('[]', None), ('{name: a, value: 1}', None)])
+@pytest.mark.parametrize(
+    ('text', 'expected'),
+    [
+        ('[{name: a, value: 1}, {value: x y, name: b}]', [('a', 1), ('b', 'x y')]),
+        ('[{name: a}]', None),
+        ('[name, value]', None),
+        ('[{name: a, value: 1}, {name: a, value: 1, type: str}]', None),
+        ('[{name: 1, value: 1}]', None),
+        ('[{name: a, value: [1]}]', None),
+        ('[]', None),
+        ('{name: a, value: 1}', None),
+    ],
+)
 def test_children_are_plain_pairs_when_there_is_nothing_else(text, expected):
     pairs = entity(f'{{param: {text}}}').plain_pairs('param', 'name', 'value', is_typed=True)
     assert (pairs and [pair[:2] for pair in pairs]) == expected

@@ -10,9 +10,42 @@ from launch_yaml.plain_reader import NotPlain, read_plain
 from launch_yaml.reader import read
 
 PIECES = (
-    '- ', '-', ' ', '  ', '\n', '\n', '\n', 'node:', 'key: ', 'a', 'x y', '1', '007', '-1.5', 'true', 'on', 'null', '# c', ':', '{', '}',
-    '{a: b}', '{a: 1, b: "q, r"}', "{a: 1, b: 'q'}", '{a: 1,b: 2}', '{a: x, }', '{a:  b}', '{on: 1}', '{a: 1, a: 2}', '{a: $(var x)}',
-    '"s"', "'t'", 'name:', 'list:', ', ', 'b: ',
+    '- ',
+    '-',
+    ' ',
+    '  ',
+    '\n',
+    '\n',
+    '\n',
+    'node:',
+    'key: ',
+    'a',
+    'x y',
+    '1',
+    '007',
+    '-1.5',
+    'true',
+    'on',
+    'null',
+    '# c',
+    ':',
+    '{',
+    '}',
+    '{a: b}',
+    '{a: 1, b: "q, r"}',
+    "{a: 1, b: 'q'}",
+    '{a: 1,b: 2}',
+    '{a: x, }',
+    '{a:  b}',
+    '{on: 1}',
+    '{a: 1, a: 2}',
+    '{a: $(var x)}',
+    '"s"',
+    "'t'",
+    'name:',
+    'list:',
+    ', ',
+    'b: ',
 )
 
 
@@ -35,14 +68,20 @@ def test_both_read_the_same(text):
     assert lines(plain) == lines(slow)
 
 
-@pytest.mark.parametrize('text', [
-    'launch:\n- node:\n    pkg: a\n    param:\n    - {name: x, value: 1}\n    - {name: z, value: "a, b"}\n',
-    '# a comment\n\na: true\nb:\n  - 1\n  - two words\n'])
+@pytest.mark.parametrize(
+    'text',
+    [
+        'launch:\n- node:\n    pkg: a\n    param:\n    - {name: x, value: 1}\n    - {name: z, value: "a, b"}\n',
+        '# a comment\n\na: true\nb:\n  - 1\n  - two words\n',
+    ],
+)
 def test_usual_files_are_plain(text):
     assert read_plain(text) == yaml.safe_load(text)
 
 
-@pytest.mark.parametrize('text', ['a: {b: 1', 'a: {b: 1,c: 2}', 'a: {b: 1} # c', 'a: {y: 1}', 'a: {b}', 'a: {}', 'a: {b: {c: 1}}', 'a: {b: }'])
+@pytest.mark.parametrize(
+    'text', ['a: {b: 1', 'a: {b: 1,c: 2}', 'a: {b: 1} # c', 'a: {y: 1}', 'a: {b}', 'a: {}', 'a: {b: {c: 1}}', 'a: {b: }']
+)
 def test_what_is_not_certain_is_left_to_libyaml(text):
     with pytest.raises(NotPlain):
         read_plain(text)

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
-    f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n'
-    for before, name in zip('abcdefgh', 'bcdefghi', strict=True)
+    f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n' for before, name in zip('abcdefgh', 'bcdefghi', strict=True)
 )
 
 
@@ -61,7 +60,11 @@ def depth_of(node):
 
 
 @settings(max_examples=400, deadline=None)
-@given(st.lists(st.sampled_from([*'[]{}#,a"\'', '\n', '\n ', '\n  ', '\r', ': ', '- ', '? ', 'a]]]: [', 'a:\n- ']), max_size=30).map(''.join))
+@given(
+    st.lists(st.sampled_from([*'[]{}#,a"\'', '\n', '\n ', '\n  ', '\r', ': ', '- ', '? ', 'a]]]: [', 'a:\n- ']), max_size=30).map(
+        ''.join
+    )
+)
 def test_the_quick_bound_of_the_depth_is_never_below_it(text):
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
@@ -74,9 +77,7 @@ def test_a_wide_text_is_not_mistaken_for_a_deep_one():
     assert len(read('[' + '[a], ' * SAFE_DEPTH + ']')) == SAFE_DEPTH
 
 
-@pytest.mark.parametrize(
-    'text', [BOMB, BOMB.replace('[', '{<<: [').replace(']', ']}').replace('x', '{k: 1}')]
-)
+@pytest.mark.parametrize('text', [BOMB, BOMB.replace('[', '{<<: [').replace(']', ']}').replace('x', '{k: 1}')])
 def test_aliases_cannot_multiply_the_text(text):
     with pytest.raises(ValueError, match='aliases multiply the text'):
         read(text)
@@ -117,12 +118,22 @@ def test_what_was_written_is_read(value, flow):
     assert read(yaml.safe_dump(value, default_flow_style=flow)) == value
 
 
-@pytest.mark.parametrize(('text', 'message'), [
-    ('launch:\n\t- log: {}\n', "while scanning for the next token\nfound character '\\t' that cannot start any token\n"
-                               '  in "/p/a.launch.yaml", line 2, column 1'),
-    ('launch:\n - a: {b: c\n', 'while parsing a flow mapping\n  in "/p/a.launch.yaml", line 2, column 7\n'
-                               'expected \',\' or \'}\', but got \'<stream end>\'\n  in "/p/a.launch.yaml", line 3, column 1'),
-    ('launch: !odd x\n', "could not determine a constructor for the tag '!odd'\n  in \"/p/a.launch.yaml\", line 1, column 9")])
+@pytest.mark.parametrize(
+    ('text', 'message'),
+    [
+        (
+            'launch:\n\t- log: {}\n',
+            "while scanning for the next token\nfound character '\\t' that cannot start any token\n"
+            '  in "/p/a.launch.yaml", line 2, column 1',
+        ),
+        (
+            'launch:\n - a: {b: c\n',
+            'while parsing a flow mapping\n  in "/p/a.launch.yaml", line 2, column 7\n'
+            "expected ',' or '}', but got '<stream end>'\n  in \"/p/a.launch.yaml\", line 3, column 1",
+        ),
+        ('launch: !odd x\n', 'could not determine a constructor for the tag \'!odd\'\n  in "/p/a.launch.yaml", line 1, column 9'),
+    ],
+)
 def test_errors_of_a_file_are_those_of_pyyaml_s_own_reader(text, message):
     with pytest.raises(yaml.YAMLError) as caught:
         read_file(text, '/p/a.launch.yaml')

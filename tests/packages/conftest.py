@@ -10,9 +10,7 @@ import pytest
 
 from edulaunch.packages import Index
 
-PACKAGE_XML = (
-    '<package format="3"><name>{name}</name><export><build_type>{build}</build_type></export></package>\n'
-)
+PACKAGE_XML = '<package format="3"><name>{name}</name><export><build_type>{build}</build_type></export></package>\n'
 SETUP_CFG = '[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n'
 
 Build = Callable[..., Index]
@@ -50,12 +48,7 @@ class Workspace:
         return self.files({f'{base}/{path.replace("__", "/")}': text for path, text in files.items()})
 
     def cmake_package(self, name: str, lists: str, files: dict[str, str] | None = None) -> Workspace:
-        self.files(
-            {
-                f'{name}/package.xml': PACKAGE_XML.format(name=name, build='ament_cmake'),
-                f'{name}/CMakeLists.txt': lists,
-            }
-        )
+        self.files({f'{name}/package.xml': PACKAGE_XML.format(name=name, build='ament_cmake'), f'{name}/CMakeLists.txt': lists})
         return self.files({f'{name}/{path}': text for path, text in (files or {}).items()})
 
     def index(self) -> Index:

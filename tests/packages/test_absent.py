@@ -1,4 +1,5 @@
 """Well-known packages that are not here."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -9,10 +10,18 @@ from edulaunch.packages import Index
 from edulaunch.packages.absent import absent_kind
 
 
-@pytest.mark.parametrize(('package', 'kind'), [
-    ('gazebo_ros', 'Gazebo'), ('nav2_map_server', 'Navigation 2'), ('rqt_graph', 'windows'), ('xacro', 'robot descriptions'),
-    ('turtlesim', None), ('my_nav2_bringup', None), ('', None),
-])
+@pytest.mark.parametrize(
+    ('package', 'kind'),
+    [
+        ('gazebo_ros', 'Gazebo'),
+        ('nav2_map_server', 'Navigation 2'),
+        ('rqt_graph', 'windows'),
+        ('xacro', 'robot descriptions'),
+        ('turtlesim', None),
+        ('my_nav2_bringup', None),
+        ('', None),
+    ],
+)
 def test_an_absent_package_belongs_to_something(package: str, kind: str | None) -> None:
     assert absent_kind(package) == kind
 

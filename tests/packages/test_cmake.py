@@ -20,14 +20,8 @@ FILES = {
 @pytest.mark.parametrize(
     ('install', 'expected'),
     [
-        (
-            'install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})',
-            ['launch/a.launch.py', 'launch/sub/b.launch.xml'],
-        ),
-        (
-            'install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME}/)',
-            ['a.launch.py', 'sub/b.launch.xml'],
-        ),
+        ('install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})', ['launch/a.launch.py', 'launch/sub/b.launch.xml']),
+        ('install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME}/)', ['a.launch.py', 'sub/b.launch.xml']),
         (
             'install(DIRECTORY\n  launch\n  config  # both\n  DESTINATION share/${PROJECT_NAME}\n)',
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
@@ -37,10 +31,7 @@ FILES = {
             ['launch/z.launch.py'],
         ),
         (
-            (
-                'file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION '
-                'share/${PROJECT_NAME}/config)'
-            ),
+            ('file(GLOB FOUND "config/*.yaml")\ninstall(FILES ${FOUND} DESTINATION share/${PROJECT_NAME}/config)'),
             ['config/p.yaml'],
         ),
         (
@@ -50,10 +41,7 @@ FILES = {
             ),
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
         ),
-        (
-            'install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py")',
-            ['launch/a.launch.py'],
-        ),
+        ('install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py")', ['launch/a.launch.py']),
         ('install(DIRECTORY launch DESTINATION share/robo PATTERN "sub" EXCLUDE)', ['launch/a.launch.py']),
         ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
         (
@@ -63,13 +51,7 @@ FILES = {
             ),
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
         ),
-        (
-            (
-                'if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION '
-                'share/robo)\nendif()'
-            ),
-            [],
-        ),
+        (('if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION share/robo)\nendif()'), []),
         ('#[[ install(DIRECTORY config DESTINATION share/robo) ]]', []),
     ],
 )
@@ -80,9 +62,7 @@ def test_install_rules_are_followed(workspace: Any, install: str, expected: list
 
 
 def test_installed_programs_are_scripts_that_keep_their_source_file(workspace: Any) -> None:
-    workspace.cmake_package(
-        'robo', 'project(robo)\ninstall(PROGRAMS scripts/node.py DESTINATION lib/${PROJECT_NAME})', FILES
-    )
+    workspace.cmake_package('robo', 'project(robo)\ninstall(PROGRAMS scripts/node.py DESTINATION lib/${PROJECT_NAME})', FILES)
     index = workspace.index()
     program = index.find_program(f'{index.prefix("robo")}/lib/robo/node.py')
     assert (program.kind, program.file) == ('script', str(workspace.path / 'robo' / 'scripts' / 'node.py'))
@@ -107,16 +87,13 @@ def test_only_listed_interfaces_are_generated(workspace: Any) -> None:
 
 
 def test_a_python_library_of_a_cmake_package_can_be_imported(workspace: Any) -> None:
-    workspace.cmake_package(
-        'robo', 'project(robo)\nament_python_install_package(${PROJECT_NAME})', {'robo/__init__.py': ''}
-    )
+    workspace.cmake_package('robo', 'project(robo)\nament_python_install_package(${PROJECT_NAME})', {'robo/__init__.py': ''})
     assert workspace.index().python_modules() == {'robo': str(workspace.path / 'robo' / 'robo')}
 
 
 def test_native_executables_are_known_but_not_offered(workspace: Any) -> None:
     workspace.cmake_package(
-        'robo',
-        'project(robo)\n\nadd_executable(drive src/d.cpp)\ninstall(TARGETS drive DESTINATION lib/robo)',
+        'robo', 'project(robo)\n\nadd_executable(drive src/d.cpp)\ninstall(TARGETS drive DESTINATION lib/robo)'
     )
     index = workspace.index()
     assert index.executables('robo') == []
@@ -126,20 +103,14 @@ def test_native_executables_are_known_but_not_offered(workspace: Any) -> None:
 @pytest.mark.parametrize(
     ('line', 'sentence'),
     [
-        (
-            'install(FILES none.yaml DESTINATION share/robo)',
-            'none.yaml is not there, so the package does not build',
-        ),
+        ('install(FILES none.yaml DESTINATION share/robo)', 'none.yaml is not there, so the package does not build'),
         ('install(DIRECTORY maps DESTINATION share/robo)', 'there is no folder maps/ to install'),
         (
             'install(FILES ${GENERATED} DESTINATION share/robo)',
             'uses ${GENERATED}, whose value is not known without running CMake',
         ),
         ('install(DIRECTORY launch)', 'install(DIRECTORY ...) has no DESTINATION'),
-        (
-            'rosidl_generate_interfaces(other "msg/Num.msg")',
-            'rosidl_generate_interfaces(other ...) must name the package, robo',
-        ),
+        ('rosidl_generate_interfaces(other "msg/Num.msg")', 'rosidl_generate_interfaces(other ...) must name the package, robo'),
     ],
 )
 def test_what_cannot_be_built_is_a_warning_with_its_line(workspace: Any, line: str, sentence: str) -> None:

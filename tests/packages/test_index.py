@@ -71,9 +71,7 @@ def test_nothing_is_made_before_a_package_is_asked_for_and_nothing_stays(workspa
     assert not os.path.exists(prefix)
 
 
-def test_the_prefix_of_a_workspace_has_the_same_path_in_every_run_and_serves_two_indexes(
-    workspace: Any,
-) -> None:
+def test_the_prefix_of_a_workspace_has_the_same_path_in_every_run_and_serves_two_indexes(workspace: Any) -> None:
     first, second = two_packages(workspace).index(), workspace.index()
     share = first.share('alpha')
     assert second.share('alpha') == share
@@ -136,10 +134,7 @@ def test_of_two_packages_with_one_name_the_first_is_used_and_the_other_named(wor
     workspace.files({'src/one/launch/a.launch.py': ''})
     assert workspace.installed('alpha') == ['launch/a.launch.py', 'package.xml']
     assert workspace.warnings('alpha') == [
-        (
-            "src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon "
-            'refuses duplicate names'
-        )
+        ("src/two/package.xml: there is a package 'alpha' in src/one/ already, which is used; colcon refuses duplicate names")
     ]
 
 
@@ -157,13 +152,18 @@ def test_links_to_packages_are_followed_and_no_package_is_found_twice(workspace:
     os.symlink(workspace.path / 'src' / 'zeta', workspace.path / 'src' / 'a_link')
     index = workspace.index()
     assert [index.source_folder(name) for name in index.packages()] == [
-        str(workspace.path / 'src' / 'linked' / 'alpha'), str(workspace.path / 'src' / 'zeta')]
+        str(workspace.path / 'src' / 'linked' / 'alpha'),
+        str(workspace.path / 'src' / 'zeta'),
+    ]
     assert index.warnings == ()
 
 
 def test_built_in_programs_stand_in_for_those_that_a_workspace_would_build_from_cpp(workspace: Any) -> None:
-    workspace.cmake_package('turtlesim', 'project(turtlesim)\nadd_executable(turtlesim_node a.cpp)\n'
-                            'add_executable(own_node b.cpp)\ninstall(TARGETS turtlesim_node own_node DESTINATION lib/turtlesim)')
+    workspace.cmake_package(
+        'turtlesim',
+        'project(turtlesim)\nadd_executable(turtlesim_node a.cpp)\n'
+        'add_executable(own_node b.cpp)\ninstall(TARGETS turtlesim_node own_node DESTINATION lib/turtlesim)',
+    )
     index = Index(workspaces=[workspace.path])
     path = index.find_executable('turtlesim', 'turtlesim_node')
     assert path is not None and path.startswith(index.search_paths()[0]) and index.executables('turtlesim') == ['turtlesim_node']
@@ -171,7 +171,8 @@ def test_built_in_programs_stand_in_for_those_that_a_workspace_would_build_from_
     assert program is not None and program.path == path and program.kind == 'entry_point'
     assert [str(warning) for warning in index.warnings] == [
         f'{workspace.path}/turtlesim/CMakeLists.txt:2: turtlesim_node is built from C++, which does not run here; '
-        'the built-in turtlesim has it and is used']
+        'the built-in turtlesim has it and is used'
+    ]
 
 
 def test_the_packages_of_ros_that_are_only_modules_are_packages_too() -> None:
@@ -184,10 +185,7 @@ def test_the_packages_of_ros_that_are_only_modules_are_packages_too() -> None:
     [
         (
             '<package>\n<name>alpha</name>\n',
-            (
-                ':3: this is not well-formed XML (no element found: line 3, column 0), '
-                'so colcon skips the package'
-            ),
+            (':3: this is not well-formed XML (no element found: line 3, column 0), so colcon skips the package'),
         ),
         ('<package/>', ": has no usable <name> inside <package> (found ''), so colcon skips the package"),
     ],
@@ -201,12 +199,12 @@ def test_a_broken_package_xml_is_a_warning(workspace: Any, text: str, sentence: 
 
 def test_questions_about_unknown_packages_have_empty_answers(workspace: Any) -> None:
     index = two_packages(workspace).index()
-    assert (
-        index.prefix('x'),
-        index.share('x'),
-        index.executables('x'),
-        index.find_executable('alpha', 'x'),
-    ) == (None, None, [], None)
+    assert (index.prefix('x'), index.share('x'), index.executables('x'), index.find_executable('alpha', 'x')) == (
+        None,
+        None,
+        [],
+        None,
+    )
     assert index.find_program('ls') is None
     assert index.find_program('/usr/bin/ls') is None
 

@@ -52,21 +52,13 @@ def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, 
         # a list that grows
         HEAD + "data = [('share/' + package_name, ['package.xml'])]\n"
         "data.append(('share/robo/launch', glob('launch/*.xml')))\nsetup(name='robo', data_files=data)",
-        HEAD
-        + (
-            "data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', "
-            'data_files=data)'
-        ),
+        HEAD + ("data = []\ndata += [('share/robo/launch', glob('launch/*.xml'))]\nsetup(name='robo', data_files=data)"),
         # a function of the file's own
         HEAD + 'def files(folder):\n    found = []\n    for path, _, names in os.walk(folder):\n'
         "        for name in names:\n            if name.endswith('.xml'):\n"
         "                found.append(('share/robo/' + path, [os.path.join(path, name)]))\n    return found\n"
         "setup(name='robo', data_files=[*files('launch')])",
-        HEAD
-        + (
-            "options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', "
-            '**options)'
-        ),
+        HEAD + ("options = dict(data_files=[('share/robo/launch', ['launch/c.launch.xml'])])\nsetup(name='robo', **options)"),
         (
             'import setuptools, pathlib\nhere = pathlib.Path("launch")\n'
             'setuptools.setup(data_files=[("share/robo/launch", [str(here / "c.launch.xml")])])'
@@ -86,7 +78,8 @@ def test_common_spellings_of_data_files_install_the_launch_file(workspace: Any, 
         "                out.append((str(Path('share') / name / f.parent), [str(f)]))\n    return out\n"
         "setup(name=name, data_files=[*tree('launch', 'config', end='.xml', verbose=True)])",
         # lambdas
-        HEAD + "xml = lambda folder: list(filter(lambda f: f.endswith('xml'), map(lambda f: folder + '/' + f, os.listdir(folder))))\n"
+        HEAD
+        + "xml = lambda folder: list(filter(lambda f: f.endswith('xml'), map(lambda f: folder + '/' + f, os.listdir(folder))))\n"
         "setup(name='robo', data_files=[('share/robo/launch', xml('launch'))])",
     ],
 )
@@ -132,9 +125,7 @@ def test_console_scripts_become_entry_points(workspace: Any, entry_points: str) 
 
 
 def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_why(workspace: Any) -> None:
-    workspace.python_package(
-        'robo', setup_with(entry_points="{'console_scripts': ['talk = robo.talker:main']}")
-    )
+    workspace.python_package('robo', setup_with(entry_points="{'console_scripts': ['talk = robo.talker:main']}"))
     workspace.files({'robo/setup.cfg': '[develop]\nscript_dir=$base/lib/robo\n'})
     assert workspace.index().executables('robo') == []
     assert workspace.warnings('robo') == [
@@ -151,10 +142,7 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
     [
         (
             {'data_files': "[('share/robo/launch', ['launch/none.py'])]"},
-            (
-                "data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy "
-                "'launch/none.py'\")"
-            ),
+            ("data_files lists 'launch/none.py', which is not there (a build stops with \"can't copy 'launch/none.py'\")"),
         ),
         (
             {'data_files': "[('share/robo', ['launch'])]"},
@@ -163,10 +151,7 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
                 "(a build stops with \"can't copy 'launch'\")"
             ),
         ),
-        (
-            {'data_files': "['share/robo']"},
-            "data_files holds 'share/robo'; a pair (folder, [files]) was expected",
-        ),
+        ({'data_files': "['share/robo']"}, "data_files holds 'share/robo'; a pair (folder, [files]) was expected"),
         (
             {'entry_points': "{'console_scripts': ['talk = robo.talker']}"},
             "console_scripts has 'talk = robo.talker'; 'executable = package.module:function' was expected",
@@ -174,9 +159,7 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
         ({'py_modules': '[]', 'scripts': "['bin/x']"}, "scripts= lists 'bin/x', which is not there"),
     ],
 )
-def test_what_a_build_would_reject_is_a_warning_with_its_line(
-    workspace: Any, keywords: dict[str, str], sentence: str
-) -> None:
+def test_what_a_build_would_reject_is_a_warning_with_its_line(workspace: Any, keywords: dict[str, str], sentence: str) -> None:
     workspace.python_package('robo', setup_with(**keywords)).files(LAUNCH)
     assert workspace.warnings('robo') == [f'robo/setup.py:6: {sentence}']
 
@@ -207,9 +190,7 @@ def test_find_packages_looks_for_init_files_and_package_dir_moves_the_root(works
             'robo/src/plain/x.py': '',
         }
     )
-    assert workspace.index().python_modules() == {
-        'robo_lib': str(workspace.path / 'robo' / 'src' / 'robo_lib')
-    }
+    assert workspace.index().python_modules() == {'robo_lib': str(workspace.path / 'robo' / 'src' / 'robo_lib')}
 
 
 def test_an_endless_loop_is_not_followed_for_ever(workspace: Any) -> None:
@@ -271,7 +252,7 @@ def test_a_mistake_in_setup_cfg_is_told_there_and_setup_stands_above_it(workspac
     workspace.python_package('robo', setup_with()).files({'robo/setup.cfg': wrong})
     assert workspace.warnings('robo') == [
         "robo/setup.cfg: data_files lists 'launch/b.launch.py', which is not there "
-        '(a build stops with "can\'t copy \'launch/b.launch.py\'")',
+        "(a build stops with \"can't copy 'launch/b.launch.py'\")"
     ]
 
 

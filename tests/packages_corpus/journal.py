@@ -1,4 +1,5 @@
 """What a run of a corpus package did, as lines of (simulated time, who, what) in the order in which it happened."""
+
 from __future__ import annotations
 
 import re
@@ -9,7 +10,9 @@ import edulaunch
 
 from .cases import CASES, CORPUS
 
-QUIET = re.compile(r'\[INFO\] \[launch\]: (Default|All log)|\[(?!(?:INFO|WARNING|ERROR)\])[^\]]+-\d+\] |\[INFO\] .*process started')
+QUIET = re.compile(
+    r'\[INFO\] \[launch\]: (Default|All log)|\[(?!(?:INFO|WARNING|ERROR)\])[^\]]+-\d+\] |\[INFO\] .*process started'
+)
 INSTALLED = re.compile(r'/\S+/lib/(\w+)/')
 PARAMS = re.compile(r'/\S+/launch_params_\w+')
 LOG_LINE = re.compile(r'\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[\d+\.\d+\] (.*)', re.DOTALL)
@@ -18,7 +21,9 @@ LOG_LINE = re.compile(r'\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[\d+\.\d+\] (.*)', re
 def run_case(name: str, seed: int = 0) -> edulaunch.Recording:
     """Run the package's launch file as its case says."""
     case = CASES[name]
-    with edulaunch.Session(seed=seed, workspaces=[CORPUS / name], stdin=case.stdin, env={'USER': 'student', 'PATH': '/usr/bin:/bin'}) as session:
+    with edulaunch.Session(
+        seed=seed, workspaces=[CORPUS / name], stdin=case.stdin, env={'USER': 'student', 'PATH': '/usr/bin:/bin'}
+    ) as session:
         launch = session.launch(case.package or name, case.file, case.arguments)
         session.run(case.duration_s)
         launch.raise_error()

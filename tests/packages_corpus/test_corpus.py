@@ -1,4 +1,5 @@
 """Every package of the corpus does here, second by second, what it does with ROS 2; and the same again in every run."""
+
 from __future__ import annotations
 
 import os
@@ -32,7 +33,7 @@ def expected(name: str) -> list[str]:
 def with_wildcards(lines: list[str], wanted: list[str]) -> list[str]:
     """A wanted line that ends with ` ...` fits every line that begins so (texts that differ between Python versions)."""
     fits = [want.endswith(' ...') and line.startswith(want[:-4]) for line, want in zip(lines, wanted, strict=False)]
-    return [want if fit else line for line, want, fit in zip(lines, wanted, fits, strict=False)] + lines[len(fits):]
+    return [want if fit else line for line, want, fit in zip(lines, wanted, fits, strict=False)] + lines[len(fits) :]
 
 
 @pytest.mark.parametrize('name', CASES)
@@ -49,8 +50,13 @@ def test_every_package_is_run_and_every_expectation_is_used() -> None:
 def start(hash_seed: str, folder: Path) -> subprocess.Popen[str]:
     """Run the whole corpus in a process with a temporary folder of its own, as on another machine."""
     program = PROGRAM.format(root=str(HERE.parents[1]), seeds=(0, 1))
-    return subprocess.Popen([sys.executable, '-c', program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                            env={**os.environ, 'PYTHONHASHSEED': hash_seed, 'TMPDIR': str(folder)})
+    return subprocess.Popen(
+        [sys.executable, '-c', program],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        env={**os.environ, 'PYTHONHASHSEED': hash_seed, 'TMPDIR': str(folder)},
+    )
 
 
 @pytest.fixture(scope='module')

@@ -1,4 +1,5 @@
 """Every name that the counted repositories import from rclpy, tf2, message_filters or an interface package is there."""
+
 from __future__ import annotations
 
 import re
@@ -8,9 +9,29 @@ from pathlib import Path
 import pytest
 
 TABLES = Path(__file__).resolve().parents[3] / 'shared' / 'reference' / 'api_in_the_wild.md'
-OURS = ('rclpy', 'tf2_ros', 'tf2_py', 'tf2_geometry_msgs', 'tf_transformations', 'message_filters', 'geometry_msgs', 'std_msgs',
-        'std_srvs', 'sensor_msgs', 'nav_msgs', 'turtlesim', 'example_interfaces', 'rcl_interfaces', 'lifecycle_msgs', 'tf2_msgs',
-        'builtin_interfaces', 'visualization_msgs', 'trajectory_msgs', 'action_msgs', 'shape_msgs')
+OURS = (
+    'rclpy',
+    'tf2_ros',
+    'tf2_py',
+    'tf2_geometry_msgs',
+    'tf_transformations',
+    'message_filters',
+    'geometry_msgs',
+    'std_msgs',
+    'std_srvs',
+    'sensor_msgs',
+    'nav_msgs',
+    'turtlesim',
+    'example_interfaces',
+    'rcl_interfaces',
+    'lifecycle_msgs',
+    'tf2_msgs',
+    'builtin_interfaces',
+    'visualization_msgs',
+    'trajectory_msgs',
+    'action_msgs',
+    'shape_msgs',
+)
 
 
 def imports() -> list[tuple[str, str]]:

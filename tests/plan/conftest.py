@@ -67,12 +67,7 @@ class Places:
         """The plan with its paths as the README writes them."""
         text = json.dumps(plan)
         final = index.search_paths()[0]
-        for path, name in (
-            (self.standin, '@STANDIN'),
-            (self.stage1, '@STAGE1'),
-            (final, '@FINAL'),
-            (FILES, '@FILES'),
-        ):
+        for path, name in ((self.standin, '@STANDIN'), (self.stage1, '@STAGE1'), (final, '@FINAL'), (FILES, '@FILES')):
             text = text.replace(str(path), name)
         text = re.sub(r'[^" ]*/placeholders-[0-9a-f]{8}', '@FAKEPKGS', text)
         text = re.sub(r'[^" ]*/launch_params_\w+', '@PARAMS', text)

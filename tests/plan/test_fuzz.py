@@ -1,4 +1,5 @@
 """Whatever a launch file or a parameter file holds: there is a plan, or one of our errors."""
+
 from __future__ import annotations
 
 import io
@@ -41,10 +42,36 @@ def generate_launch_description():
         ExecuteProcess(cmd=['echo', PythonExpression(["'", LaunchConfiguration('who'), "' == 'me'"])], additional_env={'A': 'b'}),
     ])
 """
-TOKENS = [token.string for token in tokenize.generate_tokens(io.StringIO(FILE).readline)
-          if token.type in (tokenize.NAME, tokenize.STRING, tokenize.OP, tokenize.NUMBER)]
-WORDS = st.one_of(st.sampled_from(sorted(set(TOKENS))), st.sampled_from(
-    ['None', '3', '-1.5', '[]', '{}', 'lambda: 0', 'object()', "'$(var x)'", "b'x'", '(', ']', ',', '...', 'nan', "'\\0'", 'print', '*', 'len']))
+TOKENS = [
+    token.string
+    for token in tokenize.generate_tokens(io.StringIO(FILE).readline)
+    if token.type in (tokenize.NAME, tokenize.STRING, tokenize.OP, tokenize.NUMBER)
+]
+WORDS = st.one_of(
+    st.sampled_from(sorted(set(TOKENS))),
+    st.sampled_from(
+        [
+            'None',
+            '3',
+            '-1.5',
+            '[]',
+            '{}',
+            'lambda: 0',
+            'object()',
+            "'$(var x)'",
+            "b'x'",
+            '(',
+            ']',
+            ',',
+            '...',
+            'nan',
+            "'\\0'",
+            'print',
+            '*',
+            'len',
+        ]
+    ),
+)
 INDEX = index_for([])
 ADDRESS = re.compile('0x[0-9a-f]{4,}')
 
@@ -72,7 +99,7 @@ def changed_files(draw: st.DrawFn) -> str:
         places = [match for match in re.finditer(r"'[^'\n]*'|\w+|[^\w\s]", text) if match.start() > FILE.index('def later')]
         place = draw(st.sampled_from(places))
         word = draw(st.one_of(WORDS, st.just(''), st.just(place.group() + ' ' + place.group())))
-        text = text[:place.start()] + word + text[place.end():]
+        text = text[: place.start()] + word + text[place.end() :]
     return text
 
 
@@ -94,8 +121,31 @@ def changed_parameters(draw: st.DrawFn) -> bytes:
     for _ in range(draw(st.integers(1, 4))):
         start = draw(st.integers(0, len(data)))
         stop = draw(st.integers(start, min(len(data), start + 12)))
-        piece = draw(st.one_of(st.binary(max_size=4), st.sampled_from(
-            [b'&a', b'*a', b'- ', b': ', b'\n', b'  ', b'\t', b'[', b'}', b'!!python/object', b'.nan', b'1e999', b'~', b'<<: *a', b'? ', b'|\n'])))
+        piece = draw(
+            st.one_of(
+                st.binary(max_size=4),
+                st.sampled_from(
+                    [
+                        b'&a',
+                        b'*a',
+                        b'- ',
+                        b': ',
+                        b'\n',
+                        b'  ',
+                        b'\t',
+                        b'[',
+                        b'}',
+                        b'!!python/object',
+                        b'.nan',
+                        b'1e999',
+                        b'~',
+                        b'<<: *a',
+                        b'? ',
+                        b'|\n',
+                    ]
+                ),
+            )
+        )
         data = data[:start] + piece + data[stop:]
     return data
 
@@ -105,9 +155,11 @@ def changed_parameters(draw: st.DrawFn) -> bytes:
 def test_a_parameter_file_with_mistakes_gives_a_plan_or_an_error(folder: Path, data: bytes) -> None:
     (folder / 'p.yaml').write_bytes(data)
     path = folder / 'node.launch.py'
-    path.write_text('from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
-                    'def generate_launch_description():\n    return LaunchDescription([Node(package="turtlesim", name="sim", '
-                    f'namespace="ns", executable="turtlesim_node", parameters=[{str(folder / "p.yaml")!r}])])\n')
+    path.write_text(
+        'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
+        'def generate_launch_description():\n    return LaunchDescription([Node(package="turtlesim", name="sim", '
+        f'namespace="ns", executable="turtlesim_node", parameters=[{str(folder / "p.yaml")!r}])])\n'
+    )
     planned(path)
 
 

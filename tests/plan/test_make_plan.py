@@ -85,10 +85,7 @@ def test_plain_commands_end_before_nodes_each_in_the_order_they_started(plan: Pl
 
 
 def test_a_required_process_ends_the_plan_with_its_reason(plan: Plan) -> None:
-    found = plan(
-        "    return [run('a', on_exit=Shutdown(reason='a is gone')), TimerAction(period=9.0, "
-        "actions=[run('late')])]"
-    )
+    found = plan("    return [run('a', on_exit=Shutdown(reason='a is gone')), TimerAction(period=9.0, actions=[run('late')])]")
     assert found['shutdown_reason'] == 'a is gone'
     assert [what for _, _, what in steps(found)] == ['a', 'late']
 
@@ -100,9 +97,7 @@ def test_a_respawning_process_does_not_keep_the_plan_alive(plan: Plan) -> None:
     assert found['shutdown_reason'] == 'idle'
 
 
-def test_nothing_is_started_and_nothing_is_printed(
-    plan: Plan, tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_nothing_is_started_and_nothing_is_printed(plan: Plan, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     found = plan(f"    print('hello')\n    return [ExecuteProcess(cmd=['touch', '{tmp_path}/made'])]")
     assert not (tmp_path / 'made').exists()
     assert capfd.readouterr() == ('', '')
@@ -129,16 +124,12 @@ def test_values_and_changes_are_noted(plan: Plan) -> None:
     )
     assert found['given'] == {'x': '5'}
     assert found['configurations'] == {'x': '5', 'global_params': [['p', 1]]}
-    assert found['arguments'] == [
-        {'choices': None, 'conditional': False, 'default': "'1'", 'description': 'an x', 'name': 'x'}
-    ]
+    assert found['arguments'] == [{'choices': None, 'conditional': False, 'default': "'1'", 'description': 'an x', 'name': 'x'}]
     assert [item for item in found['items'] if item['kind'] in ('set_env', 'set_parameter')] == [
         {'kind': 'set_env', 'name': 'E', 'phase': 'launch', 'value': '5'},
         {'kind': 'set_parameter', 'name': 'p', 'phase': 'launch', 'value': 1},
     ]
-    assert [item['env_changes'] for item in found['items'] if item['kind'] == 'process'] == [
-        {'E': '5', 'F': 'f'}
-    ]
+    assert [item['env_changes'] for item in found['items'] if item['kind'] == 'process'] == [{'E': '5', 'F': 'f'}]
 
 
 def test_an_error_has_its_type_text_place_and_help(plan: Plan, tmp_path: Path) -> None:
@@ -155,8 +146,7 @@ def test_an_error_has_its_type_text_place_and_help(plan: Plan, tmp_path: Path) -
 
 def test_with_assumed_packages_nothing_is_missing_and_no_executable_is_looked_up(plan: Plan) -> None:
     found = plan(
-        "    return [Node(package='nowhere', executable='x'), Node(package='turtlesim', executable='y')]",
-        assume_packages=True,
+        "    return [Node(package='nowhere', executable='x'), Node(package='turtlesim', executable='y')]", assume_packages=True
     )
     assert found['error'] is None
     assert [item['cmd'][0].rsplit('/', 3)[1:] for item in found['items'] if item['kind'] == 'node'] == [
@@ -186,9 +176,7 @@ def test_malformed_arguments_are_refused_as_by_ros2_launch(plan: Plan, text: str
 
 
 def test_a_plan_repeats_byte_for_byte(plan: Plan) -> None:
-    body = (
-        "    return [Node(package='turtlesim', executable='turtlesim_node', parameters=[{'a': 1}, {'a': 1}])]"
-    )
+    body = "    return [Node(package='turtlesim', executable='turtlesim_node', parameters=[{'a': 1}, {'a': 1}])]"
     assert repr(plan(body)) == repr(plan(body))
 
 
@@ -203,11 +191,21 @@ def test_an_event_of_one_process_is_no_question_to_the_others(plan: Plan, monkey
     assert asked.count('launch.events.process.ProcessExited') <= 2 * 40
 
 
-@pytest.mark.parametrize(('body', 'after'), [
-    ('    def again(context):\n        return [TimerAction(period=1.0, actions=[OpaqueFunction(function=again)])]\n'
-     '    return [OpaqueFunction(function=again)]', '2001'),
-    ('    async def wait(context):\n        import asyncio\n        while True:\n            await asyncio.sleep(0.5)\n'
-     '    return [OpaqueCoroutine(coroutine=wait)]', '1000.5')])
+@pytest.mark.parametrize(
+    ('body', 'after'),
+    [
+        (
+            '    def again(context):\n        return [TimerAction(period=1.0, actions=[OpaqueFunction(function=again)])]\n'
+            '    return [OpaqueFunction(function=again)]',
+            '2001',
+        ),
+        (
+            '    async def wait(context):\n        import asyncio\n        while True:\n            await asyncio.sleep(0.5)\n'
+            '    return [OpaqueCoroutine(coroutine=wait)]',
+            '1000.5',
+        ),
+    ],
+)
 def test_what_goes_on_without_end_is_an_error_with_its_place(plan: Plan, tmp_path: Path, body: str, after: str) -> None:
     error = plan(body)['error']
     assert error['text'] == f'the launch file goes on without end: after {after} simulated seconds it still does something'
@@ -217,19 +215,24 @@ def test_what_goes_on_without_end_is_an_error_with_its_place(plan: Plan, tmp_pat
 
 def test_a_handler_of_its_own_events_is_silenced_and_named(plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr('edulaunch.plan.watching.MOST_REACTIONS', 50)
-    found = plan("    from launch import EventHandler\n"
-                 "    every = EventHandler(matcher=lambda event: True, entities=[LogInfo(msg='again')])\n"
-                 "    return [RegisterEventHandler(every), run('a'), TimerAction(period=1.0, actions=[])]")
+    found = plan(
+        '    from launch import EventHandler\n'
+        "    every = EventHandler(matcher=lambda event: True, entities=[LogInfo(msg='again')])\n"
+        "    return [RegisterEventHandler(every), run('a'), TimerAction(period=1.0, actions=[])]"
+    )
     assert 40 < sum(item['kind'] == 'log' for item in found['items']) <= 51
     assert found['error']['text'].startswith('the launch file goes on without end')
-    assert found['error']['help'].startswith(f"{found['error']['origin']} (LogInfo): a handler whose own actions cause its event")
+    assert found['error']['help'].startswith(f'{found["error"]["origin"]} (LogInfo): a handler whose own actions cause its event')
 
 
-@pytest.mark.parametrize('body', [
-    "    return [Node(package='gazebo_ros', executable='spawn_entity.py')]\n",
-    "    from launch_ros.substitutions import FindPackageShare\n    return [LogInfo(msg=FindPackageShare('gazebo_ros'))]\n",
-])
+@pytest.mark.parametrize(
+    'body',
+    [
+        "    return [Node(package='gazebo_ros', executable='spawn_entity.py')]\n",
+        "    from launch_ros.substitutions import FindPackageShare\n    return [LogInfo(msg=FindPackageShare('gazebo_ros'))]\n",
+    ],
+)
 def test_a_plan_does_not_go_on_without_well_known_packages_as_a_launch_does(plan: Plan, body: str) -> None:
     error = plan(body)['error']
-    assert error['text'].startswith('"package \'gazebo_ros\' not found, searching: ')
+    assert error['text'].startswith("\"package 'gazebo_ros' not found, searching: ")
     assert error['help'] == "the package 'gazebo_ros' (Gazebo) is not here"

@@ -1,4 +1,5 @@
 """Launch files as robots have them, with all their packages missing: the plan, and what is missing."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -11,7 +12,9 @@ ROBOTS = Path(__file__).with_name('robots')
 
 
 @pytest.mark.parametrize('name', sorted(path.name for path in ROBOTS.glob('*.launch.*') if path.suffix != '.txt'))
-def test_the_plan_of_a_robot_is_the_golden_text(name: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_plan_of_a_robot_is_the_golden_text(
+    name: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv('PATH', '/nowhere')
     for name_of_variable in ('LIDAR_MODEL', 'ACME_PORT', 'DISPLAY'):
         monkeypatch.delenv(name_of_variable, raising=False)

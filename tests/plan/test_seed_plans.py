@@ -30,9 +30,7 @@ def strict_rows() -> list[Any]:
         error = entry['strict'].get('error')
         if error is not None and any(name in error for name in ('turtlebot3_gazebo', 'tuos_simulations')):
             error = None
-        rows.append(
-            pytest.param(row['file'], entry['args'], error, id='-'.join((row['file'], *entry['args'])))
-        )
+        rows.append(pytest.param(row['file'], entry['args'], error, id='-'.join((row['file'], *entry['args']))))
     return rows
 
 
@@ -45,9 +43,7 @@ def without_places(text: str) -> str:
 
 
 @pytest.mark.parametrize(('file', 'args', 'error'), strict_rows())
-def test_without_placeholders_the_outcome_is_that_of_a_real_machine(
-    file: str, args: list[str], error: str | None
-) -> None:
+def test_without_placeholders_the_outcome_is_that_of_a_real_machine(file: str, args: list[str], error: str | None) -> None:
     plan = make_plan(FILES / file, args, Index([], [FILES]), {'USER': 'student', 'PATH': '/usr/bin:/bin'})
     found = plan['error'] and f'{plan["error"]["type"]}: {plan["error"]["text"]}'
     assert (found and without_places(found)) == (error and without_places(error))

@@ -1,4 +1,5 @@
 """The plan in words."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -32,6 +33,7 @@ def told(tmp_path: Path):
         path = tmp_path / 'my.launch.py'
         path.write_text(HEAD + body)
         return flat(told_launch(rehearse(path, given or {}, index_for([]), {}).outline))
+
     return tell
 
 
@@ -40,8 +42,11 @@ def test_a_condition_is_shown_with_its_outcome(told) -> None:
     return LaunchDescription([DeclareLaunchArgument('gui', default_value='false'),
         LogInfo(msg='yes', condition=IfCondition(LaunchConfiguration('gui'))),
         LogInfo(msg='no', condition=UnlessCondition(LaunchConfiguration('gui')))])"""
-    assert told(text) == ["argument gui = 'false'", "LogInfo 'yes'  [if LaunchConfig('gui'): not taken]",
-                          "log 'no'  [unless LaunchConfig('gui'): taken]"]
+    assert told(text) == [
+        "argument gui = 'false'",
+        "LogInfo 'yes'  [if LaunchConfig('gui'): not taken]",
+        "log 'no'  [unless LaunchConfig('gui'): taken]",
+    ]
     assert told(text, given={'gui': 'true'})[1] == "log 'yes'  [if LaunchConfig('gui'): taken]"
 
 
@@ -66,7 +71,8 @@ def test_a_parameter_comes_with_its_origin(told, tmp_path: Path) -> None:
         'node /sim: turtlesim turtlesim_node',
         '  parameter background_b = 3  (my.launch.py line 13)',
         '  parameter background_g = 1  (p.yaml line 3)',
-        '  parameter background_r = 2  (SetParameter in my.launch.py line 12)']
+        '  parameter background_r = 2  (SetParameter in my.launch.py line 12)',
+    ]
 
 
 def test_an_event_holds_what_it_leads_to_and_a_silent_handler_says_so(told) -> None:
@@ -80,7 +86,8 @@ def test_an_event_holds_what_it_leads_to_and_a_silent_handler_says_so(told) -> N
         '  when first-1 has started',
         "    log 'up'",
         'event handler OnProcessIO',
-        '  never happened here']
+        '  never happened here',
+    ]
 
 
 def test_where_launch_stopped_is_marked(told) -> None:
@@ -145,4 +152,7 @@ def test_the_parameters_of_composable_nodes_are_shown(told) -> None:
     return LaunchDescription([LoadComposableNodes(target_container='/box', composable_node_descriptions=[part])])
     """)
     assert [line.strip() for line in lines[-3:]] == [
-        'composable node /cam: image_tools image_tools::Cam2Image', 'with parameter rate = 5', "with parameter names = ['a']"]
+        'composable node /cam: image_tools image_tools::Cam2Image',
+        'with parameter rate = 5',
+        "with parameter names = ['a']",
+    ]

@@ -1,4 +1,5 @@
 """A small world in which single scripts run as processes."""
+
 from __future__ import annotations
 
 import textwrap
@@ -25,8 +26,14 @@ class ScriptIndex:
     def find_program(self, path: str) -> Program | None:
         if not path.startswith(str(self.folder)):
             return None
-        return Program(kind='script', package='scripts', executable=Path(path).name, path=path, file=path,
-                       python_roots=(str(self.folder / 'lib'),))
+        return Program(
+            kind='script',
+            package='scripts',
+            executable=Path(path).name,
+            path=path,
+            file=path,
+            python_roots=(str(self.folder / 'lib'),),
+        )
 
     def packages(self) -> dict[str, str]:
         return {}
@@ -44,8 +51,13 @@ class World:
     def __init__(self, folder: Path, seed: int = 0) -> None:
         self.folder = folder
         self.sim = Simulation(seed)
-        self.host = Host(self.sim, Graph(self.sim), ScriptIndex(folder), env={'HOME': '/home/student'},  # type: ignore[arg-type]
-                         stdin={'asks-1': 'first line\nsecond line\n'})
+        self.host = Host(
+            self.sim,
+            Graph(self.sim),
+            ScriptIndex(folder),
+            env={'HOME': '/home/student'},  # type: ignore[arg-type]
+            stdin={'asks-1': 'first line\nsecond line\n'},
+        )
         self.log: list[tuple[float, str, str]] = []
         self.codes: dict[str, int] = {}
 
@@ -59,8 +71,9 @@ class World:
         def on_output(stream: str, text: str) -> None:
             self.log.append((self.sim.elapsed_s, name, text))
 
-        process = self.host.start(ProcessSpec(argv=(script, *words), name=name, **spec), on_output,
-                                  lambda code: self.codes.__setitem__(name, code))
+        process = self.host.start(
+            ProcessSpec(argv=(script, *words), name=name, **spec), on_output, lambda code: self.codes.__setitem__(name, code)
+        )
         assert isinstance(process, Process)
         return process
 

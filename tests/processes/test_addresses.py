@@ -1,4 +1,5 @@
 """Addresses are numbered, so that recordings repeat."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -25,8 +26,10 @@ def test_other_numbers_are_left_alone() -> None:
 
 def test_a_printed_object_looks_the_same_in_every_run(world: Any) -> None:
     program = 'class A: pass\nkept = [A() for _ in range(3)]\nprint(kept[2], kept[0].__init__)\nprint(kept[0])'
-    assert world.run(program) == ('<__main__.A object at 0x7f0000000010> '
-                                  "<method-wrapper '__init__' of A object at 0x7f0000000020>\n<__main__.A object at 0x7f0000000020>\n")
+    assert world.run(program) == (
+        '<__main__.A object at 0x7f0000000010> '
+        "<method-wrapper '__init__' of A object at 0x7f0000000020>\n<__main__.A object at 0x7f0000000020>\n"
+    )
 
 
 def test_a_logged_object_too(world: Any) -> None:

@@ -1,4 +1,5 @@
 """Reading waits in simulated time: the others go on meanwhile."""
+
 from __future__ import annotations
 
 import io
@@ -20,11 +21,22 @@ def test_the_next_line_comes_at_its_time_and_others_go_on(world: Any) -> None:
     world.start(world.write('tick.py', TICKS), 'ticks-2')
     world.start(world.write('ask.py', ASKS), 'asks-1')
     world.sim.run()
-    assert told(world) == [(0.0, '? '), (0.5, 'got one\n'), (0.5, '? '), (1.0, 'tick\n'), (2.0, 'tick\n'), (2.5, 'got two\n'), (2.5, '? '),
-                           (2.5, 'EOF when reading a line\n'), (3.0, 'tick\n')]
+    assert told(world) == [
+        (0.0, '? '),
+        (0.5, 'got one\n'),
+        (0.5, '? '),
+        (1.0, 'tick\n'),
+        (2.0, 'tick\n'),
+        (2.5, 'got two\n'),
+        (2.5, '? '),
+        (2.5, 'EOF when reading a line\n'),
+        (3.0, 'tick\n'),
+    ]
 
 
-@pytest.mark.parametrize('loop', ['for line in sys.stdin:', 'for line in iter(sys.stdin.readline, ""):', 'while line := sys.stdin.readline():'])
+@pytest.mark.parametrize(
+    'loop', ['for line in sys.stdin:', 'for line in iter(sys.stdin.readline, ""):', 'while line := sys.stdin.readline():']
+)
 def test_lines_of_stdin_are_read_one_by_one(world: Any, loop: str) -> None:
     world.host._stdin['program-1'] = [(1.0, 'a\nb'), (2.0, '\n')]
     assert world.run(f'import sys, time\n{loop}\n    print(line.strip(), time.monotonic())') == 'a 1.0\nb 2.0\n'
@@ -32,7 +44,8 @@ def test_lines_of_stdin_are_read_one_by_one(world: Any, loop: str) -> None:
 
 def test_select_sees_the_next_key_when_it_is_pressed(world: Any) -> None:
     world.host._stdin['program-1'] = [(0.75, 'w'), (3.0, 'q')]
-    assert world.run("""
+    assert (
+        world.run("""
         import os, select, sys, time, tty
         tty.setcbreak(sys.stdin.fileno())
         key = ''
@@ -40,19 +53,24 @@ def test_select_sees_the_next_key_when_it_is_pressed(world: Any) -> None:
             ready, _, _ = select.select([sys.stdin], [], [], 1.0)
             key = os.read(sys.stdin.fileno(), 8).decode() if ready else ''
             print(repr(key), time.monotonic())
-        """) == "'w' 0.75\n'' 1.75\n'' 2.75\n'q' 3.0\n"
+        """)
+        == "'w' 0.75\n'' 1.75\n'' 2.75\n'q' 3.0\n"
+    )
 
 
 def test_a_keyboard_that_does_not_block_gives_nothing(world: Any) -> None:
     world.host._stdin['program-1'] = [(1.0, 'x')]
-    assert world.run("""
+    assert (
+        world.run("""
         import fcntl, os, sys, termios, time
         termios.tcsetattr(sys.stdin, termios.TCSANOW, [0, 0, 0, 0, 0, 0, [b''] * 32])
         fcntl.fcntl(sys.stdin, fcntl.F_SETFL, fcntl.fcntl(sys.stdin, fcntl.F_GETFL) | os.O_NONBLOCK)
         first = sys.stdin.read(1)
         time.sleep(1)
         print(repr(first), repr(sys.stdin.read(1)))
-        """) == "'' 'x'\n"
+        """)
+        == "'' 'x'\n"
+    )
 
 
 def test_while_a_person_types_the_others_go_on(world: Any) -> None:
@@ -75,10 +93,13 @@ def test_what_no_operating_system_knows_is_read_line_by_line(world: Any) -> None
 
 def test_a_child_reads_what_is_written_to_it(world: Any) -> None:
     script = world.write('child.py', 'import time\nfor _ in range(2):\n    print(input(), time.monotonic())\n')
-    assert world.run(f"""
+    assert (
+        world.run(f"""
         import subprocess, time
         child = subprocess.Popen([{script!r}], stdin=subprocess.PIPE, text=True)
         child.stdin.write('early\\n')
         time.sleep(2)
         print(child.communicate('late\\n'))
-        """) == 'early 0.0\nlate 2.0\n(None, None)\n'
+        """)
+        == 'early 0.0\nlate 2.0\n(None, None)\n'
+    )

@@ -1,4 +1,5 @@
 """`importlib.metadata` and `pkg_resources` see packages of a source workspace as if they were built."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -17,7 +18,9 @@ setup(name='robo', version='2.5.0', packages=['robo'], entry_points={
 """
 FILES = {
     'package.xml': '<package><name>robo</name><version>1.0.0</version><export><build_type>ament_python</build_type></export></package>',
-    'setup.py': SETUP, 'setup.cfg': '[install]\ninstall_scripts=$base/lib/robo\n', 'robo/__init__.py': '',
+    'setup.py': SETUP,
+    'setup.cfg': '[install]\ninstall_scripts=$base/lib/robo\n',
+    'robo/__init__.py': '',
     'robo/talk.py': 'def main():\n    pass\n',
     'robo/plugins.py': 'class Fast:\n    @staticmethod\n    def make():\n        return "vroom"\ndef slow():\n    return "..."\n',
 }
@@ -44,16 +47,25 @@ def said(workspace: Path, text: str) -> str:
 
 
 def test_plugins_are_found_and_loaded_by_their_group(workspace: Path) -> None:
-    assert said(workspace, """
+    assert (
+        said(
+            workspace,
+            """
 from importlib.metadata import entry_points
 for point in entry_points(group='robo.plugins'):
     print(point.name, point.value, point.dist.name, point.load()())
 print([point.value for point in entry_points().select(group='console_scripts', name='talk')])
-""") == "fast robo.plugins:Fast.make robo vroom\nslow robo.plugins:slow robo ...\n['robo.talk:main']\n"
+""",
+        )
+        == "fast robo.plugins:Fast.make robo vroom\nslow robo.plugins:slow robo ...\n['robo.talk:main']\n"
+    )
 
 
 def test_a_distribution_has_the_version_of_setup_and_its_entry_points(workspace: Path) -> None:
-    assert said(workspace, """
+    assert (
+        said(
+            workspace,
+            """
 from importlib import metadata
 robo = metadata.distribution('robo')
 print(robo.version, metadata.version('robo'), metadata.metadata('robo')['Name'], metadata.requires('robo'))
@@ -63,7 +75,10 @@ try:
     metadata.version('robby')
 except metadata.PackageNotFoundError as error:
     print(error)
-""") == "2.5.0 2.5.0 robo None\n['fast', 'slow', 'talk'] ['robo']\nrobo\nNo package metadata was found for robby\n"
+""",
+        )
+        == "2.5.0 2.5.0 robo None\n['fast', 'slow', 'talk'] ['robo']\nrobo\nNo package metadata was found for robby\n"
+    )
 
 
 def test_the_manifest_has_the_version_that_setup_does_not_say(workspace: Path) -> None:
@@ -72,7 +87,10 @@ def test_the_manifest_has_the_version_that_setup_does_not_say(workspace: Path) -
 
 
 def test_pkg_resources_loads_entry_points(workspace: Path) -> None:
-    assert said(workspace, """
+    assert (
+        said(
+            workspace,
+            """
 import pkg_resources
 print([point.load()() for point in pkg_resources.iter_entry_points('robo.plugins')], pkg_resources.get_distribution('robo'))
 print(pkg_resources.load_entry_point('robo', 'robo.plugins', 'slow')())
@@ -80,19 +98,31 @@ try:
     pkg_resources.load_entry_point('robo', 'robo.plugins', 'stopped')
 except ImportError as error:
     print(error)
-""") == "['vroom', '...'] robo 2.5.0\n...\nEntry point ('robo.plugins', 'stopped') not found\n"
+""",
+        )
+        == "['vroom', '...'] robo 2.5.0\n...\nEntry point ('robo.plugins', 'stopped') not found\n"
+    )
 
 
-@pytest.mark.parametrize('file, text', [
-    ('setup.cfg', '[metadata]\nversion = 3.1\n[options.entry_points]\nrobo.plugins =\n    slow = robo.plugins:slow\n'),
-    ('pyproject.toml', '[project]\nversion = "3.1"\n[project.entry-points."robo.plugins"]\nslow = "robo.plugins:slow"\n'),
-])
+@pytest.mark.parametrize(
+    'file, text',
+    [
+        ('setup.cfg', '[metadata]\nversion = 3.1\n[options.entry_points]\nrobo.plugins =\n    slow = robo.plugins:slow\n'),
+        ('pyproject.toml', '[project]\nversion = "3.1"\n[project.entry-points."robo.plugins"]\nslow = "robo.plugins:slow"\n'),
+    ],
+)
 def test_tables_announce_entry_points_too(workspace: Path, file: str, text: str) -> None:
     if file == 'pyproject.toml':
         pytest.importorskip('tomllib')
     (workspace / 'robo' / 'setup.py').write_text("from setuptools import setup\nsetup(packages=['robo'])\n")
     (workspace / 'robo' / file).write_text(text)
-    assert said(workspace, """
+    assert (
+        said(
+            workspace,
+            """
 from importlib.metadata import entry_points, version
 print(version('robo'), [point.load()() for point in entry_points(group='robo.plugins')])
-""") == "3.1 ['...']\n"
+""",
+        )
+        == "3.1 ['...']\n"
+    )

@@ -1,4 +1,5 @@
 """Python programs that a command line names itself run in the simulation."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -26,7 +27,9 @@ def said(folder: Path, *words: str, shell: bool = False) -> str:
 def folder(tmp_path: Path) -> Path:
     package = tmp_path / 'ws' / 'robo'
     (package / 'robo').mkdir(parents=True)
-    (package / 'package.xml').write_text('<package><name>robo</name><export><build_type>ament_python</build_type></export></package>')
+    (package / 'package.xml').write_text(
+        '<package><name>robo</name><export><build_type>ament_python</build_type></export></package>'
+    )
     (package / 'setup.py').write_text("from setuptools import setup\nsetup(packages=['robo'])")
     (package / 'robo' / '__init__.py').write_text('')
     (package / 'robo' / 'helper.py').write_text('word = "helped"')
@@ -38,7 +41,9 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize('words', [['python3', 'node.py', 'a'], ['/usr/bin/python3.12', '-u', '-W', 'ignore', './node.py', 'a'], ['./node.py', 'a']])
+@pytest.mark.parametrize(
+    'words', [['python3', 'node.py', 'a'], ['/usr/bin/python3.12', '-u', '-W', 'ignore', './node.py', 'a'], ['./node.py', 'a']]
+)
 def test_a_script_runs_in_simulated_time(folder: Path, words: list[str]) -> None:
     assert said(folder, *words) == "__main__ None ['a'] 1700000001.0\n"
 
@@ -47,14 +52,21 @@ def test_a_shell_line_may_name_a_script_too(folder: Path) -> None:
     assert said(folder, 'python3 plain.py "a b"', shell=True) == "__main__ None ['a b'] 1700000001.0\n"
 
 
-@pytest.mark.parametrize(('module', 'output'), [('robo.node', "helped\n__main__ robo ['x'] 1700000001.0\n"),
-                                                ('robo', "__main__ robo ['x'] 1700000001.0\n"),
-                                                ('plain', "__main__  ['x'] 1700000001.0\n")])
+@pytest.mark.parametrize(
+    ('module', 'output'),
+    [
+        ('robo.node', "helped\n__main__ robo ['x'] 1700000001.0\n"),
+        ('robo', "__main__ robo ['x'] 1700000001.0\n"),
+        ('plain', "__main__  ['x'] 1700000001.0\n"),
+    ],
+)
 def test_a_module_runs_in_its_package(folder: Path, module: str, output: str) -> None:
     assert said(folder, 'python3', '-m', module, 'x') == output
 
 
-@pytest.mark.parametrize('words', [['python3', '-m', 'http.server'], ['python3', '-c', 'print(1)'], ['./plain.py'], ['python3', 'no.py'], ['ls']])
+@pytest.mark.parametrize(
+    'words', [['python3', '-m', 'http.server'], ['python3', '-c', 'print(1)'], ['./plain.py'], ['python3', 'no.py'], ['ls']]
+)
 def test_other_commands_are_real(folder: Path, words: list[str]) -> None:
     with edulaunch.Session(workspaces=[folder / 'ws']) as session:
         assert not session.host.knows(ProcessSpec(argv=tuple(words), cwd=str(folder)))

@@ -1,4 +1,5 @@
 """Real programs of this machine: what they write to, and that nothing of them is left open."""
+
 from __future__ import annotations
 
 import os
@@ -22,14 +23,19 @@ def written_by(command: list[str], *before: Any, **options: Any) -> tuple[bytes,
         texts = (texts[0] + event.text, texts[1]) if event.from_stdout else (texts[0], texts[1] + event.text)
 
     service = LaunchService(noninteractive=True)
-    service.include_launch_description(LaunchDescription([
-        *before, RegisterEventHandler(OnProcessIO(on_stdout=on_io, on_stderr=on_io)), ExecuteProcess(cmd=command, **options)]))
+    service.include_launch_description(
+        LaunchDescription(
+            [*before, RegisterEventHandler(OnProcessIO(on_stdout=on_io, on_stderr=on_io)), ExecuteProcess(cmd=command, **options)]
+        )
+    )
     assert service.run() == 0
     return texts
 
 
-@pytest.mark.parametrize(('wanted', 'configured', 'kind'), [
-    (False, None, b'pipe'), (True, None, b'terminal'), (False, 'true', b'terminal'), (True, 'false', b'pipe')])
+@pytest.mark.parametrize(
+    ('wanted', 'configured', 'kind'),
+    [(False, None, b'pipe'), (True, None, b'terminal'), (False, 'true', b'terminal'), (True, 'false', b'pipe')],
+)
 def test_emulate_tty_gives_a_real_program_a_terminal(wanted: bool, configured: str | None, kind: bytes) -> None:
     before = [] if configured is None else [SetLaunchConfiguration('emulate_tty', configured)]
     assert written_by(['sh', '-c', ASK], *before, emulate_tty=wanted) == (kind + b'\n', kind + b'\n')

@@ -1,4 +1,5 @@
 """What shared modules write reaches the program that made them write."""
+
 from __future__ import annotations
 
 import io
@@ -12,21 +13,34 @@ from edulaunch.processes.shared_streams import streams_of_programs
 
 
 def test_a_usage_error_is_told_on_the_programs_own_stderr(world: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    assert world.run("""
+    assert world.run(
+        """
         import argparse
         parser = argparse.ArgumentParser()
         parser.add_argument('--speed', type=float)
         parser.parse_args()
-        """, 'drive', '--sped', '2') == ('usage: drive.py [-h] [--speed SPEED]\n'
-                                         'drive.py: error: unrecognized arguments: --sped 2\n')
+        """,
+        'drive',
+        '--sped',
+        '2',
+    ) == ('usage: drive.py [-h] [--speed SPEED]\ndrive.py: error: unrecognized arguments: --sped 2\n')
     assert world.codes == {'drive': 2} and capsys.readouterr() == ('', '')
 
 
-@pytest.mark.parametrize(('text', 'wrote'), [
-    ('import traceback\ntry:\n    1 / 0\nexcept ZeroDivisionError:\n    traceback.print_exc(limit=0)', 'ZeroDivisionError: division by zero\n'),
-    ('import contextlib, io\nwith contextlib.redirect_stdout(io.StringIO()) as box:\n    print("in")\nprint(box.getvalue())', 'in\n\n'),
-    ('import cmd\ncmd.Cmd.do_go = lambda self, words: print("goes", words)\ncmd.Cmd().cmdloop()', None),
-])
+@pytest.mark.parametrize(
+    ('text', 'wrote'),
+    [
+        (
+            'import traceback\ntry:\n    1 / 0\nexcept ZeroDivisionError:\n    traceback.print_exc(limit=0)',
+            'ZeroDivisionError: division by zero\n',
+        ),
+        (
+            'import contextlib, io\nwith contextlib.redirect_stdout(io.StringIO()) as box:\n    print("in")\nprint(box.getvalue())',
+            'in\n\n',
+        ),
+        ('import cmd\ncmd.Cmd.do_go = lambda self, words: print("goes", words)\ncmd.Cmd().cmdloop()', None),
+    ],
+)
 def test_modules_that_write_use_the_programs_streams(world: Any, text: str, wrote: str | None) -> None:
     if wrote is None:
         world.host._stdin['program-1'] = 'go home\nEOF\n'

@@ -1,4 +1,5 @@
 """Lines that join commands of the simulation."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -9,16 +10,31 @@ from edulaunch.processes.shell_lines import parts_of, with_arguments
 from edulaunch.processes.spec import ProcessSpec
 
 
-@pytest.mark.parametrize(('line', 'parts'), [
-    ('ros2 run a b', [('', 'ros2 run a b')]),
-    ('sleep 2; ros2 run a b && echo done || echo failed', [('', 'sleep 2'), (';', 'ros2 run a b'), ('&&', 'echo done'), ('||', 'echo failed')]),
-    ("ros2 topic pub /a b '{x: 1; y: $(2)}' ; exec bash", [('', 'ros2 topic pub /a b {x: 1; y: $(2)}'), (';', 'bash')]),
-    ('ros2 run a b;', [('', 'ros2 run a b')]),
-    ('', None), ('ros2 run a b | grep c', None), ('ros2 run a b > $file', None), ('ros2 run a b < file', None), ('echo "$HOME"', None),
-    ('ros2 run a b > file 2>&1 & sleep 1', [('', 'ros2 run a b'), ('&', 'sleep 1')]), ('sleep 2; sleep 1 && ros2 run a b > c & ls', [('', 'sleep 2'), (';', 'sh -c  sleep 1 && ros2 run a b > c '), ('&', 'ls')]),
-    ("ros2 run a 'b > c'>>file", [('', 'ros2 run a b > c')]),
-    ("echo 'open", None), ('ros2 run a b\nros2 run c d', None),
-])
+@pytest.mark.parametrize(
+    ('line', 'parts'),
+    [
+        ('ros2 run a b', [('', 'ros2 run a b')]),
+        (
+            'sleep 2; ros2 run a b && echo done || echo failed',
+            [('', 'sleep 2'), (';', 'ros2 run a b'), ('&&', 'echo done'), ('||', 'echo failed')],
+        ),
+        ("ros2 topic pub /a b '{x: 1; y: $(2)}' ; exec bash", [('', 'ros2 topic pub /a b {x: 1; y: $(2)}'), (';', 'bash')]),
+        ('ros2 run a b;', [('', 'ros2 run a b')]),
+        ('', None),
+        ('ros2 run a b | grep c', None),
+        ('ros2 run a b > $file', None),
+        ('ros2 run a b < file', None),
+        ('echo "$HOME"', None),
+        ('ros2 run a b > file 2>&1 & sleep 1', [('', 'ros2 run a b'), ('&', 'sleep 1')]),
+        (
+            'sleep 2; sleep 1 && ros2 run a b > c & ls',
+            [('', 'sleep 2'), (';', 'sh -c  sleep 1 && ros2 run a b > c '), ('&', 'ls')],
+        ),
+        ("ros2 run a 'b > c'>>file", [('', 'ros2 run a b > c')]),
+        ("echo 'open", None),
+        ('ros2 run a b\nros2 run c d', None),
+    ],
+)
 def test_a_line_has_parts_unless_only_a_shell_understands_it(line: str, parts: list[tuple[str, str]] | None) -> None:
     found = parts_of(line)
     assert (found and [(part.joint, ' '.join(part.words)) for part in found]) == parts
@@ -27,7 +43,9 @@ def test_a_line_has_parts_unless_only_a_shell_understands_it(line: str, parts: l
 def follow(world: Any, *argv: str, shell: bool = False, signal_at: float | None = None) -> list[tuple[float, str]]:
     """What a command writes, with the simulated time, and at last its exit code."""
     wrote: list[tuple[float, str]] = []
-    process = world.host.start(ProcessSpec(argv=argv, name='line', shell=shell), lambda stream, text: wrote.append((world.sim.elapsed_s, text)))
+    process = world.host.start(
+        ProcessSpec(argv=argv, name='line', shell=shell), lambda stream, text: wrote.append((world.sim.elapsed_s, text))
+    )
     if signal_at is not None:
         world.sim.schedule(world.sim.now_ns + round(signal_at * 1e9), lambda: process.send_signal(2))
     world.sim.run()
@@ -36,7 +54,10 @@ def follow(world: Any, *argv: str, shell: bool = False, signal_at: float | None 
 
 @pytest.mark.parametrize('shell', [True, False])
 def test_commands_run_one_after_the_other_in_simulated_time(world: Any, shell: bool) -> None:
-    first, second = world.write('a.py', 'import time; time.sleep(1); print("a")'), world.write('b.py', 'print("b"); raise SystemExit(3)')
+    first, second = (
+        world.write('a.py', 'import time; time.sleep(1); print("a")'),
+        world.write('b.py', 'print("b"); raise SystemExit(3)'),
+    )
     line = f'sleep 2; {first} && echo "then b"; {second} && echo never || echo failed'
     words = (line,) if shell else ('bash', '-c', line)
     assert follow(world, *words, shell=shell) == [(3.0, 'a\n'), (3.0, 'then b\n'), (3.0, 'b\n'), (3.0, 'failed\n'), (3.0, '0')]
@@ -81,9 +102,17 @@ def test_a_line_without_simulated_commands_is_for_a_real_shell(world: Any) -> No
     assert not world.host.knows(ProcessSpec(argv=('echo a; exit 4',), name='line', shell=True))
 
 
-@pytest.mark.parametrize(('line', 'expected'), [
-    ('sleep 5; $0 $@', "sleep 5; a 'b c' d"), ('sleep 5; exec "$0" "$@"', "sleep 5; exec a 'b c' d"), ('$0 $*', "a 'b c' d"),
-    ("echo '$0'", "echo '$0'"), ('echo "$0 x"', 'echo "a x"'), ('true', 'true')])
+@pytest.mark.parametrize(
+    ('line', 'expected'),
+    [
+        ('sleep 5; $0 $@', "sleep 5; a 'b c' d"),
+        ('sleep 5; exec "$0" "$@"', "sleep 5; exec a 'b c' d"),
+        ('$0 $*', "a 'b c' d"),
+        ("echo '$0'", "echo '$0'"),
+        ('echo "$0 x"', 'echo "a x"'),
+        ('true', 'true'),
+    ],
+)
 def test_a_line_may_name_the_words_behind_it(line: str, expected: str) -> None:
     assert with_arguments(line, ['a', 'b c', 'd']) == expected
     assert with_arguments(line, []) == line

@@ -1,4 +1,5 @@
 """Exception groups are told as Python tells them."""
+
 from __future__ import annotations
 
 import re
@@ -30,8 +31,15 @@ def groups() -> list[BaseException]:
     chained = raised(TypeError('two\nlines'), raised(ValueError('first')))
     inner = raised(group('inner', ValueError(1), chained))
     outer = raised(group('outer', raised(KeyError('a')), inner))
-    return [inner, outer, raised(group('first', inner, ValueError(2))), group('bare', ValueError(3)), raised(RuntimeError('after'), outer),
-            raised(group('many', *map(ValueError, range(18)))), raised(group('one too many', *map(ValueError, range(16))))]
+    return [
+        inner,
+        outer,
+        raised(group('first', inner, ValueError(2))),
+        group('bare', ValueError(3)),
+        raised(RuntimeError('after'), outer),
+        raised(group('many', *map(ValueError, range(18)))),
+        raised(group('one too many', *map(ValueError, range(16)))),
+    ]
 
 
 @pytest.mark.parametrize('error', groups() if sys.version_info >= (3, 11) else [], ids=str)

@@ -1,4 +1,5 @@
 """What a program prints when an exception ends it: what Python prints, without the engine."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -35,8 +36,13 @@ def test_endless_recursion_is_told_in_a_few_lines(world: Any) -> None:
 
 def test_a_wrong_field_is_shown_where_the_student_set_it(world: Any) -> None:
     lines = printed(world, 'from geometry_msgs.msg import Twist\nTwist().linear.x = 1\n')
-    assert lines == ['Traceback (most recent call last):', '  File "@/program-1.py", line 2, in <module>', '    Twist().linear.x = 1',
-                     "AssertionError: The 'x' field must be of type 'float'", '  help: an int was given: write 1.0']
+    assert lines == [
+        'Traceback (most recent call last):',
+        '  File "@/program-1.py", line 2, in <module>',
+        '    Twist().linear.x = 1',
+        "AssertionError: The 'x' field must be of type 'float'",
+        '  help: an int was given: write 1.0',
+    ]
 
 
 @pytest.mark.parametrize('text', ['class Odd(BaseException):\n    pass\nraise Odd("x")', 'raise GeneratorExit'])
@@ -45,7 +51,9 @@ def test_no_exception_ends_a_program_in_silence(world: Any, text: str) -> None:
 
 
 def test_a_programs_own_excepthook_is_called(world: Any) -> None:
-    assert printed(world, 'import sys\nsys.excepthook = lambda kind, error, trace: print("hook", kind.__name__)\n1 / 0') == ['hook ZeroDivisionError']
+    assert printed(world, 'import sys\nsys.excepthook = lambda kind, error, trace: print("hook", kind.__name__)\n1 / 0') == [
+        'hook ZeroDivisionError'
+    ]
     assert world.codes == {'program-1': 1}
 
 
@@ -53,26 +61,40 @@ def test_python_tells_of_modules_that_import_each_other(world: Any) -> None:
     world.write('lib/one.py', 'from two import b\na = 1')
     world.write('lib/two.py', 'from one import a\nb = 1')
     error, help = printed(world, 'import one')[-2:]
-    assert error.startswith("ImportError: cannot import name 'a' from partially initialized module 'one' (most likely due to a circular import)")
+    assert error.startswith(
+        "ImportError: cannot import name 'a' from partially initialized module 'one' (most likely due to a circular import)"
+    )
     assert help == '  help: one is still being imported: two modules import each other. Import inside the function that needs it'
 
 
 def test_an_executor_of_a_thread_ends_without_frames_of_the_engine(world: Any) -> None:
-    lines = printed(world, 'import threading, time, rclpy\nfrom rclpy.executors import MultiThreadedExecutor\nrclpy.init()\n'
-                    'executor = MultiThreadedExecutor()\nthread = threading.Thread(target=executor.spin)\nthread.start()\n'
-                    'time.sleep(1)\nrclpy.shutdown()\nthread.join()')
+    lines = printed(
+        world,
+        'import threading, time, rclpy\nfrom rclpy.executors import MultiThreadedExecutor\nrclpy.init()\n'
+        'executor = MultiThreadedExecutor()\nthread = threading.Thread(target=executor.spin)\nthread.start()\n'
+        'time.sleep(1)\nrclpy.shutdown()\nthread.join()',
+    )
     assert lines == ['Exception in thread Thread-1 (spin):', 'rclpy.executors.ExternalShutdownException']
 
 
-@pytest.mark.parametrize(('text', 'last'), [
-    ('import rclpy\nrclpy.init()\nrclpy.create_node("a").creat_timer(1, print)',
-     "AttributeError: 'Node' object has no attribute 'creat_timer'. Did you mean: 'create_timer'?"),
-    ('from rclpy.qos import QoSProfil', "rclpy/qos.py). Did you mean: 'QoSProfile'?"),
-    ('print(math.pi)', "NameError: name 'math' is not defined. Did you forget to import 'math'?"),
-    ('counter = 1\nprint(conter)', "NameError: name 'conter' is not defined. Did you mean: 'counter'?"),
-    ('class A:\n    def __init__(self):\n        self.speed = 1\n        print(speed)\nA()',
-     "NameError: name 'speed' is not defined. Did you mean: 'self.speed'?"),
-    ('timer = 1\nprint(time)', "Did you mean: 'timer'? Or did you forget to import 'time'?"),
-    ('print(qqqqq)', "NameError: name 'qqqqq' is not defined"), ('"".qqqqq', "AttributeError: 'str' object has no attribute 'qqqqq'")])
+@pytest.mark.parametrize(
+    ('text', 'last'),
+    [
+        (
+            'import rclpy\nrclpy.init()\nrclpy.create_node("a").creat_timer(1, print)',
+            "AttributeError: 'Node' object has no attribute 'creat_timer'. Did you mean: 'create_timer'?",
+        ),
+        ('from rclpy.qos import QoSProfil', "rclpy/qos.py). Did you mean: 'QoSProfile'?"),
+        ('print(math.pi)', "NameError: name 'math' is not defined. Did you forget to import 'math'?"),
+        ('counter = 1\nprint(conter)', "NameError: name 'conter' is not defined. Did you mean: 'counter'?"),
+        (
+            'class A:\n    def __init__(self):\n        self.speed = 1\n        print(speed)\nA()',
+            "NameError: name 'speed' is not defined. Did you mean: 'self.speed'?",
+        ),
+        ('timer = 1\nprint(time)', "Did you mean: 'timer'? Or did you forget to import 'time'?"),
+        ('print(qqqqq)', "NameError: name 'qqqqq' is not defined"),
+        ('"".qqqqq', "AttributeError: 'str' object has no attribute 'qqqqq'"),
+    ],
+)
 def test_the_nearest_name_is_suggested_as_by_newer_pythons(world: Any, text: str, last: str) -> None:
     assert [line for line in printed(world, text) if not line.startswith('  help:')][-1].endswith(last)

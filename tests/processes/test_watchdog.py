@@ -1,4 +1,5 @@
 """Programs that never give their turn back."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -33,7 +34,9 @@ def test_it_is_stopped_where_it_is_and_the_others_go_on(watched: Any) -> None:
     wrote = watched.run(STUCK + '\n    spin()\n')
     assert watched.codes == {'program-1': 1, 'other-2': 0}
     assert 'RunawayProgramError: program-1 kept its turn for 0.2 s of real time' in wrote and 'in spin\n' in wrote
-    assert f'it was stopped at {watched.folder}/program-1.py:' in wrote and wrote.splitlines()[-1].startswith('  help: a loop must wait')
+    assert f'it was stopped at {watched.folder}/program-1.py:' in wrote and wrote.splitlines()[-1].startswith(
+        '  help: a loop must wait'
+    )
 
 
 def test_a_thread_that_is_stuck_ends_its_program(watched: Any) -> None:

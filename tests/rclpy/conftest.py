@@ -1,4 +1,5 @@
 """Programs as plain functions, run as processes of one simulation; what they say is kept as (milliseconds, program, what)."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -48,8 +49,14 @@ class World:
     def say(self, what: Any) -> None:
         self.log.append(((self.sim.now_ns - self.sim.start_ns) / 1e6, current_process().name, what))
 
-    def start(self, program: Callable[[], Any], *arguments: str, name: str = 'main', env: dict[str, str] | None = None,
-              parameter_origins: dict[str, str] | None = None) -> Process:
+    def start(
+        self,
+        program: Callable[[], Any],
+        *arguments: str,
+        name: str = 'main',
+        env: dict[str, str] | None = None,
+        parameter_origins: dict[str, str] | None = None,
+    ) -> Process:
         spec = ProcessSpec(argv=(name, *arguments), name=name, env=env or {}, parameter_origins=parameter_origins or {})
 
         def main(process: Process) -> Any:

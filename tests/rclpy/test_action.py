@@ -1,4 +1,5 @@
 """rclpy.action."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -61,6 +62,7 @@ def server(execute: Any = compute, threads: bool = False, **options: Any) -> Cal
 
 def client(world: World, order: int = 3, cancel_after_s: float | None = None) -> Callable[[], None]:
     """The tutorial's client: says whether the goal is accepted, feedback, and status with result."""
+
     def program() -> None:
         rclpy.init()
         node = Node('client')
@@ -71,13 +73,19 @@ def client(world: World, order: int = 3, cancel_after_s: float | None = None) ->
             goal = future.result()
             world.say('accepted' if goal.accepted else 'rejected')
             goal.get_result_async().add_done_callback(
-                lambda done: world.say((done.result().status, list(done.result().result.sequence))))
+                lambda done: world.say((done.result().status, list(done.result().result.sequence)))
+            )
             if cancel_after_s is not None:
-                node.create_timer(cancel_after_s, lambda: goal.cancel_goal_async().add_done_callback(
-                    lambda done: world.say(len(done.result().goals_canceling)))).timer_period_ns = 10**12
+                node.create_timer(
+                    cancel_after_s,
+                    lambda: goal.cancel_goal_async().add_done_callback(
+                        lambda done: world.say(len(done.result().goals_canceling))
+                    ),
+                ).timer_period_ns = 10**12
 
-        actions.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=lambda message: world.say(
-            list(message.feedback.sequence))).add_done_callback(answered)
+        actions.send_goal_async(
+            Fibonacci.Goal(order=order), feedback_callback=lambda message: world.say(list(message.feedback.sequence))
+        ).add_done_callback(answered)
         rclpy.spin(node)
 
     return program
@@ -91,8 +99,11 @@ def run(world: World, *programs: Callable[[], None]) -> list[tuple[float, Any]]:
 
 def test_a_goal_with_feedback_and_result(world: World) -> None:
     assert run(world, server(), client(world)) == [
-        (0.0, 'accepted'), (0.0, [0, 1, 1]), (1000.0, [0, 1, 1, 2]),
-        (2000.0, (GoalStatus.STATUS_SUCCEEDED, [0, 1, 1, 2]))]
+        (0.0, 'accepted'),
+        (0.0, [0, 1, 1]),
+        (1000.0, [0, 1, 1, 2]),
+        (2000.0, (GoalStatus.STATUS_SUCCEEDED, [0, 1, 1, 2])),
+    ]
 
 
 def test_a_rejected_goal(world: World) -> None:
@@ -102,13 +113,18 @@ def test_a_rejected_goal(world: World) -> None:
 def test_a_goal_callback_that_returns_something_else_rejects(world: World) -> None:
     assert run(world, server(goal_callback=lambda goal: True), client(world))[0] == (0.0, 'rejected')
     assert world.tracer.logs == [
-        (30, 'server.action_server', 'Goal request callback did not return a GoalResponse type. Rejecting goal.')]
+        (30, 'server.action_server', 'Goal request callback did not return a GoalResponse type. Rejecting goal.')
+    ]
 
 
 def test_cancelling_needs_threads_and_an_accepting_callback(world: World) -> None:
     programs = server(threads=True, cancel_callback=lambda goal: CancelResponse.ACCEPT), client(world, 5, cancel_after_s=0.5)
     assert run(world, *programs) == [
-        (0.0, 'accepted'), (0.0, [0, 1, 1]), (500.0, 1), (1000.0, (GoalStatus.STATUS_CANCELED, [0, 1, 1]))]
+        (0.0, 'accepted'),
+        (0.0, [0, 1, 1]),
+        (500.0, 1),
+        (1000.0, (GoalStatus.STATUS_CANCELED, [0, 1, 1])),
+    ]
 
 
 def test_by_default_requests_to_cancel_are_rejected(world: World) -> None:
@@ -215,7 +231,8 @@ def test_the_end_of_a_goal_takes_no_result(world: World) -> None:
 
     assert run(world, server(execute), client(world))[-1] == (0.0, (GoalStatus.STATUS_ABORTED, []))
     assert world.tracer.logs[0][2] == (
-        'Error raised in execute callback: ServerGoalHandle.succeed() takes 1 positional argument but 2 were given')
+        'Error raised in execute callback: ServerGoalHandle.succeed() takes 1 positional argument but 2 were given'
+    )
 
 
 def test_a_status_is_published_when_a_goal_is_accepted(world: World) -> None:
@@ -250,7 +267,8 @@ def test_the_graph_of_actions_has_errors_of_its_own(ros: Ros, world: World) -> N
 def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
     run(world, server(lambda goal_handle: goal_handle.succeed()), client(world))
     assert world.output['program 0'].endswith(
-        "TypeError\n  help: the execute callback of action '/fibonacci' must return a Fibonacci.Result; it returned None\n")
+        "TypeError\n  help: the execute callback of action '/fibonacci' must return a Fibonacci.Result; it returned None\n"
+    )
 
 
 def test_a_quiet_action_client_is_nothing_to_execute(ros: Ros, world: World) -> None:
@@ -269,9 +287,14 @@ def test_actions_are_seen_in_the_graph(ros: Ros, world: World) -> None:
         ActionServer(node, Fibonacci, 'fibonacci', compute)
         other = Node('other')
         ActionClient(other, Fibonacci, 'fibonacci')
-        world.say((get_action_names_and_types(node), get_action_server_names_and_types_by_node(other, 'n', '/'),
-                   get_action_client_names_and_types_by_node(node, 'other', '/'),
-                   get_action_client_names_and_types_by_node(node, 'n', '/')))
+        world.say(
+            (
+                get_action_names_and_types(node),
+                get_action_server_names_and_types_by_node(other, 'n', '/'),
+                get_action_client_names_and_types_by_node(node, 'other', '/'),
+                get_action_client_names_and_types_by_node(node, 'n', '/'),
+            )
+        )
 
     found = [('/fibonacci', ['example_interfaces/action/Fibonacci'])]
     assert ros(body) == [(found, found, found, [])]
@@ -328,25 +351,40 @@ def test_feedback_after_a_shutdown_ends_the_execute_callback(world: World) -> No
 
     assert 'not reached' not in [what for _, what in run(world, server(stubborn), client(world))]
     assert world.tracer.logs[0][2].startswith(
-        "Error raised in execute callback: Failed to publish feedback with an action server: publisher's context is invalid")
+        "Error raised in execute callback: Failed to publish feedback with an action server: publisher's context is invalid"
+    )
 
 
 CREATE = 'Failed to create action '
 NAMED = 'due to invalid topic name '
 
 
-@pytest.mark.parametrize(('name', 'client_text', 'server_text'), [
-    ('1f', NAMED + "'1f' : topic name token must not start with a number",
-     NAMED + "'1f' : : topic name token must not start with a number"),
-    ('a/', NAMED + "'a/' : topic name must not contain repeated '/'", NAMED + "'a/' : : topic name must not contain repeated '/'"),
-    ('{x}', NAMED + "'{x}' : unknown substitution: {x}", NAMED + "'{x}' : : unknown substitution: {x}"),
-    ('~a', NAMED + "'~a' : topic name must not have a tilde '~' that is not followed by a forward slash '/'",
-     NAMED + "'~a' : : topic name must not have a tilde '~' that is not followed by a forward slash '/'"),
-    ('', None, NAMED + "'' : : invalid empty action name"),
-    (None, None, None),
-])
-def test_wrong_names_of_actions_have_texts_of_their_own(ros: Ros, world: World, name: Any, client_text: str | None,
-                                                        server_text: str | None) -> None:
+@pytest.mark.parametrize(
+    ('name', 'client_text', 'server_text'),
+    [
+        (
+            '1f',
+            NAMED + "'1f' : topic name token must not start with a number",
+            NAMED + "'1f' : : topic name token must not start with a number",
+        ),
+        (
+            'a/',
+            NAMED + "'a/' : topic name must not contain repeated '/'",
+            NAMED + "'a/' : : topic name must not contain repeated '/'",
+        ),
+        ('{x}', NAMED + "'{x}' : unknown substitution: {x}", NAMED + "'{x}' : : unknown substitution: {x}"),
+        (
+            '~a',
+            NAMED + "'~a' : topic name must not have a tilde '~' that is not followed by a forward slash '/'",
+            NAMED + "'~a' : : topic name must not have a tilde '~' that is not followed by a forward slash '/'",
+        ),
+        ('', None, NAMED + "'' : : invalid empty action name"),
+        (None, None, None),
+    ],
+)
+def test_wrong_names_of_actions_have_texts_of_their_own(
+    ros: Ros, world: World, name: Any, client_text: str | None, server_text: str | None
+) -> None:
     def body() -> None:
         node = Node('n')
         for make in (lambda: ActionClient(node, Fibonacci, name), lambda: ActionServer(node, Fibonacci, name, compute)):
@@ -355,8 +393,10 @@ def test_wrong_names_of_actions_have_texts_of_their_own(ros: Ros, world: World, 
             world.say((type(caught.value), str(caught.value).removeprefix(CREATE)))
 
     null = 'action_name argument is null' if name is None else 'failed to get goal service name'
-    assert ros(body) == [(ValueError, f'client {client_text}' if client_text else f'client: {null}'),
-                         (ValueError, f'server {server_text}' if server_text else f'server: {null}')]
+    assert ros(body) == [
+        (ValueError, f'client {client_text}' if client_text else f'client: {null}'),
+        (ValueError, f'server {server_text}' if server_text else f'server: {null}'),
+    ]
 
 
 def test_after_shutdown_no_actions_are_made(ros: Ros, world: World) -> None:

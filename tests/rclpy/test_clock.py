@@ -1,4 +1,5 @@
 """rclpy.clock, and use_sim_time."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -25,6 +26,7 @@ Ros = Callable[..., list[Any]]
 
 def clock_publisher(*seconds: int) -> Callable[[], None]:
     """A program that says on /clock what time it is, each 0.1 s."""
+
     def program() -> None:
         rclpy.init()
         publisher = Node('clock').create_publisher(ClockMessage, '/clock', 10)
@@ -163,16 +165,26 @@ def test_jump_callbacks_are_told_what_they_asked_for(ros: Ros, world: World) -> 
     def body() -> None:
         clock = ROSClock()
         threshold = JumpThreshold(min_forward=Duration(seconds=2), min_backward=Duration(seconds=-1))
-        handle = clock.create_jump_callback(threshold, post_callback=lambda jump: world.say(
-            (jump.clock_change, jump.delta.nanoseconds // 10**9 if jump.clock_change == ClockChange.ROS_TIME_NO_CHANGE else None)))
+        handle = clock.create_jump_callback(
+            threshold,
+            post_callback=lambda jump: world.say(
+                (
+                    jump.clock_change,
+                    jump.delta.nanoseconds // 10**9 if jump.clock_change == ClockChange.ROS_TIME_NO_CHANGE else None,
+                )
+            ),
+        )
         clock._set_ros_time_is_active(True)
         for second in (1, 4, 3, 3):
             clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
         handle.unregister()
         clock._set_ros_time_is_active(False)
 
-    assert ros(body) == [(ClockChange.ROS_TIME_ACTIVATED, None), (ClockChange.ROS_TIME_NO_CHANGE, 3),
-                         (ClockChange.ROS_TIME_NO_CHANGE, -1)]
+    assert ros(body) == [
+        (ClockChange.ROS_TIME_ACTIVATED, None),
+        (ClockChange.ROS_TIME_NO_CHANGE, 3),
+        (ClockChange.ROS_TIME_NO_CHANGE, -1),
+    ]
 
 
 def test_jump_thresholds_have_a_sign() -> None:

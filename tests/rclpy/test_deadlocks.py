@@ -1,4 +1,5 @@
 """Waiting inside a callback for what only a later callback brings: it hangs, as in ROS 2, and the recording says why."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -19,6 +20,7 @@ from .conftest import World
 
 def asking(wait: Callable[[Node, Any], Any], executor: Any = SingleThreadedExecutor, group: Any = None) -> Callable[[], None]:
     """A node that offers a service to itself, asks it in a timer, and waits for the answer there."""
+
     def program() -> None:
         rclpy.init()
         node = Node('node')
@@ -44,14 +46,18 @@ def spin(node: Node, future: Any) -> None:
     rclpy.spin_until_future_complete(node, future, node.executor)
 
 
-@pytest.mark.parametrize(('wait', 'executor', 'words'), [
-    (look, SingleThreadedExecutor, 'looking at future.done() in a loop'),
-    (look, MultiThreadedExecutor, 'looking at future.done() in a loop'),
-    (spin, SingleThreadedExecutor, 'rclpy.spin_until_future_complete()')])
+@pytest.mark.parametrize(
+    ('wait', 'executor', 'words'),
+    [
+        (look, SingleThreadedExecutor, 'looking at future.done() in a loop'),
+        (look, MultiThreadedExecutor, 'looking at future.done() in a loop'),
+        (spin, SingleThreadedExecutor, 'rclpy.spin_until_future_complete()'),
+    ],
+)
 def test_a_wait_for_a_client_of_the_same_group_is_explained(world: World, wait: Any, executor: Any, words: str) -> None:
     world.start(asking(wait, executor))
     world.run(5)
-    (kind, text), = world.tracer.notes
+    ((kind, text),) = world.tracer.notes
     assert (kind, text.split(' (')[0]) == ('deadlock', f"{words} in on_timer() of node '/node'")
     assert '(test_deadlocks.py:' in text
     assert "the reply of service '/nothing' can only be taken when on_timer() has ended" in text
@@ -84,7 +90,7 @@ def awaiting(world: World, group: Any) -> Callable[[], None]:
 def test_awaiting_a_client_of_the_same_group_is_explained(world: World) -> None:
     world.start(awaiting(world, None))
     assert world.run(1.2) == []
-    (_, text), = world.tracer.notes
+    ((_, text),) = world.tracer.notes
     assert text.startswith("await in on_timer() of node '/node' (test_deadlocks.py:")
 
 
@@ -96,6 +102,7 @@ def test_awaiting_a_client_of_another_group_is_no_deadlock(world: World) -> None
 
 def test_looking_once_in_each_callback_is_no_deadlock(world: World) -> None:
     """The answer never comes because there is no server, but every callback ends."""
+
     def program() -> None:
         rclpy.init()
         node = Node('node')
@@ -130,7 +137,9 @@ def test_waiting_for_the_client_of_a_node_that_nobody_spins_is_explained(world: 
 
     world.start(program)
     world.run(1)
-    (kind, text), = world.tracer.notes
+    ((kind, text),) = world.tracer.notes
     assert kind == 'deadlock'
-    assert text.endswith("waits for ever: the reply of service '/nothing' comes to a client of another node, which nobody spins. "
-                         "Spin the client's node.")
+    assert text.endswith(
+        "waits for ever: the reply of service '/nothing' comes to a client of another node, which nobody spins. "
+        "Spin the client's node."
+    )

@@ -1,4 +1,5 @@
 """rclpy.exceptions."""
+
 from __future__ import annotations
 
 import pytest
@@ -11,10 +12,14 @@ def test_every_exception_is_in_the_exceptions_module() -> None:
     assert {name for name in exceptions.__all__ if not isinstance(getattr(exceptions, name), type)} == set()
 
 
-@pytest.mark.parametrize(('error', 'bases'), [
-    (exceptions.InvalidTopicNameException, [exceptions.NameValidationException, Exception]),
-    (exceptions.ParameterUninitializedException, [exceptions.ParameterException, Exception]),
-    (exceptions.InvalidHandle, [RuntimeError, Exception])])
+@pytest.mark.parametrize(
+    ('error', 'bases'),
+    [
+        (exceptions.InvalidTopicNameException, [exceptions.NameValidationException, Exception]),
+        (exceptions.ParameterUninitializedException, [exceptions.ParameterException, Exception]),
+        (exceptions.InvalidHandle, [RuntimeError, Exception]),
+    ],
+)
 def test_exceptions_have_the_bases_of_rclpy(error: type[Exception], bases: list[type]) -> None:
     assert list(error.__mro__[1:-2]) == bases
 

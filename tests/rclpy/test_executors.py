@@ -1,4 +1,5 @@
 """rclpy.executors: order, spinning, groups, threads."""
+
 from __future__ import annotations
 
 import signal
@@ -129,6 +130,7 @@ def test_spin_once_waits_no_longer_than_its_timeout(world: World) -> None:
 
 def test_polling_with_spin_once_executes_every_other_time(ros: Ros, world: World) -> None:
     """After what one poll has collected is given out, the next poll only finds its end, as in rclpy."""
+
     def body() -> None:
         node = Node('n')
         node.create_subscription(String, 'c', lambda message: world.say(message.data), 10)
@@ -194,6 +196,7 @@ def test_spin_until_future_complete_ends_with_the_future_or_its_timeout(world: W
 
 def test_a_node_that_is_spun_inside_its_callback_stays_in_its_executor(world: World) -> None:
     """rclpy.spin_until_future_complete removes the node at its end only if it has brought it."""
+
     def program() -> None:
         rclpy.init()
         node = Node('n')
@@ -310,8 +313,10 @@ def test_a_future_set_in_another_thread_wakes_the_coroutine_that_awaits_it(world
     assert world.run(1) == [(200.0, 'main', 'woken')]
 
 
-@pytest.mark.parametrize(('group', 'times'), [
-    (ReentrantCallbackGroup, [100.0, 100.0, 200.0, 200.0]), (MutuallyExclusiveCallbackGroup, [100.0, 1100.0, 2100.0, 3100.0])])
+@pytest.mark.parametrize(
+    ('group', 'times'),
+    [(ReentrantCallbackGroup, [100.0, 100.0, 200.0, 200.0]), (MutuallyExclusiveCallbackGroup, [100.0, 1100.0, 2100.0, 3100.0])],
+)
 def test_threads_respect_callback_groups(world: World, group: Any, times: list[float]) -> None:
     def program() -> None:
         rclpy.init()
@@ -337,8 +342,9 @@ def test_no_more_callbacks_run_than_there_are_threads(world: World) -> None:
         rclpy.init()
         node = Node('n')
         for number in range(3):
-            node.create_timer(0.1, lambda number=number: (world.say(number), sleep(1.0)), ReentrantCallbackGroup()
-                              ).timer_period_ns = 10**11
+            node.create_timer(
+                0.1, lambda number=number: (world.say(number), sleep(1.0)), ReentrantCallbackGroup()
+            ).timer_period_ns = 10**11
         executor = MultiThreadedExecutor(num_threads=2)
         executor.add_node(node)
         executor.spin()
@@ -358,7 +364,8 @@ def test_one_thread_is_warned_of(ros: Ros, world: World) -> None:
 
 @pytest.mark.parametrize(('blocks', 'milliseconds'), [(False, 100.0), (True, 200.0)])
 def test_an_exception_in_a_thread_comes_out_at_once_or_after_blocking_at_the_next_callback(
-        world: World, blocks: bool, milliseconds: float) -> None:
+    world: World, blocks: bool, milliseconds: float
+) -> None:
     def program() -> None:
         rclpy.init()
         node = Node('n')
@@ -436,6 +443,7 @@ def test_a_node_moves_to_the_executor_that_it_was_added_to_last(ros: Ros, world:
 
 def test_callbacks_that_never_wait_let_time_pass(world: World) -> None:
     """Two programs that answer each other without end do not stop the clock."""
+
     def echo(hears: str, says: str) -> Callable[[], None]:
         def program() -> None:
             rclpy.init()
@@ -444,6 +452,7 @@ def test_callbacks_that_never_wait_let_time_pass(world: World) -> None:
             node.create_subscription(String, hears, publisher.publish, 10)
             publisher.publish(String())
             rclpy.spin(node)
+
         return program
 
     world.start(echo('a', 'b'), name='first')
@@ -499,6 +508,7 @@ def test_spin_some_executes_each_ready_entity_once(ros: Ros, world: World) -> No
 
 def test_spin_some_has_rclcpps_order(ros: Ros, world: World) -> None:
     """Timers, subscriptions, services, clients; Python's own order has clients before services."""
+
     def body() -> None:
         node = Node('n')
         node.create_service(Empty, 's', lambda request, response: world.say('service') or response)
@@ -564,7 +574,13 @@ def test_an_executor_needs_init(world: World) -> None:
         for act in (SingleThreadedExecutor, rclpy.get_global_executor, rclpy.init, rclpy.shutdown, MultiThreadedExecutor):
             world.say(raised(act))
 
-    assert world.run_program(program) == [f'TypeError: {NO_CONTEXT}', f'TypeError: {NO_CONTEXT}', None, None, f'TypeError: {NO_CONTEXT}']
+    assert world.run_program(program) == [
+        f'TypeError: {NO_CONTEXT}',
+        f'TypeError: {NO_CONTEXT}',
+        None,
+        None,
+        f'TypeError: {NO_CONTEXT}',
+    ]
 
 
 def test_spinning_after_a_signal_is_told_in_the_words_of_rcl(world: World) -> None:
@@ -578,22 +594,30 @@ def test_spinning_after_a_signal_is_told_in_the_words_of_rcl(world: World) -> No
         world.say(raised(executor.spin_once))
         world.say(raised(executor.spin))
 
-    assert world.run_program(program) == [f'RCLError: failed to {what}: {INVALID}' for what in (
-        'create guard_condition', 'create timer', 'initialize wait set')] + [None]
+    assert world.run_program(program) == [
+        f'RCLError: failed to {what}: {INVALID}' for what in ('create guard_condition', 'create timer', 'initialize wait set')
+    ] + [None]
 
 
 def test_what_cannot_be_spun_is_told_in_the_words_of_rclpy(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')
-        for spin in (lambda: rclpy.spin(None), lambda: rclpy.spin(Node), lambda: rclpy.spin(node, 5),
-                     lambda: rclpy.spin_until_future_complete(node, Future(), 1.0),
-                     lambda: rclpy.spin_until_future_complete(node, None)):
+        for spin in (
+            lambda: rclpy.spin(None),
+            lambda: rclpy.spin(Node),
+            lambda: rclpy.spin(node, 5),
+            lambda: rclpy.spin_until_future_complete(node, Future(), 1.0),
+            lambda: rclpy.spin_until_future_complete(node, None),
+        ):
             world.say(raised(spin))
 
     assert ros(body) == [
-        "AttributeError: 'NoneType' object has no attribute 'executor'", "TypeError: 'property' object is not iterable",
-        "AttributeError: 'int' object has no attribute 'remove_node'", "AttributeError: 'float' object has no attribute 'add_node'",
-        "AttributeError: 'NoneType' object has no attribute 'add_done_callback'"]
+        "AttributeError: 'NoneType' object has no attribute 'executor'",
+        "TypeError: 'property' object is not iterable",
+        "AttributeError: 'int' object has no attribute 'remove_node'",
+        "AttributeError: 'float' object has no attribute 'add_node'",
+        "AttributeError: 'NoneType' object has no attribute 'add_done_callback'",
+    ]
 
 
 def test_an_executor_that_was_shut_down_takes_nothing_more(ros: Ros, world: World) -> None:
@@ -646,8 +670,11 @@ def raised(act: Callable[[], Any]) -> str | None:
 def test_an_executor_tells_by_the_group_whether_a_callback_could_begin(ros: Ros, world: World) -> None:
     def body() -> None:
         node, executor = Node('n'), SingleThreadedExecutor()
-        timers: list[Any] = [node.create_timer(1.0, lambda: world.say([executor.can_execute(timer) for timer in timers])),
-                  node.create_timer(9.0, print), node.create_timer(9.0, print, callback_group=ReentrantCallbackGroup())]
+        timers: list[Any] = [
+            node.create_timer(1.0, lambda: world.say([executor.can_execute(timer) for timer in timers])),
+            node.create_timer(9.0, print),
+            node.create_timer(9.0, print, callback_group=ReentrantCallbackGroup()),
+        ]
         executor.add_node(node)
         executor.spin_once()
         world.say([executor.can_execute(timer) for timer in timers])

@@ -1,4 +1,5 @@
 """Handles."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -17,9 +18,13 @@ Ros = Callable[..., list[Any]]
 
 def _entities(node: Node) -> dict[str, Any]:
     return {
-        'publisher': node.create_publisher(String, 't', 1), 'subscription': node.create_subscription(String, 't', print, 1),
-        'client': node.create_client(Empty, 'e'), 'service': node.create_service(Empty, 'e', print),
-        'timer': node.create_timer(1.0, print), 'guard_condition': node.create_guard_condition(print)}
+        'publisher': node.create_publisher(String, 't', 1),
+        'subscription': node.create_subscription(String, 't', print, 1),
+        'client': node.create_client(Empty, 'e'),
+        'service': node.create_service(Empty, 'e', print),
+        'timer': node.create_timer(1.0, print),
+        'guard_condition': node.create_guard_condition(print),
+    }
 
 
 def test_handles_can_be_used_until_their_entity_is_destroyed(ros: Ros, world: World) -> None:

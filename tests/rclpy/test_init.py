@@ -1,4 +1,5 @@
 """rclpy: init, shutdown, signals, what belongs to one program."""
+
 from __future__ import annotations
 
 import signal
@@ -60,13 +61,20 @@ def test_a_node_needs_init(world: World) -> None:
     assert world.run_program(program) == ['rclpy.init() has not been called. msg:cannot create node']
 
 
-@pytest.mark.parametrize(('arguments', 'error', 'text'), [
-    (['--foo', '-x'], UnknownROSArgsError, "['--foo', '-x']"),
-    (['-r', 'x'], RCLError, "failed to initialize rcl: Couldn't parse remap rule: '-r x'. Error: "),
-    (['-p', 'x'], RCLError, "failed to initialize rcl: Couldn't parse parameter override rule: '-p x'. Error: "),
-    (['-r'], RCLError, "failed to initialize rcl: Couldn't parse trailing -r flag. No remap rule found."),
-    (['--params-file', '/no'], RCLError, "failed to initialize rcl: Couldn't parse params file: '--params-file /no'. Error: "),
-])
+@pytest.mark.parametrize(
+    ('arguments', 'error', 'text'),
+    [
+        (['--foo', '-x'], UnknownROSArgsError, "['--foo', '-x']"),
+        (['-r', 'x'], RCLError, "failed to initialize rcl: Couldn't parse remap rule: '-r x'. Error: "),
+        (['-p', 'x'], RCLError, "failed to initialize rcl: Couldn't parse parameter override rule: '-p x'. Error: "),
+        (['-r'], RCLError, "failed to initialize rcl: Couldn't parse trailing -r flag. No remap rule found."),
+        (
+            ['--params-file', '/no'],
+            RCLError,
+            "failed to initialize rcl: Couldn't parse params file: '--params-file /no'. Error: ",
+        ),
+    ],
+)
 def test_bad_ros_arguments_end_init(world: World, arguments: list[str], error: type[Exception], text: str) -> None:
     def program() -> None:
         with pytest.raises(error) as caught:
@@ -92,15 +100,18 @@ def test_a_remap_rule_without_flag_is_used_with_a_warning(world: World) -> None:
         world.say(Node('n').resolve_topic_name('a'))
 
     assert world.run_program(program, 'a:=b') == ['/b']
-    assert (30, 'rcl', "Found remap rule 'a:=b'. This syntax is deprecated. Use '--ros-args --remap a:=b' instead."
-            ) in world.tracer.logs
+    assert (
+        30,
+        'rcl',
+        "Found remap rule 'a:=b'. This syntax is deprecated. Use '--ros-args --remap a:=b' instead.",
+    ) in world.tracer.logs
 
 
 def test_arguments_are_a_list_of_texts(world: World) -> None:
     def program() -> None:
         for arguments in (('--ros-args',), [3]):
             with pytest.raises(TypeError, match='incompatible constructor arguments|bad argument type'):
-                rclpy.init(args=arguments)   # type: ignore[arg-type]
+                rclpy.init(args=arguments)  # type: ignore[arg-type]
         world.say(rclpy.ok())
 
     assert world.run_program(program) == [False]
@@ -201,6 +212,7 @@ def test_sigterm_ends_spin_with_external_shutdown(world: World) -> None:
 def test_a_handler_that_was_there_before_is_called_too(world: World) -> None:
     def program() -> None:
         from edulaunch.processes.current import current_process
+
         current_process().signal_handlers[signal.SIGINT] = lambda _: world.say('own handler')
         rclpy.init()
         try:
@@ -244,14 +256,26 @@ def test_remove_ros_args_keeps_the_rest() -> None:
 
 def test_importing_rclpy_loads_nothing_heavy() -> None:
     root = Path(__file__).resolve().parents[2]
-    code = ('import sys, edulaunch; edulaunch.source(); import rclpy, rclpy.node, rclpy.executors; '
-            "print(sorted({'numpy', 'asyncio', 'yaml', 'logging', 'typing_extensions'} & set(sys.modules)))")
+    code = (
+        'import sys, edulaunch; edulaunch.source(); import rclpy, rclpy.node, rclpy.executors; '
+        "print(sorted({'numpy', 'asyncio', 'yaml', 'logging', 'typing_extensions'} & set(sys.modules)))"
+    )
     done: Any = subprocess.run([sys.executable, '-c', code], cwd=root, capture_output=True, text=True, check=False)
     assert (done.stdout.strip(), done.stderr) == ('[]', '')
 
 
-@pytest.mark.parametrize('name', ['Future', 'event_handler.UnsupportedEventTypeError', 'node.NodeNameNonExistentError',
-                                  'topic_endpoint_info.TypeHash', 'waitable.Waitable', 'executors.await_or_execute', 'time.Time'])
+@pytest.mark.parametrize(
+    'name',
+    [
+        'Future',
+        'event_handler.UnsupportedEventTypeError',
+        'node.NodeNameNonExistentError',
+        'topic_endpoint_info.TypeHash',
+        'waitable.Waitable',
+        'executors.await_or_execute',
+        'time.Time',
+    ],
+)
 def test_import_rclpy_brings_what_it_brings_in_ros2(name: str) -> None:
     root = Path(rclpy.__file__).parents[1]
     program = f'import sys; sys.path[:0] = {[str(root), str(root.parents[2])]}; import rclpy; rclpy.{name}'
@@ -260,8 +284,16 @@ def test_import_rclpy_brings_what_it_brings_in_ros2(name: str) -> None:
 
 def test_the_options_of_signal_handlers_are_flags() -> None:
     from rclpy.signals import SignalHandlerOptions
-    assert [option.value for option in (SignalHandlerOptions.NO, SignalHandlerOptions.SIGINT, SignalHandlerOptions.SIGTERM,
-                                        SignalHandlerOptions.ALL)] == [0, 1, 2, 3]
+
+    assert [
+        option.value
+        for option in (
+            SignalHandlerOptions.NO,
+            SignalHandlerOptions.SIGINT,
+            SignalHandlerOptions.SIGTERM,
+            SignalHandlerOptions.ALL,
+        )
+    ] == [0, 1, 2, 3]
 
 
 def test_on_shutdown_of_a_context_that_has_ended_calls_at_once(world: World) -> None:

@@ -1,4 +1,5 @@
 """rclpy.lifecycle."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -64,8 +65,9 @@ def test_managed_publishers_are_silent_while_inactive(ros: Ros, world: World) ->
     assert [what for what in ros(body) if isinstance(what, str)] == ['active']
 
 
-@pytest.mark.parametrize(('verdict', 'state'), [
-    (TransitionCallbackReturn.FAILURE, 'unconfigured'), (TransitionCallbackReturn.ERROR, 'unconfigured')])
+@pytest.mark.parametrize(
+    ('verdict', 'state'), [(TransitionCallbackReturn.FAILURE, 'unconfigured'), (TransitionCallbackReturn.ERROR, 'unconfigured')]
+)
 def test_failures_lead_back(ros: Ros, world: World, verdict: Any, state: str) -> None:
     def body() -> None:
         node = Managed(world)
@@ -88,14 +90,15 @@ def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
         world.say((node.trigger_configure(), node._rclpy.life.state.label))
 
     assert ros(body) == [(TransitionCallbackReturn.ERROR, 'finalized')]
-    assert world.tracer.logs == []   # ROS 2 says nothing
+    assert world.tracer.logs == []  # ROS 2 says nothing
     assert world.tracer.notes == [
-        ('mistake', "on_configure() of node '/n' raised ValueError: broken on purpose; rclpy takes that for ERROR")]
+        ('mistake', "on_configure() of node '/n' raised ValueError: broken on purpose; rclpy takes that for ERROR")
+    ]
 
 
 def test_a_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> None:
     class Forgetful(LifecycleNode):
-        def on_configure(self, state: State) -> TransitionCallbackReturn:   # type: ignore[return]
+        def on_configure(self, state: State) -> TransitionCallbackReturn:  # type: ignore[return]
             pass
 
     def body() -> None:
@@ -108,7 +111,9 @@ def test_a_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> 
 def test_transitions_that_do_not_start_here_are_refused(ros: Ros, world: World) -> None:
     def body() -> None:
         node = LifecycleNode('n')
-        with pytest.raises(RCLError, match=r'^Failed to trigger lifecycle state machine transition: Transition is not registered\.$'):
+        with pytest.raises(
+            RCLError, match=r'^Failed to trigger lifecycle state machine transition: Transition is not registered\.$'
+        ):
             node.trigger_activate()
         node.trigger_shutdown()
         with pytest.raises(RCLError, match='^Shutdown transtion not possible$'):
@@ -155,12 +160,22 @@ def test_others_steer_a_managed_node_by_its_services(world: World) -> None:
             rclpy.spin_until_future_complete(node, future)
             return future.result()
 
-        for transition in (Transition(id=Transition.TRANSITION_CONFIGURE), Transition(id=Transition.TRANSITION_CLEANUP),
-                           Transition(label='shutdown'), Transition(label='activate')):
-            world.say((ask(ChangeState, 'change_state', transition=transition).success,
-                       ask(GetState, 'get_state').current_state.label,
-                       [one.transition.label for one in ask(GetAvailableTransitions, 'get_available_transitions'
-                                                            ).available_transitions]))
+        for transition in (
+            Transition(id=Transition.TRANSITION_CONFIGURE),
+            Transition(id=Transition.TRANSITION_CLEANUP),
+            Transition(label='shutdown'),
+            Transition(label='activate'),
+        ):
+            world.say(
+                (
+                    ask(ChangeState, 'change_state', transition=transition).success,
+                    ask(GetState, 'get_state').current_state.label,
+                    [
+                        one.transition.label
+                        for one in ask(GetAvailableTransitions, 'get_available_transitions').available_transitions
+                    ],
+                )
+            )
 
     def managed() -> None:
         rclpy.init()
@@ -169,8 +184,11 @@ def test_others_steer_a_managed_node_by_its_services(world: World) -> None:
     world.start(managed, name='managed')
     world.start(program)
     assert [what for _, _, what in world.run(2)] == [
-        (True, 'inactive', ['cleanup', 'activate', 'shutdown']), (True, 'unconfigured', ['configure', 'shutdown']),
-        (True, 'finalized', []), (False, 'finalized', [])]
+        (True, 'inactive', ['cleanup', 'activate', 'shutdown']),
+        (True, 'unconfigured', ['configure', 'shutdown']),
+        (True, 'finalized', []),
+        (False, 'finalized', []),
+    ]
 
 
 def test_a_number_that_does_not_suit_ends_the_managed_node(world: World) -> None:
@@ -188,7 +206,8 @@ def test_a_number_that_does_not_suit_ends_the_managed_node(world: World) -> None
     world.start(managed, name='managed')
     world.start(program)
     assert world.run(1) == [
-        (0.0, 'managed', "node '/managed' is unconfigured; from there it can go: 1 (configure), 5 (shutdown)")]
+        (0.0, 'managed', "node '/managed' is unconfigured; from there it can go: 1 (configure), 5 (shutdown)")
+    ]
 
 
 def test_transitions_are_told_with_those_that_end_them() -> None:
@@ -199,8 +218,12 @@ def test_transitions_are_told_with_those_that_end_them() -> None:
 def test_events_tell_the_states_only(ros: Ros, world: World) -> None:
     def body() -> None:
         node = LifecycleNode('n')
-        node.create_subscription(TransitionEvent, '~/transition_event', lambda event: world.say(
-            (event.timestamp, event.transition.id, event.start_state.label, event.goal_state.label)), 10)
+        node.create_subscription(
+            TransitionEvent,
+            '~/transition_event',
+            lambda event: world.say((event.timestamp, event.transition.id, event.start_state.label, event.goal_state.label)),
+            10,
+        )
         node.trigger_configure()
         for _ in range(2):
             rclpy.spin_once(node, timeout_sec=0.1)
@@ -211,13 +234,20 @@ def test_events_tell_the_states_only(ros: Ros, world: World) -> None:
 def test_only_managed_entities_follow_a_node(ros: Ros, world: World) -> None:
     def body() -> None:
         with pytest.raises(TypeError, match=r'^Expected a rclpy\.lifecycle\.ManagedEntity instance\.$'):
-            LifecycleNode('n').add_managed_entity(5)   # type: ignore[arg-type]
+            LifecycleNode('n').add_managed_entity(5)  # type: ignore[arg-type]
         world.say(repr(TransitionCallbackReturn.SUCCESS))
 
     assert ros(body) == ['<TransitionCallbackReturnType.SUCCESS: 97>']
 
 
 def test_the_services_can_be_left_out(ros: Ros, world: World) -> None:
-    ros(lambda: world.say([service.srv_name for service in LifecycleNode('n', enable_communication_interface=False).services
-                           if 'state' in service.srv_name]))
+    ros(
+        lambda: world.say(
+            [
+                service.srv_name
+                for service in LifecycleNode('n', enable_communication_interface=False).services
+                if 'state' in service.srv_name
+            ]
+        )
+    )
     assert [what for _, _, what in world.log] == [[]]

@@ -1,4 +1,5 @@
 """rclpy.logging: lines, levels, filters, /rosout."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -42,8 +43,9 @@ def test_console_lines_carry_simulated_time(world: World) -> None:
         sleep(1.5)
         every_severity(node)
 
-    assert output(world, body) == [f'[{severity}] [1700000001.500000000] [a.b.n]: text'
-                                   for severity in ('INFO', 'WARN', 'ERROR', 'FATAL')]
+    assert output(world, body) == [
+        f'[{severity}] [1700000001.500000000] [a.b.n]: text' for severity in ('INFO', 'WARN', 'ERROR', 'FATAL')
+    ]
     assert [level for level, _, _ in world.tracer.logs] == [20, 30, 40, 50]
 
 
@@ -52,19 +54,24 @@ def test_levels_come_from_the_command_line(world: World, level: str, count: int)
     assert len(output(world, lambda: every_severity(Node('n')), '--ros-args', '--log-level', level)) == count
 
 
-@pytest.mark.parametrize(('env', 'line'), [
-    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{severity} {name}: {message} {nonsense} {'}, 'INFO n: text {nonsense} {'),
-    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{time_as_nanoseconds} {date_time_with_ms}'},
-     '1700000000000000000 2023-11-14 22:13:20.000'),
-    ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{function_name}', 'RCUTILS_COLORIZED_OUTPUT': '1'}, '\033[0m<lambda>\033[0m'),
-])
+@pytest.mark.parametrize(
+    ('env', 'line'),
+    [
+        ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{severity} {name}: {message} {nonsense} {'}, 'INFO n: text {nonsense} {'),
+        (
+            {'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{time_as_nanoseconds} {date_time_with_ms}'},
+            '1700000000000000000 2023-11-14 22:13:20.000',
+        ),
+        ({'RCUTILS_CONSOLE_OUTPUT_FORMAT': '{function_name}', 'RCUTILS_COLORIZED_OUTPUT': '1'}, '\033[0m<lambda>\033[0m'),
+    ],
+)
 def test_the_format_comes_from_the_environment(world: World, env: dict[str, str], line: str) -> None:
     assert output(world, lambda: Node('n').get_logger().info('text'), env=env) == [line]
 
 
 def test_colours_are_for_the_whole_line(world: World) -> None:
     lines = output(world, lambda: every_severity(Node('n')), env={'RCUTILS_COLORIZED_OUTPUT': '1'})
-    assert [line[:line.index('m') + 1] for line in lines] == ['\033[0m', '\033[33m', '\033[31m', '\033[31m']
+    assert [line[: line.index('m') + 1] for line in lines] == ['\033[0m', '\033[33m', '\033[31m', '\033[31m']
     assert all(line.endswith('\033[0m') for line in lines)
 
 
@@ -80,10 +87,16 @@ def test_children_inherit_levels_and_may_have_their_own(ros: Ros, world: World) 
     assert ros(body) == [('n.part', 'ERROR', False), ('DEBUG', 'ERROR', True)]
 
 
-@pytest.mark.parametrize(('options', 'written'), [
-    ({}, [0, 1, 2, 3, 4]), ({'once': True}, [0]), ({'skip_first': True}, [1, 2, 3, 4]),
-    ({'throttle_duration_sec': 1.0}, [0, 2, 4]), ({'throttle_duration_sec': 1.0, 'skip_first': True}, [2, 4]),
-])
+@pytest.mark.parametrize(
+    ('options', 'written'),
+    [
+        ({}, [0, 1, 2, 3, 4]),
+        ({'once': True}, [0]),
+        ({'skip_first': True}, [1, 2, 3, 4]),
+        ({'throttle_duration_sec': 1.0}, [0, 2, 4]),
+        ({'throttle_duration_sec': 1.0, 'skip_first': True}, [2, 4]),
+    ],
+)
 def test_filters_belong_to_the_place_of_the_call(ros: Ros, world: World, options: dict[str, Any], written: list[int]) -> None:
     def body() -> None:
         logger = Node('n').get_logger()
@@ -98,8 +111,9 @@ def test_filters_belong_to_the_place_of_the_call(ros: Ros, world: World, options
 def test_a_throttle_may_follow_another_clock(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')
-        world.say([node.get_logger().info('x', throttle_duration_sec=1.0, throttle_time_source_type=node.get_clock())
-                   for _ in range(2)])
+        world.say(
+            [node.get_logger().info('x', throttle_duration_sec=1.0, throttle_time_source_type=node.get_clock()) for _ in range(2)]
+        )
 
     assert ros(body) == [[True, False]]
 
@@ -107,10 +121,14 @@ def test_a_throttle_may_follow_another_clock(ros: Ros, world: World) -> None:
 def test_misuse_is_refused(ros: Ros, world: World) -> None:
     def body() -> None:
         logger = Node('n').get_logger()
-        for call in (lambda: [logger.log('x', severity) for severity in (20, 30)],
-                     lambda: [logger.info('x', once=once) for once in (True, False)],
-                     lambda: logger.info('x', onse=True), lambda: logger.info(5), lambda: get_logger(''),
-                     lambda: logger.info('x', throttle_time_source_type=1)):
+        for call in (
+            lambda: [logger.log('x', severity) for severity in (20, 30)],
+            lambda: [logger.info('x', once=once) for once in (True, False)],
+            lambda: logger.info('x', onse=True),
+            lambda: logger.info(5),
+            lambda: get_logger(''),
+            lambda: logger.info('x', throttle_time_source_type=1),
+        ):
             with pytest.raises((TypeError, ValueError)) as caught:
                 call()
             world.say(f'{caught.type.__name__}: {caught.value}'[:60])
@@ -197,7 +215,9 @@ def test_the_logger_service_refuses_a_level_that_there_is_not(ros: Ros, world: W
     def body() -> None:
         node = Node('n', enable_logger_service=True)
         client = node.create_client(SetLoggerLevels, 'n/set_logger_levels')
-        future = client.call_async(SetLoggerLevels.Request(levels=[LoggerLevel(name='n', level=7), LoggerLevel(name='n', level=30)]))
+        future = client.call_async(
+            SetLoggerLevels.Request(levels=[LoggerLevel(name='n', level=7), LoggerLevel(name='n', level=30)])
+        )
         rclpy.spin_until_future_complete(node, future)
         world.say([(result.successful, result.reason) for result in future.result().results])
 

@@ -1,4 +1,5 @@
 """The filters of message_filters: what passes, in which groups, and what is dropped."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -64,8 +65,9 @@ def test_the_oldest_leaves_a_full_queue() -> None:
 
 
 def test_near_stamps_pass_together_the_nearest_first() -> None:
-    near = paired(lambda fs: message_filters.ApproximateTimeSynchronizer(fs, 10, 0.05),
-                  (0, 100), (0, 130), (1, 140), (1, 400), (0, 360))
+    near = paired(
+        lambda fs: message_filters.ApproximateTimeSynchronizer(fs, 10, 0.05), (0, 100), (0, 130), (1, 140), (1, 400), (0, 360)
+    )
     assert near == [(130, 140), (360, 400)]
 
 
@@ -129,10 +131,10 @@ def test_a_message_filter_waits_for_tf_and_says_what_it_drops(world: World) -> N
             buffer.set_transform(transform, 'test')
         entry.signalMessage(point(900))
 
-    assert world.run_program(program) == [
-        ('QueueFull', 1000), ('EmptyFrameID', 5), ('passed', 1200), ('OutTheBack', 900)]
-    assert ("Message Filter dropping message: frame 'laser' at time 1.000 for reason 'discarding message because the queue "
-            "is full'") in world.output['main']
+    assert world.run_program(program) == [('QueueFull', 1000), ('EmptyFrameID', 5), ('passed', 1200), ('OutTheBack', 900)]
+    assert (
+        "Message Filter dropping message: frame 'laser' at time 1.000 for reason 'discarding message because the queue is full'"
+    ) in world.output['main']
 
 
 def test_a_filter_can_wait_for_several_frames_and_a_tolerance(world: World) -> None:
@@ -143,7 +145,12 @@ def test_a_filter_can_wait_for_several_frames_and_a_tolerance(world: World) -> N
         ready.setTolerance(rclpy.duration.Duration(nanoseconds=100 * MS))
         ready.registerCallback(lambda message: world.say(stamp_ms(message)))
         ready.add(point(1000))
-        for stamp, parent, child in ((1000, 'odom', 'laser'), (1000, 'map', 'odom'), (1100, 'map', 'odom'), (1100, 'odom', 'laser')):
+        for stamp, parent, child in (
+            (1000, 'odom', 'laser'),
+            (1000, 'map', 'odom'),
+            (1100, 'map', 'odom'),
+            (1100, 'odom', 'laser'),
+        ):
             buffer.set_transform(TransformStamped(header=point(stamp, parent).header, child_frame_id=child), 'test')
             world.say((parent, stamp))
 

@@ -1,4 +1,5 @@
 """Requests without a server: ROS 2 says nothing, the recording does."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -35,18 +36,24 @@ def test_a_request_to_nobody_is_noted_once(world: World) -> None:
         client.call_async(Empty.Request())
         client.call_async(Empty.Request())
 
-    assert noted(world, body) == [('lost request', (
-        "node '/node' asks service '/spwan', but nobody offers it (did you mean '/spawn'?), so the request is lost and no answer "
-        'will ever come. Wait for the server first: client.wait_for_service()'))]
+    assert noted(world, body) == [
+        (
+            'lost request',
+            (
+                "node '/node' asks service '/spwan', but nobody offers it (did you mean '/spawn'?), so the request is lost and no answer "
+                'will ever come. Wait for the server first: client.wait_for_service()'
+            ),
+        )
+    ]
 
 
 def test_a_server_of_another_type_is_named(world: World) -> None:
-    (_, text), = noted(world, lambda node: node.create_client(Trigger, '/spawn').call_async(Trigger.Request()))
+    ((_, text),) = noted(world, lambda node: node.create_client(Trigger, '/spawn').call_async(Trigger.Request()))
     assert 'but its server has the type std_srvs/srv/Empty, the client std_srvs/srv/Trigger, so the request is lost' in text
 
 
 def test_a_goal_to_nobody_is_noted(world: World) -> None:
-    (kind, text), = noted(world, lambda node: ActionClient(node, Fibonacci, 'count').send_goal_async(Fibonacci.Goal()))
+    ((kind, text),) = noted(world, lambda node: ActionClient(node, Fibonacci, 'count').send_goal_async(Fibonacci.Goal()))
     assert (kind, text.split(', so')[0]) == ('lost request', "node '/node' asks action '/count', but nobody offers it")
 
 
@@ -57,8 +64,9 @@ def test_a_wait_of_ten_seconds_is_noted(world: World) -> None:
             if node.get_clock().now().nanoseconds > world.sim.start_ns + 40 * 10**9:
                 return
 
-    assert noted(world, body) == [('no server', (
-        "node '/node' has waited 10 s for service '/spawm', but nobody offers it (did you mean '/spawn'?)"))]
+    assert noted(world, body) == [
+        ('no server', ("node '/node' has waited 10 s for service '/spawm', but nobody offers it (did you mean '/spawn'?)"))
+    ]
 
 
 def test_a_server_that_comes_in_time_is_no_news(world: World) -> None:
@@ -71,6 +79,7 @@ def test_a_server_that_comes_in_time_is_no_news(world: World) -> None:
     def late() -> None:
         rclpy.init()
         from edulaunch.sim.sync import sleep
+
         sleep(5)
         rclpy.spin(node_with_service())
 

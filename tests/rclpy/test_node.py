@@ -1,4 +1,5 @@
 """rclpy.node: names, remapping, the graph, its end."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -34,17 +35,40 @@ def test_entities_of_a_new_node_are_made_in_the_order_of_rclpy(ros: Ros, world: 
         entry = Node('n', enable_logger_service=True).handle
         world.say([(end.kind, getattr(end, 'topic_name', None) or end.service_name) for end in entry.endpoints])
 
-    assert ros(body) == [[('publisher', '/rosout'), ('publisher', '/parameter_events')] + [('service', f'/n/{name}') for name in (
-        'describe_parameters', 'get_parameters', 'get_parameter_types', 'list_parameters', 'set_parameters',
-        'set_parameters_atomically', 'get_logger_levels', 'set_logger_levels', 'get_type_description')]]
+    assert ros(body) == [
+        [('publisher', '/rosout'), ('publisher', '/parameter_events')]
+        + [
+            ('service', f'/n/{name}')
+            for name in (
+                'describe_parameters',
+                'get_parameters',
+                'get_parameter_types',
+                'list_parameters',
+                'set_parameters',
+                'set_parameters_atomically',
+                'get_logger_levels',
+                'set_logger_levels',
+                'get_type_description',
+            )
+        ]
+    ]
 
 
-@pytest.mark.parametrize(('names', 'error', 'text'), [
-    (('my node',), InvalidNodeNameException,
-     "Invalid node name: node name must not contain characters other than alphanumerics or '_':\n  'my node'\n     ^"),
-    (('n', 'a b'), InvalidNamespaceException,
-     "Invalid namespace: namespace must not contain characters other than alphanumerics, '_', or '/':\n  '/a b'\n     ^"),
-])
+@pytest.mark.parametrize(
+    ('names', 'error', 'text'),
+    [
+        (
+            ('my node',),
+            InvalidNodeNameException,
+            "Invalid node name: node name must not contain characters other than alphanumerics or '_':\n  'my node'\n     ^",
+        ),
+        (
+            ('n', 'a b'),
+            InvalidNamespaceException,
+            "Invalid namespace: namespace must not contain characters other than alphanumerics, '_', or '/':\n  '/a b'\n     ^",
+        ),
+    ],
+)
 def test_bad_names_are_shown_with_a_caret(ros: Ros, world: World, names: Any, error: Any, text: str) -> None:
     def body() -> None:
         with pytest.raises(error) as caught:
@@ -68,7 +92,9 @@ def test_bad_topics_and_services_have_exceptions_of_their_own(ros: Ros, world: W
         node = Node('n')
         with pytest.raises(InvalidTopicNameException, match='topic name must not contain repeated'):
             node.create_publisher(String, 'a//b', 10)
-        with pytest.raises(InvalidServiceNameException, match='Invalid service name: topic name must not end with a forward slash'):
+        with pytest.raises(
+            InvalidServiceNameException, match='Invalid service name: topic name must not end with a forward slash'
+        ):
             node.create_client(Empty, 'a/')
         world.say('refused')
 
@@ -78,21 +104,35 @@ def test_bad_topics_and_services_have_exceptions_of_their_own(ros: Ros, world: W
 def test_remap_rules_change_nodes_topics_and_services(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')
-        world.say((node.get_fully_qualified_name(), node.get_logger().name, node.resolve_topic_name('chatter'),
-                   node.resolve_service_name('chatter'), node.resolve_topic_name('~/x'),
-                   node.resolve_topic_name('chatter', only_expand=True)))
+        world.say(
+            (
+                node.get_fully_qualified_name(),
+                node.get_logger().name,
+                node.resolve_topic_name('chatter'),
+                node.resolve_service_name('chatter'),
+                node.resolve_topic_name('~/x'),
+                node.resolve_topic_name('chatter', only_expand=True),
+            )
+        )
 
     rules = ('__node:=renamed', '__ns:=/deep/er', 'rostopic://chatter:=/talk', 'chatter:=other')
     assert ros(body, '--ros-args', *(part for rule in rules for part in ('-r', rule))) == [
-        ('/deep/er/renamed', 'deep.er.renamed', '/talk', '/deep/er/other', '/deep/er/renamed/x', '/deep/er/chatter')]
+        ('/deep/er/renamed', 'deep.er.renamed', '/talk', '/deep/er/other', '/deep/er/renamed/x', '/deep/er/chatter')
+    ]
 
 
 def test_arguments_of_the_node_come_before_those_of_the_program(ros: Ros, world: World) -> None:
     def body() -> None:
         own = Node('n', cli_args=['--ros-args', '-r', 'a:=own', '-p', 'p:=1'])
         apart = Node('m', use_global_arguments=False)
-        world.say((own.resolve_topic_name('a'), own.declare_parameter('p', 0).value, own.declare_parameter('q', 0).value,
-                   apart.resolve_topic_name('a')))
+        world.say(
+            (
+                own.resolve_topic_name('a'),
+                own.declare_parameter('p', 0).value,
+                own.declare_parameter('q', 0).value,
+                apart.resolve_topic_name('a'),
+            )
+        )
 
     assert ros(body, '--ros-args', '-r', 'a:=global', '-p', 'p:=2', '-p', 'q:=2') == [('/own', 1, 2, '/a')]
 
@@ -108,8 +148,16 @@ def test_the_graph_can_be_asked(ros: Ros, world: World) -> None:
         other.create_publisher(String, 'chatter', 7)
         node.create_subscription(String, '/ns/chatter', lambda _: None, 10)
         other.create_client(Empty, '/clear')
-        world.say((node.get_node_names(), node.get_node_names_and_namespaces(), node.count_publishers('/ns/chatter'),
-                   node.count_subscribers('/ns/chatter'), node.count_clients('/clear'), node.count_services('/clear')))
+        world.say(
+            (
+                node.get_node_names(),
+                node.get_node_names_and_namespaces(),
+                node.count_publishers('/ns/chatter'),
+                node.count_subscribers('/ns/chatter'),
+                node.count_clients('/clear'),
+                node.count_services('/clear'),
+            )
+        )
         world.say([pair for pair in node.get_topic_names_and_types() if 'chatter' in pair[0]])
         world.say(node.get_publisher_names_and_types_by_node('other', '/ns')[0])
         world.say(node.get_client_names_and_types_by_node('other', '/ns'))
@@ -120,12 +168,24 @@ def test_the_graph_can_be_asked(ros: Ros, world: World) -> None:
             node.get_service_names_and_types_by_node('nobody', '/')
 
     assert ros(body) == [
-        (['n', 'other'], [('n', '/'), ('other', '/ns')], 1, 1, 1, 0), [('/ns/chatter', ['std_msgs/msg/String'])],
-        ('/ns/chatter', ['std_msgs/msg/String']), [('/clear', ['std_srvs/srv/Empty'])],
+        (['n', 'other'], [('n', '/'), ('other', '/ns')], 1, 1, 1, 0),
+        [('/ns/chatter', ['std_msgs/msg/String'])],
+        ('/ns/chatter', ['std_msgs/msg/String']),
+        [('/clear', ['std_srvs/srv/Empty'])],
         ('other', '/ns', 'std_msgs/msg/String', 'PUBLISHER', 0),
-        ['Endpoint type: PUBLISHER', f'GID: {"00." * 15}{_gid(world)}', 'QoS profile:', '  Reliability: RELIABLE',
-         '  History (Depth): UNKNOWN', '  Durability: VOLATILE', '  Lifespan: Infinite', '  Deadline: Infinite',
-         '  Liveliness: AUTOMATIC', '  Liveliness lease duration: Infinite']]
+        [
+            'Endpoint type: PUBLISHER',
+            f'GID: {"00." * 15}{_gid(world)}',
+            'QoS profile:',
+            '  Reliability: RELIABLE',
+            '  History (Depth): UNKNOWN',
+            '  Durability: VOLATILE',
+            '  Lifespan: Infinite',
+            '  Deadline: Infinite',
+            '  Liveliness: AUTOMATIC',
+            '  Liveliness lease duration: Infinite',
+        ],
+    ]
 
 
 def _gid(world: World) -> str:
@@ -169,7 +229,7 @@ def test_a_forgotten_super_init_is_explained(ros: Ros, world: World) -> None:
     def body() -> None:
         with pytest.raises(AttributeError, match="'Forgetful' object has no attribute '_default_callback_group'") as caught:
             Forgetful()
-        world.say(caught.value.edulaunch_hint)   # type: ignore[attr-defined]
+        world.say(caught.value.edulaunch_hint)  # type: ignore[attr-defined]
 
     assert ros(body) == ["call super().__init__('node_name') in __init__ before anything else of the node"]
 
@@ -208,15 +268,22 @@ def test_quality_of_service_overrides_may_be_refused(ros: Ros, world: World) -> 
 
     def body() -> None:
         options = QoSOverridingOptions.with_default_policies(callback=lambda profile: SetParametersResult(reason='no'))
-        with pytest.raises(InvalidQosOverridesError, match='^Provided QoS overrides for publisher `/c` with id `None`, are not valid: no$'):
+        with pytest.raises(
+            InvalidQosOverridesError, match='^Provided QoS overrides for publisher `/c` with id `None`, are not valid: no$'
+        ):
             Node('n').create_publisher(String, 'c', 10, qos_overriding_options=options)
         world.say('refused')
 
     assert ros(body) == ['refused']
 
 
-@pytest.mark.parametrize(('value', 'what'), [('best_effort', 'reliability for publisher `/c` with id `left`'),
-                                             ('wrong', 'Unexpected QoS override for policy `reliability`: `wrong`')])
+@pytest.mark.parametrize(
+    ('value', 'what'),
+    [
+        ('best_effort', 'reliability for publisher `/c` with id `left`'),
+        ('wrong', 'Unexpected QoS override for policy `reliability`: `wrong`'),
+    ],
+)
 def test_an_override_is_described_by_its_endpoint_and_must_name_a_value(ros: Ros, world: World, value: str, what: str) -> None:
     def body() -> None:
         node, options = Node('n'), QoSOverridingOptions([QoSPolicyKind.RELIABILITY], entity_id='left')
@@ -267,10 +334,15 @@ def test_others_can_ask_what_a_type_looks_like(ros: Ros, world: World) -> None:
     assert ros(body) == [(True, ['data']), (False, [])]
 
 
-@pytest.mark.parametrize('look', [
-    lambda node, publisher: node.count_subscribers('chatter'), lambda node, publisher: publisher.get_subscription_count(),
-    lambda node, publisher: 'late' in node.get_node_names(),
-    lambda node, publisher: any(name == '/late/get_parameters' for name, _ in node.get_service_names_and_types())])
+@pytest.mark.parametrize(
+    'look',
+    [
+        lambda node, publisher: node.count_subscribers('chatter'),
+        lambda node, publisher: publisher.get_subscription_count(),
+        lambda node, publisher: 'late' in node.get_node_names(),
+        lambda node, publisher: any(name == '/late/get_parameters' for name, _ in node.get_service_names_and_types()),
+    ],
+)
 def test_a_loop_that_only_looks_at_the_graph_lets_the_world_go_on(world: World, look: Any) -> None:
     def waiting() -> None:
         rclpy.init()
@@ -289,7 +361,7 @@ def test_a_loop_that_only_looks_at_the_graph_lets_the_world_go_on(world: World, 
 
     world.start(waiting)
     world.start(late, name='late')
-    (at, _, what), = world.run(2)
+    ((at, _, what),) = world.run(2)
     assert (at // 10, what) == (50, 'there')
 
 
@@ -305,8 +377,10 @@ def test_a_destroyed_node_makes_nothing_and_has_no_name_any_more(ros: Ros, world
     assert ros(body) == [True]
 
 
-@pytest.mark.parametrize('make', [lambda node: Node(None), lambda node: node.create_publisher(String, 3, 1),
-                                  lambda node: node.create_client(Empty, None)])
+@pytest.mark.parametrize(
+    'make',
+    [lambda node: Node(None), lambda node: node.create_publisher(String, 3, 1), lambda node: node.create_client(Empty, None)],
+)
 def test_a_name_that_is_no_text_is_a_type_error(ros: Ros, world: World, make: Callable[[Node], Any]) -> None:
     def body() -> None:
         with pytest.raises(TypeError, match='a name must be a str, not (int|NoneType)'):
@@ -315,7 +389,9 @@ def test_a_name_that_is_no_text_is_a_type_error(ros: Ros, world: World, make: Ca
     ros(body)
 
 
-@pytest.mark.parametrize(('names', 'what'), [(('a?', 'n', '/'), 'topic name'), (('a', 'n?', '/'), 'node name'), (('a', 'n', '/?'), 'node namespace')])
+@pytest.mark.parametrize(
+    ('names', 'what'), [(('a?', 'n', '/'), 'topic name'), (('a', 'n?', '/'), 'node name'), (('a', 'n', '/?'), 'node namespace')]
+)
 def test_expanding_needs_legal_names(names: tuple[str, str, str], what: str) -> None:
     with pytest.raises(ValueError, match=rf"{what} '.+\?' is invalid: "):
         expand_topic_name(*names)
@@ -331,14 +407,20 @@ def test_a_bad_name_that_is_only_resolved_is_an_rcl_error(ros: Ros, world: World
 
     assert ros(body) == [
         "failed to resolve name: topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'",
-        "failed to resolve name: topic name must not contain repeated '/'", 'failed to resolve name: unknown substitution: {nod}']
+        "failed to resolve name: topic name must not contain repeated '/'",
+        'failed to resolve name: unknown substitution: {nod}',
+    ]
 
 
-@pytest.mark.parametrize(('name', 'namespace', 'text'), [
-    ('m', '/', 'cannot get publisher names and types for nonexistent node: error not set'),
-    ('n', 'ns', "failed to get publisher names and types: namespace must be absolute, it must lead with a '/', result: 2"),
-    ('', '/', 'failed to get publisher names and types: node name must not be empty, result: 1'),
-    ('1', '/', 'failed to get publisher names and types: node name must not start with a number, result: 2')])
+@pytest.mark.parametrize(
+    ('name', 'namespace', 'text'),
+    [
+        ('m', '/', 'cannot get publisher names and types for nonexistent node: error not set'),
+        ('n', 'ns', "failed to get publisher names and types: namespace must be absolute, it must lead with a '/', result: 2"),
+        ('', '/', 'failed to get publisher names and types: node name must not be empty, result: 1'),
+        ('1', '/', 'failed to get publisher names and types: node name must not start with a number, result: 2'),
+    ],
+)
 def test_asking_about_a_node_needs_its_full_namespace(ros: Ros, world: World, name: str, namespace: str, text: str) -> None:
     def body() -> None:
         with pytest.raises(RCLError) as caught:
@@ -390,7 +472,7 @@ def test_others_do_not_know_the_history_of_an_endpoint(ros: Ros, world: World) -
     def body() -> None:
         node = Node('n')
         node.create_publisher(String, 'chatter', 7)
-        info, = node.get_publishers_info_by_topic('chatter')
+        (info,) = node.get_publishers_info_by_topic('chatter')
         world.say((info.qos_profile.history.name, info.qos_profile.depth, '  History (Depth): UNKNOWN' in str(info).splitlines()))
 
     assert ros(body) == [('UNKNOWN', 0, True)]

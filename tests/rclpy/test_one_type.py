@@ -1,4 +1,5 @@
 """One name, one type: what Fast DDS asks of one program."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -16,18 +17,27 @@ from .conftest import World
 Ros = Callable[..., list[Any]]
 
 
-@pytest.mark.parametrize(('make', 'text'), [
-    (lambda node: node.create_publisher(Int32, 'a', 1),
-     'Failed to create publisher: create_publisher() called for existing topic name rt/a with incompatible type '
-     'std_msgs::msg::dds_::Int32_'),
-    (lambda node: node.create_subscription(Int32, 'a', print, 1), 'Failed to create subscription: invalid allocator'),
-    (lambda node: node.create_service(SetBool, 's', print),
-     'failed to create service: create_service() called for existing request topic name rq/sRequest with incompatible type '
-     'std_srvs::srv::dds_::SetBool_Request_'),
-    (lambda node: node.create_client(SetBool, 's'),
-     'failed to create client: create_client() called for existing request topic name rq/sRequest with incompatible type '
-     'std_srvs::srv::dds_::SetBool_Request_'),
-])
+@pytest.mark.parametrize(
+    ('make', 'text'),
+    [
+        (
+            lambda node: node.create_publisher(Int32, 'a', 1),
+            'Failed to create publisher: create_publisher() called for existing topic name rt/a with incompatible type '
+            'std_msgs::msg::dds_::Int32_',
+        ),
+        (lambda node: node.create_subscription(Int32, 'a', print, 1), 'Failed to create subscription: invalid allocator'),
+        (
+            lambda node: node.create_service(SetBool, 's', print),
+            'failed to create service: create_service() called for existing request topic name rq/sRequest with incompatible type '
+            'std_srvs::srv::dds_::SetBool_Request_',
+        ),
+        (
+            lambda node: node.create_client(SetBool, 's'),
+            'failed to create client: create_client() called for existing request topic name rq/sRequest with incompatible type '
+            'std_srvs::srv::dds_::SetBool_Request_',
+        ),
+    ],
+)
 def test_a_second_type_of_one_name_is_refused(ros: Ros, world: World, make: Callable[[Node], Any], text: str) -> None:
     def body() -> None:
         one, other = Node('one'), Node('other')
@@ -59,11 +69,15 @@ def test_another_context_is_another_participant(ros: Ros, world: World) -> None:
     assert ros(body) == ['/a']
 
 
-@pytest.mark.parametrize(('make', 'text'), [
-    (lambda node: node.create_publisher(String, 'a', 1), 'Failed to create publisher'),
-    (lambda node: node.create_subscription(String, 'a', print, 1), 'Failed to create subscription'),
-    (lambda node: node.create_service(Trigger, 's', print), 'failed to create service'),
-    (lambda node: node.create_client(Trigger, 's'), 'failed to create client')])
+@pytest.mark.parametrize(
+    ('make', 'text'),
+    [
+        (lambda node: node.create_publisher(String, 'a', 1), 'Failed to create publisher'),
+        (lambda node: node.create_subscription(String, 'a', print, 1), 'Failed to create subscription'),
+        (lambda node: node.create_service(Trigger, 's', print), 'failed to create service'),
+        (lambda node: node.create_client(Trigger, 's'), 'failed to create client'),
+    ],
+)
 def test_nothing_is_made_after_shutdown(ros: Ros, world: World, make: Callable[[Node], Any], text: str) -> None:
     def body() -> None:
         node = Node('n')
@@ -82,10 +96,12 @@ def test_endpoints_answer_neither_after_shutdown_nor_after_their_end(ros: Ros, w
         gone = node.create_subscription(String, 'a', print, 1)
         node.destroy_subscription(gone)
         with pytest.raises(rclpy._rclpy_pybind11.InvalidHandle, match='cannot use Destroyable because destruction was requested'):
-            gone.topic_name   # noqa: B018
+            gone.topic_name  # noqa: B018
         rclpy.shutdown()
-        for ask, text in ((publisher.get_subscription_count, "failed to get subscription count: publisher's"),
-                          (client.wait_for_service, "failed to check service availability: rcl node's")):
+        for ask, text in (
+            (publisher.get_subscription_count, "failed to get subscription count: publisher's"),
+            (client.wait_for_service, "failed to check service availability: rcl node's"),
+        ):
             with pytest.raises(RCLError, match=f'^{text} context is invalid$'):
                 ask()
         world.say((publisher.topic_name, client.service_name))

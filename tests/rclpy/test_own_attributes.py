@@ -1,4 +1,5 @@
 """A student's own attributes and methods on a node never collide with the node's own state."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -17,14 +18,91 @@ from .conftest import World
 
 Ros = Callable[..., list[Any]]
 PLAUSIBLE = (
-    'clock', 'logger', 'name', 'namespace', 'node', 'count', 'counter', 'timer', 'rate', 'pub', 'sub', 'publisher', 'subscription',
-    'client', 'service', 'server', 'parameters', 'params', 'state', 'status', 'goal', 'goal_handle', 'future', 'result', 'request',
-    'response', 'callback', 'callback_group', 'group', 'lock', 'thread', 'queue', 'spin', 'run', 'stop', 'start', 'update', 'reset',
-    'pose', 'msg', 'data', 'id', 'type', 'running', 'done', 'shutdown', 'init', 'args', 'time_source', 'graph', 'core', 'entry',
-    'rates', 'tasks', 'entities', 'number', 'destroyed', 'process', 'rules', 'overrides', 'descriptors', 'names', 'topic_name', 'qos',
-    'rosout', 'life', 'entity', 'order', 'impl', 'sim', 'resolve', 'full_name', 'ready_list')
-REAL_PROPERTIES = ('publishers', 'subscriptions', 'clients', 'services', 'timers', 'guards', 'waitables', 'context',
-                   'default_callback_group')
+    'clock',
+    'logger',
+    'name',
+    'namespace',
+    'node',
+    'count',
+    'counter',
+    'timer',
+    'rate',
+    'pub',
+    'sub',
+    'publisher',
+    'subscription',
+    'client',
+    'service',
+    'server',
+    'parameters',
+    'params',
+    'state',
+    'status',
+    'goal',
+    'goal_handle',
+    'future',
+    'result',
+    'request',
+    'response',
+    'callback',
+    'callback_group',
+    'group',
+    'lock',
+    'thread',
+    'queue',
+    'spin',
+    'run',
+    'stop',
+    'start',
+    'update',
+    'reset',
+    'pose',
+    'msg',
+    'data',
+    'id',
+    'type',
+    'running',
+    'done',
+    'shutdown',
+    'init',
+    'args',
+    'time_source',
+    'graph',
+    'core',
+    'entry',
+    'rates',
+    'tasks',
+    'entities',
+    'number',
+    'destroyed',
+    'process',
+    'rules',
+    'overrides',
+    'descriptors',
+    'names',
+    'topic_name',
+    'qos',
+    'rosout',
+    'life',
+    'entity',
+    'order',
+    'impl',
+    'sim',
+    'resolve',
+    'full_name',
+    'ready_list',
+)
+REAL_PROPERTIES = (
+    'publishers',
+    'subscriptions',
+    'clients',
+    'services',
+    'timers',
+    'guards',
+    'waitables',
+    'context',
+    'default_callback_group',
+)
 
 
 class Crowded(Node):
@@ -87,7 +165,7 @@ def test_what_is_a_property_in_ros_cannot_be_set(ros: Ros, world: World, name: s
 def test_errors_about_arguments_name_the_node_class(ros: Ros, world: World) -> None:
     def body() -> None:
         with pytest.raises(TypeError, match=r"^Node.create_publisher\(\) missing 1 required positional argument: 'qos_profile'"):
-            Node('node').create_publisher(String, 'topic')   # type: ignore[call-arg]
+            Node('node').create_publisher(String, 'topic')  # type: ignore[call-arg]
         world.say('named')
 
     assert ros(body) == ['named']
@@ -97,8 +175,15 @@ def test_what_rclpy_keeps_under_private_names_can_be_read(ros: Ros, world: World
     def body() -> None:
         node = Node('n')
         node.declare_parameter('p', 5)
-        world.say((node._logger is node.get_logger(), node._clock is node.get_clock(), node._parameters['p'].value,
-                   node._default_callback_group is node.default_callback_group, hasattr(node, '_nothing')))
+        world.say(
+            (
+                node._logger is node.get_logger(),
+                node._clock is node.get_clock(),
+                node._parameters['p'].value,
+                node._default_callback_group is node.default_callback_group,
+                hasattr(node, '_nothing'),
+            )
+        )
         node._clock = 'my own'
         world.say(node.get_clock() is not node._clock)
 

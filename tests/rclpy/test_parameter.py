@@ -1,4 +1,5 @@
 """The class Parameter, and the texts and files that become parameters."""
+
 from __future__ import annotations
 
 from array import array
@@ -7,12 +8,7 @@ from typing import Any
 
 import pytest
 import yaml
-from rclpy.parameter import (
-    Parameter,
-    get_parameter_value,
-    parameter_dict_from_yaml_file,
-    parameter_value_to_python,
-)
+from rclpy.parameter import Parameter, get_parameter_value, parameter_dict_from_yaml_file, parameter_value_to_python
 
 from .test_parameters import raised
 
@@ -32,7 +28,9 @@ def test_a_parameter_file_becomes_messages(tmp_path: Path) -> None:
 
 def test_type_and_value_must_agree() -> None:
     assert raised(Parameter, 'p', Parameter.Type.INTEGER, 1.0) == (
-        'ValueError', "Type 'Type.INTEGER' and value '1.0' do not agree")
+        'ValueError',
+        "Type 'Type.INTEGER' and value '1.0' do not agree",
+    )
 
 
 def test_a_parameter_survives_its_message() -> None:
@@ -40,11 +38,19 @@ def test_a_parameter_survives_its_message() -> None:
         assert Parameter.from_parameter_msg(Parameter('p', value=value).to_parameter_msg()).value == value
 
 
-@pytest.mark.parametrize(('text', 'nodes', 'words'), [
-    ('/a:\n  ros__parameters:\n    x: 1\n', ['/b'], r"Param file does not contain parameters for /b,only for nodes: \['/a'\] "),
-    ('/**:\n  ros__parameters:\n    x: 1\n', None, 'Param file does not contain selected parameters'),
-    ('/a:\n  ros__parameters: {}\n', None, 'Param file does not contain any valid parameters'),
-    ('/a:\n  x: 1\n', None, 'YAML file is not a valid ROS parameter file for node /a')])
+@pytest.mark.parametrize(
+    ('text', 'nodes', 'words'),
+    [
+        (
+            '/a:\n  ros__parameters:\n    x: 1\n',
+            ['/b'],
+            r"Param file does not contain parameters for /b,only for nodes: \['/a'\] ",
+        ),
+        ('/**:\n  ros__parameters:\n    x: 1\n', None, 'Param file does not contain selected parameters'),
+        ('/a:\n  ros__parameters: {}\n', None, 'Param file does not contain any valid parameters'),
+        ('/a:\n  x: 1\n', None, 'YAML file is not a valid ROS parameter file for node /a'),
+    ],
+)
 def test_a_file_without_the_wanted_parameters_is_refused(tmp_path: Path, text: str, nodes: list[str] | None, words: str) -> None:
     file = tmp_path / 'p.yaml'
     file.write_text(text)
@@ -63,14 +69,20 @@ def test_parameters_are_compared_and_shown_as_plain_objects() -> None:
     assert repr(parameter).startswith('<rclpy.parameter.Parameter object at 0x')
 
 
-@pytest.mark.parametrize(('value', 'words'), [
-    ({'a': 1}, "The given value is not one of the allowed types '{'a': 1}'."),
-    ([1, 2.0], "The given value is not a list of one of the allowed types '[1, 2.0]'.")])
+@pytest.mark.parametrize(
+    ('value', 'words'),
+    [
+        ({'a': 1}, "The given value is not one of the allowed types '{'a': 1}'."),
+        ([1, 2.0], "The given value is not a list of one of the allowed types '[1, 2.0]'."),
+    ],
+)
 def test_a_value_that_no_parameter_can_hold_is_named(value: Any, words: str) -> None:
     assert raised(Parameter, 'p', None, value) == ('TypeError', words)
 
 
-@pytest.mark.parametrize(('text', 'number'), [('[]', Parameter.Type.BOOL_ARRAY), ('[1', Parameter.Type.STRING), ('~', Parameter.Type.STRING)])
+@pytest.mark.parametrize(
+    ('text', 'number'), [('[]', Parameter.Type.BOOL_ARRAY), ('[1', Parameter.Type.STRING), ('~', Parameter.Type.STRING)]
+)
 def test_odd_texts_still_have_a_type(text: str, number: Parameter.Type) -> None:
     assert get_parameter_value(text).type == number.value
 

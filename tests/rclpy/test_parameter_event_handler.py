@@ -1,4 +1,5 @@
 """Being told of parameters that change."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

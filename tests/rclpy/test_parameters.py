@@ -1,4 +1,5 @@
 """Parameters of rclpy nodes."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -7,19 +8,10 @@ from typing import Any
 
 import pytest
 import rclpy
-from rcl_interfaces.msg import (
-    FloatingPointRange,
-    IntegerRange,
-    ParameterDescriptor,
-    ParameterEvent,
-    SetParametersResult,
-)
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor, ParameterEvent, SetParametersResult
 from rcl_interfaces.srv import GetParameters, ListParameters
 from rclpy.node import Node
-from rclpy.parameter import (
-    Parameter,
-    parameter_value_to_python,
-)
+from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 
 from .conftest import World
@@ -69,9 +61,14 @@ def test_misuse_has_the_texts_of_rclpy(ros: Ros, world: World) -> None:
         node.declare_parameter('typed', Parameter.Type.STRING)
         node.declare_parameter('fixed', 1, ParameterDescriptor(read_only=True))
         for call, *arguments in (
-                (node.get_parameter, 'q'), (node.declare_parameter, 'p', 2), (node.get_parameter, 'typed'),
-                (node.undeclare_parameter, 'fixed'), (node.set_parameters, [Parameter('q', value=1)]),
-                (node.declare_parameter, 'n', None, ParameterDescriptor()), (node.declare_parameter, '', 1)):
+            (node.get_parameter, 'q'),
+            (node.declare_parameter, 'p', 2),
+            (node.get_parameter, 'typed'),
+            (node.undeclare_parameter, 'fixed'),
+            (node.set_parameters, [Parameter('q', value=1)]),
+            (node.declare_parameter, 'n', None, ParameterDescriptor()),
+            (node.declare_parameter, '', 1),
+        ):
             world.say(raised(call, *arguments))
 
     assert ros(body) == [
@@ -101,18 +98,34 @@ def test_types_are_static(ros: Ros, world: World) -> None:
         node.declare_parameter('p', 1.0)
         world.say(results(node, 5, None, 5.0))
 
-    assert ros(body) == [["Wrong parameter type, expected 'Type.DOUBLE' got 'Type.INTEGER'",
-                          'Static parameter cannot be undeclared', '']]
+    assert ros(body) == [
+        ["Wrong parameter type, expected 'Type.DOUBLE' got 'Type.INTEGER'", 'Static parameter cannot be undeclared', '']
+    ]
 
 
-@pytest.mark.parametrize(('descriptor', 'first', 'values', 'reasons'), [
-    (ParameterDescriptor(read_only=True), 1, [2], ['Trying to set a read-only parameter: p.']),
-    (ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=3)]), 0, [3, 10, 11, 4],
-     ['', '', 'Parameter p out of range. Min: 0, Max: 10, value: 11',
-      'The parameter value for p is not a valid step. Min: 0, max: 10, value: 4, step: 3']),
-    (ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]), 0.0, [0.5, 2.0],
-     ['', 'Parameter p out of range Min: 0.0, Max: 1.0, value: 2.0']),
-])
+@pytest.mark.parametrize(
+    ('descriptor', 'first', 'values', 'reasons'),
+    [
+        (ParameterDescriptor(read_only=True), 1, [2], ['Trying to set a read-only parameter: p.']),
+        (
+            ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=3)]),
+            0,
+            [3, 10, 11, 4],
+            [
+                '',
+                '',
+                'Parameter p out of range. Min: 0, Max: 10, value: 11',
+                'The parameter value for p is not a valid step. Min: 0, max: 10, value: 4, step: 3',
+            ],
+        ),
+        (
+            ParameterDescriptor(floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0)]),
+            0.0,
+            [0.5, 2.0],
+            ['', 'Parameter p out of range Min: 0.0, Max: 1.0, value: 2.0'],
+        ),
+    ],
+)
 def test_descriptors_limit_values(ros: Ros, world: World, descriptor: Any, first: Any, values: Any, reasons: Any) -> None:
     def body() -> None:
         node = Node('n')
@@ -122,15 +135,25 @@ def test_descriptors_limit_values(ros: Ros, world: World, descriptor: Any, first
     assert ros(body) == [reasons]
 
 
-@pytest.mark.parametrize(('arguments', 'outcome'), [
-    (['-p', 'p:=2.5'], 2.5),
-    (['-p', 'p:=5'], ('InvalidParameterTypeException',
-                      "Trying to set parameter 'p' to '5' of type 'INTEGER', expecting type 'DOUBLE': p")),
-    (['-p', 'p:=50.0'], ('InvalidParameterValueException',
-                         'Invalid parameter value (50.0) for parameter. '
-                         'Reason: Parameter p out of range Min: 0.0, Max: 10.0, value: 50.0: p')),
-    (['-p', 'other:p:=3.0'], 1.0),
-])
+@pytest.mark.parametrize(
+    ('arguments', 'outcome'),
+    [
+        (['-p', 'p:=2.5'], 2.5),
+        (
+            ['-p', 'p:=5'],
+            ('InvalidParameterTypeException', "Trying to set parameter 'p' to '5' of type 'INTEGER', expecting type 'DOUBLE': p"),
+        ),
+        (
+            ['-p', 'p:=50.0'],
+            (
+                'InvalidParameterValueException',
+                'Invalid parameter value (50.0) for parameter. '
+                'Reason: Parameter p out of range Min: 0.0, Max: 10.0, value: 50.0: p',
+            ),
+        ),
+        (['-p', 'other:p:=3.0'], 1.0),
+    ],
+)
 def test_values_from_outside_take_the_place_of_defaults(ros: Ros, world: World, arguments: list[str], outcome: Any) -> None:
     def body() -> None:
         node = Node('n')
@@ -168,9 +191,11 @@ def test_the_newest_set_callback_is_asked_first_and_the_first_refusal_counts(ros
         node = Node('n')
         node.declare_parameter('p', 1)
         for name, accepts in (('older', True), ('newer', False)):
+
             def callback(parameters: Any, name: str = name, accepts: bool = accepts) -> Any:
                 world.say((name, parameters[0].value))
                 return SetParametersResult(successful=accepts, reason='no')
+
             node.add_on_set_parameters_callback(callback)
         world.say(results(node, 2))
         node.remove_on_set_parameters_callback(callback)
@@ -190,8 +215,13 @@ def test_pre_and_post_callbacks(ros: Ros, world: World) -> None:
         node.remove_pre_set_parameters_callback(node._rclpy.parameters.pre_callbacks[1])
         world.say(results(node, 5))
 
-    assert ros(body) == [8, ['parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the '
-                             'original parameters list.']]
+    assert ros(body) == [
+        8,
+        [
+            'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the '
+            'original parameters list.'
+        ],
+    ]
 
 
 def test_setting_atomically_is_all_or_nothing(ros: Ros, world: World) -> None:
@@ -207,9 +237,18 @@ def test_setting_atomically_is_all_or_nothing(ros: Ros, world: World) -> None:
 def test_changes_are_published_and_recorded(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n', namespace='ns')
-        node.create_subscription(ParameterEvent, '/parameter_events', lambda event: world.say(
-            (event.node, [one.name for one in event.new_parameters], [one.value.integer_value for one in event.changed_parameters]
-             )), 10)
+        node.create_subscription(
+            ParameterEvent,
+            '/parameter_events',
+            lambda event: world.say(
+                (
+                    event.node,
+                    [one.name for one in event.new_parameters],
+                    [one.value.integer_value for one in event.changed_parameters],
+                )
+            ),
+            10,
+        )
         node.declare_parameter('p', 1)
         results(node, 7)
         for _ in range(2):
@@ -227,10 +266,14 @@ def test_the_record_knows_where_values_came_from(world: World, tmp_path: Path) -
         rclpy.init()
         Node('n').declare_parameters('', [('a', 0), ('b', 0), ('c', 0)])
 
-    world.run_program(program, '--ros-args', '--params-file', str(file), '-p', 'b:=2', '-p', 'c:=3',
-                      parameter_origins={'c': 'launch argument'})
+    world.run_program(
+        program, '--ros-args', '--params-file', str(file), '-p', 'b:=2', '-p', 'c:=3', parameter_origins={'c': 'launch argument'}
+    )
     assert world.tracer.parameters[-3:] == [
-        ('/n', 'a', 1, 'params.yaml line 3'), ('/n', 'b', 2, 'command line'), ('/n', 'c', 3, 'launch argument')]
+        ('/n', 'a', 1, 'params.yaml line 3'),
+        ('/n', 'b', 2, 'command line'),
+        ('/n', 'c', 3, 'launch argument'),
+    ]
 
 
 def test_other_programs_read_and_change_parameters(world: World) -> None:
@@ -259,8 +302,12 @@ def test_other_programs_read_and_change_parameters(world: World) -> None:
     world.start(owner, name='owner')
     world.start(program)
     assert [what for _, _, what in world.run(1)] == [
-        ['', 'Invalid access to undeclared parameter(s): []'], [2], ([], [2]),
-        ['use_sim_time', 'start_type_description_service', 'p'], 2]
+        ['', 'Invalid access to undeclared parameter(s): []'],
+        [2],
+        ([], [2]),
+        ['use_sim_time', 'start_type_description_service', 'p'],
+        2,
+    ]
 
 
 def test_services_can_be_left_out(ros: Ros, world: World) -> None:
@@ -271,8 +318,10 @@ def test_services_can_be_left_out(ros: Ros, world: World) -> None:
     assert ros(body) == [['/n/get_type_description']]
 
 
-@pytest.mark.parametrize(('prefixes', 'depth', 'names'), [
-    ([], 1, ['use_sim_time', 'start_type_description_service', 'a']), (['x'], 0, ['x.b', 'x.y.c']), (['x'], 1, ['x.b'])])
+@pytest.mark.parametrize(
+    ('prefixes', 'depth', 'names'),
+    [([], 1, ['use_sim_time', 'start_type_description_service', 'a']), (['x'], 0, ['x.b', 'x.y.c']), (['x'], 1, ['x.b'])],
+)
 def test_listing_by_prefix_and_depth(ros: Ros, world: World, prefixes: list[str], depth: int, names: list[str]) -> None:
     def body() -> None:
         node = Node('n')
@@ -339,10 +388,14 @@ def test_a_descriptor_is_not_copied(ros: Ros, world: World) -> None:
     assert ros(body) == [('q', ["Wrong parameter type, expected 'Type.STRING' got 'Type.INTEGER'"])]
 
 
-@pytest.mark.parametrize(('prefixes', 'depth', 'error'), [
-    ([1], 0, ('TypeError', 'All prefixes must be instances of type str')),
-    ([], 1.0, ('TypeError', 'The depth must be instance of type int')),
-    ([], -1, ('ValueError', 'The depth must be greater than or equal to zero'))])
+@pytest.mark.parametrize(
+    ('prefixes', 'depth', 'error'),
+    [
+        ([1], 0, ('TypeError', 'All prefixes must be instances of type str')),
+        ([], 1.0, ('TypeError', 'The depth must be instance of type int')),
+        ([], -1, ('ValueError', 'The depth must be greater than or equal to zero')),
+    ],
+)
 def test_prefixes_are_texts_and_the_depth_is_an_integer(ros: Ros, world: World, prefixes: Any, depth: Any, error: Any) -> None:
     ros(lambda: world.say(raised(Node('n').list_parameters, prefixes, depth)))
     assert world.log[0][2] == error
@@ -367,12 +420,21 @@ def test_an_empty_list_from_outside_leaves_a_parameter_without_value(ros: Ros, w
     assert ros(body) == [None, 'ParameterUninitializedException']
 
 
-@pytest.mark.parametrize(('end', 'error', 'value', 'declared'), [
-    (lambda node: node.destroy_node(), ('InvalidHandle', 'cannot use Destroyable because destruction was requested'), 1, False),
-    (lambda _: rclpy.shutdown(), ('RCLError', "Failed to publish: publisher's context is invalid"), 2, True),
-])
-def test_after_the_end_parameters_cannot_be_declared_or_set(ros: Ros, world: World, end: Any, error: Any, value: int,
-                                                            declared: bool) -> None:
+@pytest.mark.parametrize(
+    ('end', 'error', 'value', 'declared'),
+    [
+        (
+            lambda node: node.destroy_node(),
+            ('InvalidHandle', 'cannot use Destroyable because destruction was requested'),
+            1,
+            False,
+        ),
+        (lambda _: rclpy.shutdown(), ('RCLError', "Failed to publish: publisher's context is invalid"), 2, True),
+    ],
+)
+def test_after_the_end_parameters_cannot_be_declared_or_set(
+    ros: Ros, world: World, end: Any, error: Any, value: int, declared: bool
+) -> None:
     def body() -> None:
         node = Node('n')
         node.declare_parameter('p', 1)

@@ -1,4 +1,5 @@
 """Names that programs import from modules that only happen to have them."""
+
 from __future__ import annotations
 
 import subprocess
@@ -8,11 +9,38 @@ from importlib import import_module
 import pytest
 
 MODULES = [
-    'rclpy.node', 'rclpy.executors', 'rclpy.client', 'rclpy.service', 'rclpy.publisher', 'rclpy.subscription', 'rclpy.timer',
-    'rclpy.parameter', 'rclpy.clock', 'rclpy.time', 'rclpy.duration', 'rclpy.action.server', 'rclpy.action.client', 'tf2_ros.buffer',
-    'rclpy.event_handler', 'rclpy.qos_event', 'rclpy.parameter_client', 'rclpy.parameter_event_handler', 'rclpy.parameter_service',
-    'rclpy.qos_overriding_options', 'rclpy.logging_service', 'rclpy.time_source', 'rclpy.type_description_service',
-    'rclpy.wait_for_message', 'rclpy.lifecycle.node', 'rclpy.lifecycle.publisher', 'rclpy.action.graph', 'tf2_ros.buffer_interface', 'tf2_ros.transform_listener', 'tf2_ros.transform_broadcaster', 'tf2_ros.static_transform_broadcaster']
+    'rclpy.node',
+    'rclpy.executors',
+    'rclpy.client',
+    'rclpy.service',
+    'rclpy.publisher',
+    'rclpy.subscription',
+    'rclpy.timer',
+    'rclpy.parameter',
+    'rclpy.clock',
+    'rclpy.time',
+    'rclpy.duration',
+    'rclpy.action.server',
+    'rclpy.action.client',
+    'tf2_ros.buffer',
+    'rclpy.event_handler',
+    'rclpy.qos_event',
+    'rclpy.parameter_client',
+    'rclpy.parameter_event_handler',
+    'rclpy.parameter_service',
+    'rclpy.qos_overriding_options',
+    'rclpy.logging_service',
+    'rclpy.time_source',
+    'rclpy.type_description_service',
+    'rclpy.wait_for_message',
+    'rclpy.lifecycle.node',
+    'rclpy.lifecycle.publisher',
+    'rclpy.action.graph',
+    'tf2_ros.buffer_interface',
+    'tf2_ros.transform_listener',
+    'tf2_ros.transform_broadcaster',
+    'tf2_ros.static_transform_broadcaster',
+]
 
 
 @pytest.mark.parametrize('module', MODULES)
@@ -21,10 +49,17 @@ def test_every_name_is_found_at_its_home(module: str) -> None:
     assert [name for name in found.__getattr__.names if getattr(found, name, None) is None] == []
 
 
-@pytest.mark.parametrize(('module', 'name', 'home'), [
-    ('rclpy.node', 'Publisher', 'rclpy.publisher'), ('rclpy.node', 'ParameterDescriptor', 'rcl_interfaces.msg'),
-    ('rclpy.executors', 'Future', 'rclpy.task'), ('rclpy.client', 'QoSProfile', 'rclpy.qos'),
-    ('tf2_ros', 'TransformStamped', 'geometry_msgs.msg'), ('tf2_ros', 'Node', 'rclpy.node')])
+@pytest.mark.parametrize(
+    ('module', 'name', 'home'),
+    [
+        ('rclpy.node', 'Publisher', 'rclpy.publisher'),
+        ('rclpy.node', 'ParameterDescriptor', 'rcl_interfaces.msg'),
+        ('rclpy.executors', 'Future', 'rclpy.task'),
+        ('rclpy.client', 'QoSProfile', 'rclpy.qos'),
+        ('tf2_ros', 'TransformStamped', 'geometry_msgs.msg'),
+        ('tf2_ros', 'Node', 'rclpy.node'),
+    ],
+)
 def test_it_is_the_same_thing(module: str, name: str, home: str) -> None:
     assert getattr(import_module(module), name) is getattr(import_module(home), name)
 
@@ -32,6 +67,7 @@ def test_it_is_the_same_thing(module: str, name: str, home: str) -> None:
 def test_another_name_of_the_message_package_is_meant_where_two_would_clash() -> None:
     from rcl_interfaces.msg import Parameter
     from rclpy.node import ParameterMsg
+
     assert ParameterMsg is Parameter
 
 

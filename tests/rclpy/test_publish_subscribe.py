@@ -1,4 +1,5 @@
 """Publishers and subscriptions of rclpy nodes."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -111,13 +112,25 @@ def test_a_destroyed_publisher_cannot_publish(ros: Ros, world: World) -> None:
     assert ros(body) == [False]
 
 
-@pytest.mark.parametrize(('msg_type', 'error', 'text'), [
-    (Empty, RuntimeError, "The message type provided is not valid (<class 'std_srvs.srv._empty.Empty'>), "
-                          'this might be a service or action'),
-    *((wrong, AttributeError, f"type object '{named}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should "
-       'be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
-      for wrong, named in ((str, 'type'), ('chatter', 'str'), (rclpy, 'module'))),
-])
+@pytest.mark.parametrize(
+    ('msg_type', 'error', 'text'),
+    [
+        (
+            Empty,
+            RuntimeError,
+            "The message type provided is not valid (<class 'std_srvs.srv._empty.Empty'>), this might be a service or action",
+        ),
+        *(
+            (
+                wrong,
+                AttributeError,
+                f"type object '{named}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type but it should "
+                'be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.',
+            )
+            for wrong, named in ((str, 'type'), ('chatter', 'str'), (rclpy, 'module'))
+        ),
+    ],
+)
 def test_wrong_type_objects_are_explained(ros: Ros, world: World, msg_type: Any, error: type[Exception], text: str) -> None:
     def body() -> None:
         with pytest.raises(error) as caught:
@@ -137,19 +150,27 @@ def test_a_callback_may_take_the_message_info(ros: Ros, world: World) -> None:
     assert ros(body) == [['publication_sequence_number', 'received_timestamp', 'reception_sequence_number', 'source_timestamp']]
 
 
-@pytest.mark.parametrize(('callback', 'count'), [
-    (lambda message: None, 'MessageOnly'), (lambda *messages: None, 'MessageOnly'), (print, 'MessageOnly'),
-    (lambda message, info: None, 'WithMessageInfo'), (partial(lambda extra, message: None, 1), 'MessageOnly'),
-    (lambda message, other=1: None, 'MessageOnly'),
-])
+@pytest.mark.parametrize(
+    ('callback', 'count'),
+    [
+        (lambda message: None, 'MessageOnly'),
+        (lambda *messages: None, 'MessageOnly'),
+        (print, 'MessageOnly'),
+        (lambda message, info: None, 'WithMessageInfo'),
+        (partial(lambda extra, message: None, 1), 'MessageOnly'),
+        (lambda message, other=1: None, 'MessageOnly'),
+    ],
+)
 def test_what_a_callback_takes_is_found_out(callback: Any, count: str) -> None:
     from rclpy.subscription import callback_type
+
     assert callback_type(callback).name == count
 
 
 @pytest.mark.parametrize('callback', [lambda: None, lambda a, b, c: None])
 def test_other_callbacks_are_refused(callback: Any) -> None:
     from rclpy.subscription import callback_type
+
     with pytest.raises(RuntimeError, match='callback should be either be callable with one argument'):
         callback_type(callback)
 
@@ -179,10 +200,19 @@ def test_incompatible_quality_of_service_is_warned_of_on_both_sides(world: World
     world.start(speaking, name='talker')
     world.run(1)
     assert sorted(world.tracer.logs) == [
-        (30, 'listener', "New publisher discovered on topic 'chatter', offering incompatible QoS. No messages will be received "
-                         'from it. Last incompatible policy: RELIABILITY'),
-        (30, 'talker', "New subscription discovered on topic 'chatter', requesting incompatible QoS. No messages will be sent "
-                       'to it. Last incompatible policy: RELIABILITY')]
+        (
+            30,
+            'listener',
+            "New publisher discovered on topic 'chatter', offering incompatible QoS. No messages will be received "
+            'from it. Last incompatible policy: RELIABILITY',
+        ),
+        (
+            30,
+            'talker',
+            "New subscription discovered on topic 'chatter', requesting incompatible QoS. No messages will be sent "
+            'to it. Last incompatible policy: RELIABILITY',
+        ),
+    ]
 
 
 def test_matched_events_count(ros: Ros, world: World) -> None:
@@ -247,8 +277,9 @@ def test_serialized_messages_of_one_size_fill_multiples_of_four_bytes() -> None:
 def test_bytes_of_another_type_are_refused_in_the_words_of_fast_dds() -> None:
     with pytest.raises(RMWError) as caught:
         deserialize_message(b'abcd', String)
-    assert str(caught.value) == ('failed to deserialize ROS message: Fast CDR exception deserializing message of type '
-                                 'std_msgs::msg::dds_::String_.')
+    assert str(caught.value) == (
+        'failed to deserialize ROS message: Fast CDR exception deserializing message of type std_msgs::msg::dds_::String_.'
+    )
     with pytest.raises(TypeError, match='incompatible function arguments'):
         deserialize_message('text', String)
 

@@ -1,4 +1,5 @@
 """rclpy.qos."""
+
 from __future__ import annotations
 
 import pytest
@@ -6,10 +7,13 @@ from rclpy import qos
 from rclpy.duration import Duration
 
 
-@pytest.mark.parametrize(('keywords', 'text'), [
-    ({}, 'History and/or depth settings are required.'),
-    ({'history': qos.HistoryPolicy.KEEP_LAST}, 'History set to KEEP_LAST without a depth setting.'),
-])
+@pytest.mark.parametrize(
+    ('keywords', 'text'),
+    [
+        ({}, 'History and/or depth settings are required.'),
+        ({'history': qos.HistoryPolicy.KEEP_LAST}, 'History set to KEEP_LAST without a depth setting.'),
+    ],
+)
 def test_a_profile_needs_history_or_depth(keywords: dict[str, object], text: str) -> None:
     with pytest.raises(qos.InvalidQoSProfileException) as caught:
         qos.QoSProfile(**keywords)
@@ -24,13 +28,19 @@ def test_an_unknown_keyword_is_an_assertion() -> None:
 def test_defaults_are_reliable_and_volatile() -> None:
     profile = qos.QoSProfile(depth=3)
     assert (profile.reliability, profile.durability, profile.depth) == (
-        qos.ReliabilityPolicy.RELIABLE, qos.DurabilityPolicy.VOLATILE, 3)
+        qos.ReliabilityPolicy.RELIABLE,
+        qos.DurabilityPolicy.VOLATILE,
+        3,
+    )
 
 
-@pytest.mark.parametrize(('value', 'error', 'text'), [
-    (-1, ValueError, 'history depth must be greater than or equal to zero'),
-    ('10', TypeError, "Expected QoSProfile or int, but received <class 'str'>"),
-])
+@pytest.mark.parametrize(
+    ('value', 'error', 'text'),
+    [
+        (-1, ValueError, 'history depth must be greater than or equal to zero'),
+        ('10', TypeError, "Expected QoSProfile or int, but received <class 'str'>"),
+    ],
+)
 def test_the_qos_argument_is_a_depth_or_a_profile(value: object, error: type[Exception], text: str) -> None:
     with pytest.raises(error) as caught:
         qos.validate_qos(value)  # type: ignore[arg-type]
@@ -47,23 +57,37 @@ def test_policies_are_found_by_their_short_key() -> None:
     assert qos.LivelinessPolicy.short_keys() == ['system_default', 'automatic', 'manual_by_topic', 'unknown', 'best_available']
 
 
-@pytest.mark.parametrize(('offered', 'requested', 'reason'), [
-    ({'reliability': 2}, {'reliability': 1}, 'ERROR: Best effort publisher and reliable subscription;'),
-    ({'durability': 2}, {'durability': 1}, 'ERROR: Volatile publisher and transient local subscription;'),
-    ({}, {'deadline': Duration(seconds=1)}, 'ERROR: Subscription has a deadline, but publisher does not;'),
-    ({'liveliness': 1}, {'liveliness': 3},
-     "ERROR: Publisher's liveliness is automatic and subscription's is manual by topic;"),
-])
+@pytest.mark.parametrize(
+    ('offered', 'requested', 'reason'),
+    [
+        ({'reliability': 2}, {'reliability': 1}, 'ERROR: Best effort publisher and reliable subscription;'),
+        ({'durability': 2}, {'durability': 1}, 'ERROR: Volatile publisher and transient local subscription;'),
+        ({}, {'deadline': Duration(seconds=1)}, 'ERROR: Subscription has a deadline, but publisher does not;'),
+        (
+            {'liveliness': 1},
+            {'liveliness': 3},
+            "ERROR: Publisher's liveliness is automatic and subscription's is manual by topic;",
+        ),
+    ],
+)
 def test_incompatible_profiles_are_explained(offered: dict[str, object], requested: dict[str, object], reason: str) -> None:
     check = qos.qos_check_compatible(qos.QoSProfile(depth=1, **offered), qos.QoSProfile(depth=1, **requested))
     assert check == (qos.QoSCompatibility.ERROR, reason)
 
 
-@pytest.mark.parametrize(('offered', 'requested', 'reason'), [
-    ({'reliability': 0}, {'reliability': 1}, 'Reliable subscription, but publisher is system_default'),
-    ({'reliability': 2}, {'reliability': 3}, 'Best effort publisher, but subscription is unknown'),
-    ({'durability': 0}, {'durability': 0}, 'Publisher durabilty is system_default and subscription durability is system_default'),
-    ({'liveliness': 1}, {'liveliness': 0}, "Publisher's liveliness is automatic, but subscription's is system_default")])
+@pytest.mark.parametrize(
+    ('offered', 'requested', 'reason'),
+    [
+        ({'reliability': 0}, {'reliability': 1}, 'Reliable subscription, but publisher is system_default'),
+        ({'reliability': 2}, {'reliability': 3}, 'Best effort publisher, but subscription is unknown'),
+        (
+            {'durability': 0},
+            {'durability': 0},
+            'Publisher durabilty is system_default and subscription durability is system_default',
+        ),
+        ({'liveliness': 1}, {'liveliness': 0}, "Publisher's liveliness is automatic, but subscription's is system_default"),
+    ],
+)
 def test_open_policies_make_warnings(offered: dict[str, object], requested: dict[str, object], reason: str) -> None:
     automatic = {'depth': 1, 'liveliness': 1}
     check = qos.qos_check_compatible(qos.QoSProfile(**automatic | offered), qos.QoSProfile(**automatic | requested))

@@ -1,4 +1,5 @@
 """What happens to endpoints over time: deadlines, leases, matches, lifespans."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -34,14 +35,17 @@ def test_a_missed_deadline_is_told_each_period_from_the_first_message_on(world: 
         node = Node('n')
         qos = QoSProfile(depth=1, deadline=Duration(seconds=0.5))
         tell: dict[str, Any] = {side: world.say}
-        publisher = node.create_publisher(String, 't', qos, event_callbacks=PublisherEventCallbacks(deadline=tell.get('publisher')))
-        node.create_subscription(String, 't', lambda _: None, qos,
-                                 event_callbacks=SubscriptionEventCallbacks(deadline=tell.get('subscription')))
+        publisher = node.create_publisher(
+            String, 't', qos, event_callbacks=PublisherEventCallbacks(deadline=tell.get('publisher'))
+        )
+        node.create_subscription(
+            String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(deadline=tell.get('subscription'))
+        )
         spin(node, 1.0)
         for _ in range(2):
             publisher.publish(String())
             spin(node, 0.4)
-        publisher.assert_liveliness()   # no message
+        publisher.assert_liveliness()  # no message
         spin(node, 1.0)
 
     world.start(program)
@@ -55,7 +59,9 @@ def test_a_publisher_that_does_not_show_itself_for_its_lease_is_not_alive(world:
         node = Node('n')
         qos = QoSProfile(depth=1, liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_duration=Duration(seconds=0.5))
         publisher = node.create_publisher(String, 't', qos, event_callbacks=PublisherEventCallbacks(liveliness=world.say))
-        node.create_subscription(String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
+        node.create_subscription(
+            String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say)
+        )
         for show in (lambda: publisher.publish(String()), publisher.assert_liveliness, lambda: None, publisher.assert_liveliness):
             show()
             spin(node, 0.4)
@@ -64,7 +70,13 @@ def test_a_publisher_that_does_not_show_itself_for_its_lease_is_not_alive(world:
 
     world.start(program)
     world.run()
-    assert counts(world) == [(0.0, (1, 0, 1, 0)), (900.0, (1, 1)), (900.0, (0, 1, -1, 1)), (1200.0, (1, 0, 1, -1)), (1600.0, (0, 0, -1, 0))]
+    assert counts(world) == [
+        (0.0, (1, 0, 1, 0)),
+        (900.0, (1, 1)),
+        (900.0, (0, 1, -1, 1)),
+        (1200.0, (1, 0, 1, -1)),
+        (1600.0, (0, 0, -1, 0)),
+    ]
 
 
 def test_other_publishers_are_alive_while_they_exist(world: World) -> None:
@@ -72,9 +84,10 @@ def test_other_publishers_are_alive_while_they_exist(world: World) -> None:
         rclpy.init()
         node = Node('n')
         lease = QoSProfile(depth=1, liveliness_lease_duration=Duration(seconds=1))
-        for qos in (lease, 1):   # without a lease nothing is told
+        for qos in (lease, 1):  # without a lease nothing is told
             node.create_subscription(
-                String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say))
+                String, 't', lambda _: None, qos, event_callbacks=SubscriptionEventCallbacks(liveliness=world.say)
+            )
         spin(node, 0.1)
         publishers = [node.create_publisher(String, 't', lease) for _ in range(2)]
         spin(node, 0.1)

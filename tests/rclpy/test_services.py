@@ -1,4 +1,5 @@
 """Services and clients of rclpy nodes."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -58,6 +59,7 @@ def test_a_call_from_main_is_answered_while_the_node_is_spun(world: World) -> No
 
 def test_done_callbacks_run_on_the_executor(world: World) -> None:
     """The student's idiom: a client made in a callback, a loop that waits, a partial that takes the answer."""
+
     def program() -> None:
         rclpy.init()
         node = Node('client')
@@ -188,14 +190,21 @@ def calling_in_a_callback(world: World, executor: Any, group: Any) -> Callable[[
     return program
 
 
-@pytest.mark.parametrize(('executor', 'group'), [
-    (rclpy.executors.SingleThreadedExecutor, None), (rclpy.executors.SingleThreadedExecutor, ReentrantCallbackGroup),
-    (MultiThreadedExecutor, None)])
+@pytest.mark.parametrize(
+    ('executor', 'group'),
+    [
+        (rclpy.executors.SingleThreadedExecutor, None),
+        (rclpy.executors.SingleThreadedExecutor, ReentrantCallbackGroup),
+        (MultiThreadedExecutor, None),
+    ],
+)
 def test_a_blocking_call_in_a_callback_hangs_and_is_explained(world: World, executor: Any, group: Any) -> None:
     world.start(server(), name='server')
     world.start(calling_in_a_callback(world, executor, group))
     assert world.run(5) == []
-    assert [text.startswith("client.call() in a lambda of node '/client' (test_services.py:") for _, text in world.tracer.notes] == [True]
+    assert [
+        text.startswith("client.call() in a lambda of node '/client' (test_services.py:") for _, text in world.tracer.notes
+    ] == [True]
 
 
 def test_a_blocking_call_in_a_callback_works_with_threads_and_another_group(world: World) -> None:
@@ -225,8 +234,14 @@ def test_introspection_publishes_both_sides(ros: Ros, world: World) -> None:
         client = node.create_client(AddTwoInts, 'add')
         for end in (service, client):
             end.configure_introspection(node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS)
-        node.create_subscription(AddTwoInts.Event, 'add/_service_event', lambda event: world.say(
-            (event.info.event_type, [request.a for request in event.request], [one.sum for one in event.response])), 10)
+        node.create_subscription(
+            AddTwoInts.Event,
+            'add/_service_event',
+            lambda event: world.say(
+                (event.info.event_type, [request.a for request in event.request], [one.sum for one in event.response])
+            ),
+            10,
+        )
         rclpy.spin_until_future_complete(node, client.call_async(Request(a=1, b=2)))
         for _ in range(5):
             rclpy.spin_once(node, timeout_sec=0.1)

@@ -1,4 +1,5 @@
 """rclpy.task."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -56,7 +57,9 @@ def test_an_exception_that_nobody_asked_for_is_printed(capsys: pytest.CaptureFix
 
 
 @pytest.mark.parametrize('ask', [Future.exception, Future.result])
-def test_an_exception_that_was_asked_for_is_not_printed(ask: Callable[[Future], object], capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_exception_that_was_asked_for_is_not_printed(
+    ask: Callable[[Future], object], capsys: pytest.CaptureFixture[str]
+) -> None:
     future = Future()
     future.set_exception(ValueError('found'))
     with suppress(ValueError):

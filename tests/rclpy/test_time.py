@@ -1,4 +1,5 @@
 """rclpy.time and rclpy.duration."""
+
 from __future__ import annotations
 
 import pytest
@@ -19,11 +20,14 @@ def test_the_default_clock_type_is_system_time() -> None:
     assert Time().clock_type is ClockType.SYSTEM_TIME
 
 
-@pytest.mark.parametrize(('values', 'error', 'text'), [
-    ({'seconds': -1}, ValueError, 'Seconds value must not be negative'),
-    ({'nanoseconds': -1}, ValueError, 'Nanoseconds value must not be negative'),
-    ({'nanoseconds': 1 << 63}, OverflowError, 'Total nanoseconds value is too large to store in C time point.'),
-])
+@pytest.mark.parametrize(
+    ('values', 'error', 'text'),
+    [
+        ({'seconds': -1}, ValueError, 'Seconds value must not be negative'),
+        ({'nanoseconds': -1}, ValueError, 'Nanoseconds value must not be negative'),
+        ({'nanoseconds': 1 << 63}, OverflowError, 'Total nanoseconds value is too large to store in C time point.'),
+    ],
+)
 def test_impossible_times_are_refused(values: dict[str, int], error: type[Exception], text: str) -> None:
     with pytest.raises(error) as caught:
         Time(**values)  # type: ignore[arg-type]

@@ -1,4 +1,5 @@
 """rclpy.timer: the grid of calls, and rates."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -77,7 +78,7 @@ def test_calls_stay_on_the_grid_however_long_they_take(period_ms: int, naps_ms: 
     assert times[0] == period
     late_by = [at % period for at, nap in zip(times[1:], naps_ms, strict=False) if nap == 0]
     assert not any(late_by[1:2])
-    assert all(at % period == 0 for at in times[len(naps_ms) + 1:])
+    assert all(at % period == 0 for at in times[len(naps_ms) + 1 :])
 
 
 def test_a_cancelled_timer_is_silent_until_it_is_reset(world: World) -> None:

@@ -1,4 +1,5 @@
 """TopicEndpointInfo and TypeHash as values."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -18,10 +19,16 @@ EMPTY = """Node name: \nNode namespace: \nTopic type: \nTopic type hash: INVALID
   Liveliness: UNKNOWN\n  Liveliness lease duration: 0 nanoseconds"""
 
 
-@pytest.mark.parametrize(('given', 'text'), [
-    ({}, 'INVALID'), ({'version': 1}, 'RIHS01_' + '00' * 32), ({'version': 2, 'value': bytes(range(32))},
-     'RIHS02_' + bytes(range(32)).hex()), ({'version': 0, 'value': bytes(32)}, 'INVALID'), ({'version': 1, 'value': b'12'}, 'INVALID'),
-])
+@pytest.mark.parametrize(
+    ('given', 'text'),
+    [
+        ({}, 'INVALID'),
+        ({'version': 1}, 'RIHS01_' + '00' * 32),
+        ({'version': 2, 'value': bytes(range(32))}, 'RIHS02_' + bytes(range(32)).hex()),
+        ({'version': 0, 'value': bytes(32)}, 'INVALID'),
+        ({'version': 1, 'value': b'12'}, 'INVALID'),
+    ],
+)
 def test_a_type_hash_needs_a_version_and_32_bytes(given: dict[str, Any], text: str) -> None:
     assert str(TypeHash(**given)) == text
     assert TypeHash(**given) == TypeHash(**given)
@@ -32,10 +39,16 @@ def test_an_info_without_arguments_is_empty() -> None:
     assert str(TopicEndpointInfo()) == EMPTY
 
 
-@pytest.mark.parametrize(('name', 'value', 'stored'), [
-    ('node_name', 'n', 'n'), ('endpoint_type', 2, TopicEndpointTypeEnum.SUBSCRIPTION), ('endpoint_gid', [1, 2], [1, 2]),
-    ('topic_type_hash', {'version': 1}, TypeHash(1)), ('qos_profile', {'depth': 3}, QoSProfile(depth=3)),
-])
+@pytest.mark.parametrize(
+    ('name', 'value', 'stored'),
+    [
+        ('node_name', 'n', 'n'),
+        ('endpoint_type', 2, TopicEndpointTypeEnum.SUBSCRIPTION),
+        ('endpoint_gid', [1, 2], [1, 2]),
+        ('topic_type_hash', {'version': 1}, TypeHash(1)),
+        ('qos_profile', {'depth': 3}, QoSProfile(depth=3)),
+    ],
+)
 def test_fields_can_be_given_and_set(name: str, value: Any, stored: Any) -> None:
     info = TopicEndpointInfo()
     setattr(info, name, value)
@@ -43,9 +56,16 @@ def test_fields_can_be_given_and_set(name: str, value: Any, stored: Any) -> None
     assert info == TopicEndpointInfo(**{name: value}) != TopicEndpointInfo()
 
 
-@pytest.mark.parametrize(('name', 'value', 'error'), [
-    ('topic_type', 3, AssertionError), ('endpoint_type', 9, ValueError), ('endpoint_gid', 3, TypeError),
-    ('qos_profile', 3, AssertionError), ('colour', 'red', AssertionError)])
+@pytest.mark.parametrize(
+    ('name', 'value', 'error'),
+    [
+        ('topic_type', 3, AssertionError),
+        ('endpoint_type', 9, ValueError),
+        ('endpoint_gid', 3, TypeError),
+        ('qos_profile', 3, AssertionError),
+        ('colour', 'red', AssertionError),
+    ],
+)
 def test_wrong_fields_are_refused(name: str, value: Any, error: type[Exception]) -> None:
     with pytest.raises(error):
         TopicEndpointInfo(**{name: value})
@@ -55,7 +75,7 @@ def test_what_a_query_gives_is_a_copy(ros: Callable[..., list[Any]], world: Worl
     def body() -> None:
         node = Node('n')
         publisher = node.create_publisher(String, 't', 1)
-        info, = node.get_publishers_info_by_topic('t')
+        (info,) = node.get_publishers_info_by_topic('t')
         info.node_name = 'm'
         world.say((info == node.get_publishers_info_by_topic('t')[0], str(info.topic_type_hash)[:15]))
         publisher._impl.type_name = 'other_msgs/msg/Unknown'

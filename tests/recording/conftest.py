@@ -1,4 +1,5 @@
 """A small recording made by hand through the graph: no launch, no rclpy."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -21,15 +22,23 @@ class Stage:
     def __init__(self) -> None:
         edulaunch.source()
         from edulaunch.processes.host import Host
+
         self.sim = Simulation(seed=7)
         self.recorder = Recorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
         self.host = Host(self.sim, self.graph, None, env={})  # type: ignore[arg-type]
 
     def process(self, name: str, seconds: float) -> Process:
-        spec = ProcessSpec(argv=('/opt/lib/p/' + name,), name=name, origin=Origin('/home/me/a.launch.py', 12), package='p',
-                           executable=name, parameter_origins={'radius': 'launch argument circle_radius'})
+        spec = ProcessSpec(
+            argv=('/opt/lib/p/' + name,),
+            name=name,
+            origin=Origin('/home/me/a.launch.py', 12),
+            package='p',
+            executable=name,
+            parameter_origins={'radius': 'launch argument circle_radius'},
+        )
         from edulaunch.sim import sync
+
         return self.host.adopt(Process(self.host, spec, self.host.next_pid(), [name], lambda _: sync.sleep(seconds)))
 
     def at(self, seconds: float, action: Any) -> None:
@@ -49,6 +58,7 @@ def turtle_run() -> Recording:
     from tf2_msgs.msg import TFMessage
     from turtlesim.msg import Pose
     from turtlesim.srv import Spawn
+
     sim, graph = stage.sim, stage.graph
     process, watcher = stage.process('sim-1', 100), stage.process('watcher-2', 1.5)
     node, other = graph.add_node(process, 'sim', '/'), graph.add_node(watcher, 'watcher', '/ns')
@@ -60,6 +70,7 @@ def turtle_run() -> Recording:
     stage.recorder.parameter(node, 'background_r', 69, 'default')
     stage.recorder.parameter(node, 'background_r', 150, 'command line')
     for step in range(5):
+
         def tick(step: int = step) -> None:
             publisher.publish(Pose.to_wire(Pose(x=1.0 + step, y=2.0, theta=0.0)))
             message = TransformStamped(child_frame_id='turtle1')
@@ -67,6 +78,7 @@ def turtle_run() -> Recording:
             message.header.stamp.sec, message.header.stamp.nanosec = divmod(sim.now_ns, 10**9)
             message.transform.translation.x = 1.0 + step
             tf.publish(TFMessage.to_wire(TFMessage(transforms=[message])))
+
         stage.at(step * 0.5, tick)
     stage.at(0.25, lambda: client.send(Spawn.Request.to_wire(Spawn.Request(x=4.0, y=2.0, name='turtle2'))))
     stage.at(1.0, lambda: process.log(20, 'sim', 'Spawning turtle [turtle2]'))

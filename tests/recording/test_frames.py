@@ -1,4 +1,5 @@
 """tf frames read from a recording."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -29,9 +30,11 @@ for second, x in ((5, 1.0), (3, 2.0)):
 def test_the_newest_stamp_counts_and_other_types_on_the_topic_do_not(tmp_path: Path) -> None:
     (tmp_path / 'odd.py').write_text(SCRIPT)
     file = tmp_path / 'odd.launch.py'
-    file.write_text('from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
-                    'def generate_launch_description():\n'
-                    f'    return LaunchDescription([ExecuteProcess(cmd=["python3", {str(tmp_path / "odd.py")!r}])])\n')
+    file.write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
+        'def generate_launch_description():\n'
+        f'    return LaunchDescription([ExecuteProcess(cmd=["python3", {str(tmp_path / "odd.py")!r}])])\n'
+    )
     recording = edulaunch.run(file, duration_s=1)
     box = recording.frames_at(1.0)['box']
     assert (box.parent, box.translation, box.stamp_s) == ('world', (1.0, 0.0, 0.0), 5.0)

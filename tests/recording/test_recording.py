@@ -1,4 +1,5 @@
 """Questions one asks a recording."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -16,21 +17,31 @@ from .conftest import turtle_run
 def test_processes_know_where_they_were_written_and_how_they_ended(recording: Recording) -> None:
     assert [(p.name, p.pid, p.origin, p.started_s, p.ended_s, p.returncode) for p in recording.processes] == [
         ('sim-1', 1001, ('/home/me/a.launch.py', 12), 0.0, None, None),
-        ('watcher-2', 1002, ('/home/me/a.launch.py', 12), 0.0, 1.5, 0)]
+        ('watcher-2', 1002, ('/home/me/a.launch.py', 12), 0.0, 1.5, 0),
+    ]
     assert recording.processes[0].parameter_origins == {'radius': 'launch argument circle_radius'}
 
 
 def test_nodes_know_their_ends(recording: Recording) -> None:
     assert [(n.name, n.process, n.ended_s, n.publishers, n.subscriptions, n.services, n.clients) for n in recording.nodes] == [
-        ('/sim', 'sim-1', None, [('/turtle1/pose', 'turtlesim/msg/Pose'), ('/tf', 'tf2_msgs/msg/TFMessage')], [],
-         [('/spawn', 'turtlesim/srv/Spawn')], []),
-        ('/ns/watcher', 'watcher-2', 1.5, [], [('/turtle1/pose', 'turtlesim/msg/Pose')], [], [('/spawn', 'turtlesim/srv/Spawn')])]
+        (
+            '/sim',
+            'sim-1',
+            None,
+            [('/turtle1/pose', 'turtlesim/msg/Pose'), ('/tf', 'tf2_msgs/msg/TFMessage')],
+            [],
+            [('/spawn', 'turtlesim/srv/Spawn')],
+            [],
+        ),
+        ('/ns/watcher', 'watcher-2', 1.5, [], [('/turtle1/pose', 'turtlesim/msg/Pose')], [], [('/spawn', 'turtlesim/srv/Spawn')]),
+    ]
 
 
 def test_topics_are_in_alphabetical_order_with_their_counts(recording: Recording) -> None:
     assert [(t.name, t.type, t.publishers, t.subscriptions, t.count) for t in recording.topics.values()] == [
         ('/tf', 'tf2_msgs/msg/TFMessage', ['/sim'], [], 5),
-        ('/turtle1/pose', 'turtlesim/msg/Pose', ['/sim'], ['/ns/watcher'], 5)]
+        ('/turtle1/pose', 'turtlesim/msg/Pose', ['/sim'], ['/ns/watcher'], 5),
+    ]
 
 
 def test_the_last_value_of_a_parameter_counts_with_its_origin(recording: Recording) -> None:
@@ -52,10 +63,10 @@ def test_a_topic_that_was_not_there_is_empty_and_its_first_message_names_the_nea
     for none in (recording.messages('/turtle1/poze'), recording.series('/turtle1/poze', 'x')):
         assert (none, list(none), none[:1]) == ([], [], [])
         for which in (0, -1):
-            with pytest.raises(KeyError, match=r"no topic '/turtle1/poze' in this recording; there are: (?s:.*)did you mean '/turtle1/pose'"):
+            with pytest.raises(
+                KeyError, match=r"no topic '/turtle1/poze' in this recording; there are: (?s:.*)did you mean '/turtle1/pose'"
+            ):
                 none[which]
-
-
 
 
 def test_a_trajectory_is_arrays(recording: Recording) -> None:
@@ -74,7 +85,13 @@ def test_logs_output_and_calls_are_kept(recording: Recording) -> None:
     assert [tuple(text) for text in recording.output] == [(1.0, 'sim-1', 'stderr', 'half a line')]
     call = recording.service_calls[0]
     assert (call.time_s, call.service, call.client, call.served, call.request.name, call.response.name) == (
-        0.25, '/spawn', '/ns/watcher', True, 'turtle2', 'turtle2')
+        0.25,
+        '/spawn',
+        '/ns/watcher',
+        True,
+        'turtle2',
+        'turtle2',
+    )
 
 
 def test_saving_and_loading_gives_the_same_bytes(recording: Recording, tmp_path: Path) -> None:
@@ -101,16 +118,27 @@ def test_a_message_may_name_a_file_too(recording: Recording) -> None:
     """As the parameter event of a parameter that defaults to a file in a share folder."""
     digests = set()
     for folder in ('/a/b', '/c'):
-        topic = {'topic': '/where', 'type': 'std_msgs/msg/String', 'times': [0], 'publishers': [0], 'messages': [[f'{folder}/x.yaml']]}
+        topic = {
+            'topic': '/where',
+            'type': 'std_msgs/msg/String',
+            'times': [0],
+            'publishers': [0],
+            'messages': [[f'{folder}/x.yaml']],
+        }
         digests.add(Recording({**recording._content, 'topics': [topic], 'roots': [[folder, '@workspace']]}).digest())
     assert len(digests) == 1
 
 
-@pytest.mark.parametrize(('data', 'text'), [
-    (b'', 'line 1 is not JSON'), (b'\x00\xff\n', 'line 1 is not JSON'), (b'[]\n', 'holds no part'),
-    (b'{"format": "something"}\n', 'is not a recording of edulaunch'),
-    (b'{"format": "edulaunch recording", "version": 99}\n', 'has recording format 99; this edulaunch reads format 1'),
-])
+@pytest.mark.parametrize(
+    ('data', 'text'),
+    [
+        (b'', 'line 1 is not JSON'),
+        (b'\x00\xff\n', 'line 1 is not JSON'),
+        (b'[]\n', 'holds no part'),
+        (b'{"format": "something"}\n', 'is not a recording of edulaunch'),
+        (b'{"format": "edulaunch recording", "version": 99}\n', 'has recording format 99; this edulaunch reads format 1'),
+    ],
+)
 def test_what_is_no_recording_is_said_so(data: bytes, text: str) -> None:
     with pytest.raises(RecordingError, match=text):
         Recording.from_bytes(data)
@@ -126,7 +154,7 @@ def test_a_cut_off_recording_is_an_error_wherever_it_is_cut(recording: Recording
         except RecordingError:
             continue
         whole += 1
-        assert data[cut:cut + 1] == b'\n' or data[cut - 1:cut] == b'\n'
+        assert data[cut : cut + 1] == b'\n' or data[cut - 1 : cut] == b'\n'
     assert lines > 5 and whole <= 2
 
 
@@ -147,7 +175,10 @@ def test_what_is_unwound_at_the_end_is_not_recorded(stage: Any) -> None:
 
 def test_messages_after_the_end_are_left_out(stage: Any) -> None:
     from std_msgs.msg import String
-    publisher = stage.graph.create_publisher(stage.graph.add_node(stage.process('p-1', 100), 'node', '/'), '/chatter', String, QoS())
+
+    publisher = stage.graph.create_publisher(
+        stage.graph.add_node(stage.process('p-1', 100), 'node', '/'), '/chatter', String, QoS()
+    )
     for seconds in (0.5, 1.0):
         stage.at(seconds, lambda: publisher.publish(('hello',)))
     stage.sim.run(stage.sim.start_ns + 10**9)

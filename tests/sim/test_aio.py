@@ -1,4 +1,5 @@
 """asyncio in simulated time."""
+
 from __future__ import annotations
 
 import asyncio

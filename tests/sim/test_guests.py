@@ -1,4 +1,5 @@
 """Real threads in the simulation of a plain script's main thread."""
+
 from __future__ import annotations
 
 import threading

@@ -1,4 +1,5 @@
 """A running loop is set aside and put back."""
+
 from __future__ import annotations
 
 import asyncio

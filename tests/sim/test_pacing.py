@@ -1,4 +1,5 @@
 """Keeping pace with a clock on the wall."""
+
 from __future__ import annotations
 
 from edulaunch.sim.pacing import Pacer

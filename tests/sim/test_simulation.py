@@ -1,4 +1,5 @@
 """The agenda and the clock."""
+
 from __future__ import annotations
 
 import pytest

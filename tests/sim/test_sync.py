@@ -1,4 +1,5 @@
 """Waiting in simulated time."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -41,6 +42,7 @@ def test_a_lock_goes_to_waiters_in_order() -> None:
             with lock:
                 log.append((sim.elapsed_s, name))
                 sync.sleep(1)
+
         return program
 
     assert run(holder('a'), holder('b'), holder('c')) == [(0.0, 'a'), (1.0, 'b'), (2.0, 'c')]
@@ -66,7 +68,9 @@ def test_an_rlock_may_be_taken_again_and_must_be_given_back_as_often() -> None:
         log.append((sim.elapsed_s, 'released'))
 
     assert run(owner, lambda sim, log: (lock.acquire(), log.append((sim.elapsed_s, 'mine')))) == [
-        (1.0, 'released'), (1.0, 'mine')]
+        (1.0, 'released'),
+        (1.0, 'mine'),
+    ]
 
 
 def test_releasing_what_one_does_not_hold_is_an_error() -> None:
@@ -105,6 +109,7 @@ def test_a_condition_notifies_the_longest_waiting_first() -> None:
             with condition:
                 condition.wait()
                 log.append((sim.elapsed_s, name))
+
         return program
 
     def notifier(sim: Simulation, log: Log) -> None:
@@ -142,6 +147,7 @@ def test_a_semaphore_counts() -> None:
             with semaphore:
                 log.append((sim.elapsed_s, name))
                 sync.sleep(1)
+
         return program
 
     assert run(worker('a'), worker('b'), worker('c')) == [(0.0, 'a'), (0.0, 'b'), (1.0, 'c')]

@@ -1,4 +1,5 @@
 """Programs that block take turns."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -27,6 +28,7 @@ def sleeper(sim: Simulation, log: Log, name: str, seconds: float, times: int) ->
         for _ in range(times):
             current_task().sleep_until(sim.now_ns + round(seconds * 1e9))
             log.append((sim.elapsed_s, name))
+
     return body
 
 
@@ -205,7 +207,9 @@ def test_two_interleaved_simulations_behave_as_each_alone() -> None:
 
 def test_a_task_that_is_started_at_once_runs_before_its_starter_goes_on() -> None:
     sim, log = Simulation(), []
-    child = Task(sim, lambda: (note(sim, log, 'child'), current_task().sleep_until(sim.now_ns + 10**9), note(sim, log, 'child again')))
+    child = Task(
+        sim, lambda: (note(sim, log, 'child'), current_task().sleep_until(sim.now_ns + 10**9), note(sim, log, 'child again'))
+    )
 
     def body() -> None:
         child.start_at_once()
@@ -245,6 +249,7 @@ def waiter(sim: Simulation, log: Log, name: str, then: Callable[[], object] = la
             current_task().park()
             note(sim, log, name)
             then()
+
     return start(sim, body)
 
 

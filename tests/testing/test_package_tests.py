@@ -1,4 +1,5 @@
 """Plain test files of a ROS package: `pytest` in its folder runs them in simulated time, with the packages around it."""
+
 from __future__ import annotations
 
 import os
@@ -74,11 +75,19 @@ LINTER = 'from ament_flake8.main import main_with_errors\ndef test_flake8():\n  
 @pytest.fixture
 def bot(tmp_path: Path) -> Path:
     """A package with tests, beside one with its messages; its folder."""
-    files = {'bot_msgs/package.xml': MANIFEST.format('bot_msgs'), 'bot_msgs/msg/Level.msg': 'int32 level\n',
-             'bot_msgs/CMakeLists.txt': 'project(bot_msgs)\nrosidl_generate_interfaces(${PROJECT_NAME} "msg/Level.msg")\n',
-             'bot/package.xml': MANIFEST.format('bot'), 'bot/setup.py': SETUP, 'bot/bot/__init__.py': '', 'bot/bot/node.py': NODE,
-             'bot/test/conftest.py': CONFTEST, 'bot/test/test_bot.py': TEST, 'bot/test/test_flake8.py': LINTER,
-             'bot/test/beside.py': 'from bot_msgs.msg import Level\nmake = Level\n'}
+    files = {
+        'bot_msgs/package.xml': MANIFEST.format('bot_msgs'),
+        'bot_msgs/msg/Level.msg': 'int32 level\n',
+        'bot_msgs/CMakeLists.txt': 'project(bot_msgs)\nrosidl_generate_interfaces(${PROJECT_NAME} "msg/Level.msg")\n',
+        'bot/package.xml': MANIFEST.format('bot'),
+        'bot/setup.py': SETUP,
+        'bot/bot/__init__.py': '',
+        'bot/bot/node.py': NODE,
+        'bot/test/conftest.py': CONFTEST,
+        'bot/test/test_bot.py': TEST,
+        'bot/test/test_flake8.py': LINTER,
+        'bot/test/beside.py': 'from bot_msgs.msg import Level\nmake = Level\n',
+    }
     for name, text in files.items():
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -88,8 +97,13 @@ def bot(tmp_path: Path) -> Path:
 
 def test_the_tests_of_a_package_run_without_ros(bot: Path) -> None:
     (bot.parent / 'conftest.py').write_text('import rclpy\n')  # of the whole workspace: in no package
-    done = subprocess.run([sys.executable, '-m', 'pytest', '-q', '-rfs', '-p', 'no:cacheprovider', 'bot'], cwd=bot.parent, capture_output=True,
-                          text=True, env={**os.environ, 'PYTHONDONTWRITEBYTECODE': '1'})
+    done = subprocess.run(
+        [sys.executable, '-m', 'pytest', '-q', '-rfs', '-p', 'no:cacheprovider', 'bot'],
+        cwd=bot.parent,
+        capture_output=True,
+        text=True,
+        env={**os.environ, 'PYTHONDONTWRITEBYTECODE': '1'},
+    )
     assert '1 failed, 4 passed, 1 skipped' in done.stdout, done.stdout
     assert 'FAILED bot/test/test_bot.py::test_what_never_ends_fails' in done.stdout
     assert 'SKIPPED [1] bot/test/test_flake8.py:1: ament_flake8 is not here' in done.stdout
@@ -107,12 +121,15 @@ def test_tests_of_packages_of_ros_itself_are_left_alone(bot: Path, tmp_path: Pat
     assert not is_of_own_package(str(bot.rename(tmp_path / 'launch') / 'test' / 'test_bot.py'))
 
 
-@pytest.mark.parametrize(('source', 'linter'), [
-    (b'from ament_pep257.main import main', 'ament_pep257'),
-    (b'import ament_copyright.main as main', 'ament_copyright'),
-    (b'from ament_index_python import get_resource', None),
-    (b'# ament_flake8', None),
-    (b'from ament_flake8 import (', None),
-])
+@pytest.mark.parametrize(
+    ('source', 'linter'),
+    [
+        (b'from ament_pep257.main import main', 'ament_pep257'),
+        (b'import ament_copyright.main as main', 'ament_copyright'),
+        (b'from ament_index_python import get_resource', None),
+        (b'# ament_flake8', None),
+        (b'from ament_flake8 import (', None),
+    ],
+)
 def test_a_linter_is_known_by_its_import(source: bytes, linter: str | None) -> None:
     assert absent_linter(source) == linter

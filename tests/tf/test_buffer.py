@@ -23,9 +23,7 @@ def test_history_spans_the_cache_and_one_period():
         buffer.set('w', 'a', second * SECOND, at(float(second)))
     assert x_of(buffer, 'w', 'a', 19 * SECOND) == 19.0
     assert failure_of(buffer, 'w', 'a', 18 * SECOND)[1].startswith(
-        'Lookup would require extrapolation into the past.  Requested time 18.000000 but the earliest data '
-        'is at time '
-        '19.000000'
+        'Lookup would require extrapolation into the past.  Requested time 18.000000 but the earliest data is at time 19.000000'
     )
 
 
@@ -97,13 +95,9 @@ def test_can_transform_says_why_not():
         'Invalid frame ID "" passed to canTransform argument target_frame - in tf2 frame_ids cannot be empty'
     )
     assert buffer.can_transform('f0', '/f1')[1] == (
-        'Invalid frame ID "/f1" passed to canTransform argument source_frame - in tf2 frame_ids cannot '
-        'start with '
-        "a '/'"
+        'Invalid frame ID "/f1" passed to canTransform argument source_frame - in tf2 frame_ids cannot start with a \'/\''
     )
-    assert buffer.can_transform('f0', 'f1', 7)[1].startswith(
-        'Lookup would require extrapolation at time 0.000000'
-    )
+    assert buffer.can_transform('f0', 'f1', 7)[1].startswith('Lookup would require extrapolation at time 0.000000')
     assert buffer.can_transform_full('f0', SECOND, 'f2', 7, 'f1')[0] is False
     assert buffer.can_transform_full('f0', SECOND, 'f2', SECOND, 'f1') == (True, '')
 
@@ -126,8 +120,5 @@ def test_clear_keeps_names_and_static_transforms():
     buffer.clear()
     assert buffer.frame_names() == ['a', 'w', 's']
     assert x_of(buffer, 'w', 's') == 2.0
-    assert failure_of(buffer, 'w', 'a', SECOND) == (
-        'extrapolation',
-        (', when looking up transform from frame [a] to frame [w]'),
-    )
+    assert failure_of(buffer, 'w', 'a', SECOND) == ('extrapolation', (', when looking up transform from frame [a] to frame [w]'))
     assert failure_of(buffer, 'w', 'a')[0] == 'connectivity'

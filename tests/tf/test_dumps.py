@@ -38,9 +38,7 @@ def test_yaml_of_an_empty_buffer_is_an_empty_list_and_cleared_frames_are_left_ou
 
 def test_the_plain_list_names_parents():
     buffer = turtle_world()
-    assert buffer.all_frames_as_string() == (
-        'Frame turtle1 exists with parent world.\nFrame lamp exists with parent world.\n'
-    )
+    assert buffer.all_frames_as_string() == ('Frame turtle1 exists with parent world.\nFrame lamp exists with parent world.\n')
     buffer.clear()
     assert buffer.all_frames_as_string().startswith('Frame turtle1 exists with parent NO_PARENT.\n')
 

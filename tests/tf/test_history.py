@@ -51,12 +51,7 @@ def test_nothing_is_extrapolated():
 
 def test_a_single_sample_answers_its_own_stamp_only():
     history = history_of((10, 7.0))
-    assert [history.pose_at(time) and history.pose_at(time)[0] for time in (9, 10, 11, 0)] == [
-        None,
-        7.0,
-        None,
-        7.0,
-    ]
+    assert [history.pose_at(time) and history.pose_at(time)[0] for time in (9, 10, 11, 0)] == [None, 7.0, None, 7.0]
 
 
 @given(st.integers(10, 20))
@@ -79,14 +74,7 @@ def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, 
 
 def test_between_different_parents_the_older_sample_holds():
     history = history_of((10, 0.0, 'map'), (20, 1.0, 'odom'), (30, 2.0, 'odom'))
-    assert [history.sample(time)[1] for time in (10, 19, 20, 25, 30, 0)] == [
-        'map',
-        'map',
-        'odom',
-        'odom',
-        'odom',
-        'odom',
-    ]
+    assert [history.sample(time)[1] for time in (10, 19, 20, 25, 30, 0)] == ['map', 'map', 'odom', 'odom', 'odom', 'odom']
     assert [history.sample(time)[0][0] for time in (19, 25)] == [0.0, 1.5]
 
 

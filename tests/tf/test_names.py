@@ -17,26 +17,17 @@ def test_one_leading_slash_is_taken_off_when_inserting_and_refused_when_looking_
     assert x_of(buffer, 'w', 'a') == 1.0
     assert failure_of(buffer, '/w', 'a') == (
         'invalid_argument',
-        (
-            'Invalid argument "/w" passed to lookupTransform argument target_frame - '
-            "in tf2 frame_ids cannot start with a '/'"
-        ),
+        ('Invalid argument "/w" passed to lookupTransform argument target_frame - in tf2 frame_ids cannot start with a \'/\''),
     )
 
 
 def test_names_are_checked_target_first():
     buffer = TransformBuffer()
-    assert failure_of(buffer, 'a', 'b') == (
-        'lookup',
-        '"a" passed to lookupTransform argument target_frame does not exist. ',
-    )
+    assert failure_of(buffer, 'a', 'b') == ('lookup', '"a" passed to lookupTransform argument target_frame does not exist. ')
     buffer.set('w', 'a', SECOND, at(1.0))
     assert failure_of(buffer, 'a', '') == (
         'invalid_argument',
-        (
-            'Invalid argument "" passed to lookupTransform argument source_frame - '
-            'in tf2 frame_ids cannot be empty'
-        ),
+        ('Invalid argument "" passed to lookupTransform argument source_frame - in tf2 frame_ids cannot be empty'),
     )
 
 
@@ -50,14 +41,10 @@ def test_equal_names_give_the_identity_before_any_check():
 
 
 def test_a_full_lookup_checks_all_names_even_when_they_are_equal():
-    with pytest.raises(
-        TransformFailure, match='"a" passed to lookupTransform argument target_frame does not exist'
-    ):
+    with pytest.raises(TransformFailure, match='"a" passed to lookupTransform argument target_frame does not exist'):
         TransformBuffer().lookup_full('a', 1, 'a', 1, 'a')
     buffer = chain_of(1)
-    with pytest.raises(
-        TransformFailure, match='"z" passed to lookupTransform argument fixed_frame does not exist. '
-    ):
+    with pytest.raises(TransformFailure, match='"z" passed to lookupTransform argument fixed_frame does not exist. '):
         buffer.lookup_full('f0', 1, 'f1', 1, 'z')
 
 

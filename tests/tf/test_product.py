@@ -15,7 +15,8 @@ from .shapes import poses
 
 metres = st.one_of(st.floats(-1e6, 1e6), st.floats(allow_nan=False))
 flat_poses = st.builds(
-    lambda x, y, z, yaw: (x, y, z, 0.0, 0.0, sin(yaw / 2), cos(yaw / 2)), metres, metres, metres, st.floats(-7, 7))
+    lambda x, y, z, yaw: (x, y, z, 0.0, 0.0, sin(yaw / 2), cos(yaw / 2)), metres, metres, metres, st.floats(-7, 7)
+)
 
 
 def bits(value: float) -> bytes:

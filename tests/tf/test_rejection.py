@@ -54,22 +54,8 @@ def test_a_known_frame_is_checked_as_well_as_a_new_one():
                 )
             ],
         ),
-        (
-            'w',
-            '',
-            ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set '],
-        ),
-        (
-            '',
-            'a',
-            [
-                (
-                    'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "a"  from authority "me" because '
-                    'frame_id '
-                    'not set'
-                )
-            ],
-        ),
+        ('w', '', ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set ']),
+        ('', 'a', [('TF_NO_FRAME_ID: Ignoring transform with child_frame_id "a"  from authority "me" because frame_id not set')]),
     ],
 )
 def test_bad_frame_names_are_refused(parent, child, texts):

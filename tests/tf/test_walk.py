@@ -29,12 +29,7 @@ def test_a_new_parent_takes_over_at_once_and_old_times_keep_the_old_one():
         buffer.set('map', 'base', second * SECOND, at(float(second)))
     for second in (3, 4):
         buffer.set('odom', 'base', second * SECOND, at(float(second)))
-    assert [x_of(buffer, 'map', 'base', time) for time in (SECOND, int(2.5 * SECOND), 4 * SECOND, 0)] == [
-        1.0,
-        2.0,
-        104.0,
-        104.0,
-    ]
+    assert [x_of(buffer, 'map', 'base', time) for time in (SECOND, int(2.5 * SECOND), 4 * SECOND, 0)] == [1.0, 2.0, 104.0, 104.0]
 
 
 def test_a_parent_of_another_tree_leaves_the_old_one_unconnected():

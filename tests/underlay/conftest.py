@@ -1,4 +1,5 @@
 """A stage for the built-in programs: host and graph, a hand to poke them with, a tape of what happened."""
+
 from __future__ import annotations
 
 from io import StringIO
@@ -84,6 +85,7 @@ class Stage:
 
         def on_ready() -> None:
             replies.append(cls.Response.from_wire(client.take()[1]))
+
         client = self.graph.create_client(self._hand, service, cls, QoS(), on_ready)
         client.send(cls.Request.to_wire(cls.Request(**fields)))
         return replies

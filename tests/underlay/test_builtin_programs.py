@@ -1,4 +1,5 @@
 """What stands in console_scripts.txt exists, and so does what launch files start."""
+
 from __future__ import annotations
 
 import importlib.util
@@ -14,7 +15,8 @@ SHARE = Path(underlay_prefix()) / 'share'
 PROGRAMS = [
     (file.parent.name, *re.split(r'\s*=\s*|:', line))
     for file in sorted(SHARE.glob('*/console_scripts.txt'))
-    for line in file.read_text(encoding='utf-8').splitlines() if line
+    for line in file.read_text(encoding='utf-8').splitlines()
+    if line
 ]
 LAUNCH_FILES = sorted(path for path in SHARE.glob('*/launch/**/*launch*') if path.is_file())
 
@@ -27,8 +29,7 @@ def test_every_entry_point_is_there(package: str, executable: str, module: str, 
 
 
 def test_turtlesims_executables_are_those_of_the_tutorial() -> None:
-    assert Index([], []).executables('turtlesim') == [
-        'draw_square', 'mimic', 'turtle_teleop_key', 'turtlesim_node']
+    assert Index([], []).executables('turtlesim') == ['draw_square', 'mimic', 'turtle_teleop_key', 'turtlesim_node']
 
 
 @pytest.mark.parametrize('path', LAUNCH_FILES, ids=lambda path: path.name)

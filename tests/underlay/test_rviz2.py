@@ -1,4 +1,5 @@
 """The stand-in of RViz: honest about pictures, exact about what it listens to."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -16,8 +17,10 @@ def listens_to_tf(stage: Any) -> bool:
 def test_the_tutorials_config_shows_tf_from_above(stage: Any) -> None:
     stage.start('rviz2', 'rviz2', '-d', CONFIG, '--ros-args', '-r', '__node:=rviz2')
     stage.until(10)
-    assert stage.texts()[:2] == ["Loaded display config 'turtle_rviz.rviz'",
-                                 "View: TopDownOrtho, fixed frame 'world', displays: Grid, TF"]
+    assert stage.texts()[:2] == [
+        "Loaded display config 'turtle_rviz.rviz'",
+        "View: TopDownOrtho, fixed frame 'world', displays: Grid, TF",
+    ]
     assert 'pictures come from the recording' in stage.texts()[2]
     assert listens_to_tf(stage)
     assert [node.name for node in stage.graph.nodes if node.name.startswith('rviz')] == ['rviz2']
@@ -41,5 +44,4 @@ def test_a_file_that_is_no_config_is_an_error(stage: Any, tmp_path: Path) -> Non
     file.write_text('Panels: [')
     stage.start('rviz2', 'rviz2', '-d', str(file))
     stage.until(10)
-    assert stage.texts()[0].startswith(
-        f"Could not load display config '{file}': it is not an RViz config: while parsing")
+    assert stage.texts()[0].startswith(f"Could not load display config '{file}': it is not an RViz config: while parsing")

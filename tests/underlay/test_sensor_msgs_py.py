@@ -1,4 +1,5 @@
 """Point clouds go into messages and come out again."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -19,7 +20,11 @@ def cloud() -> Any:
 def test_a_cloud_of_floats_has_twelve_bytes_for_each_point() -> None:
     made = cloud()
     assert (made.height, made.width, made.point_step, made.row_step, len(made.data)) == (1, 3, 12, 36, 36)
-    assert [(field.name, field.offset) for field in made.fields] == [('x', 0), ('y', 4), ('z', 8)] and made.header.frame_id == 'map'
+    assert [(field.name, field.offset) for field in made.fields] == [
+        ('x', 0),
+        ('y', 4),
+        ('z', 8),
+    ] and made.header.frame_id == 'map'
 
 
 def test_points_come_out_as_they_went_in() -> None:
@@ -30,8 +35,10 @@ def test_points_come_out_as_they_went_in() -> None:
 
 
 def test_fields_of_several_types_and_padding() -> None:
-    fields = [PointField(name='range', offset=0, datatype=PointField.FLOAT64, count=1),
-              PointField(name='', offset=8, datatype=PointField.UINT16, count=2)]
+    fields = [
+        PointField(name='range', offset=0, datatype=PointField.FLOAT64, count=1),
+        PointField(name='', offset=8, datatype=PointField.UINT16, count=2),
+    ]
     made = point_cloud2.create_cloud(Header(), fields, [(1.5, (1, 2)), (2.5, (3, 4))], step=16)
     points = point_cloud2.read_points(made)
     assert made.point_step == 16 and points.dtype.names == ('range', 'unnamed_field_1')

@@ -62,9 +62,7 @@ def publish(stage: Any, child: str, x: float) -> None:
 
 
 def test_a_known_transform_comes_back(served):
-    answers = ask(
-        served, lambda client: client.lookup_transform('world', 'a', Time()).transform.translation.x
-    )
+    answers = ask(served, lambda client: client.lookup_transform('world', 'a', Time()).transform.translation.x)
     served.until(1000)
     assert [answer for _, answer in answers] == [5.0]
 
@@ -79,10 +77,7 @@ def test_errors_of_the_server_become_the_same_exceptions(served):
 
 def test_the_server_waits_for_what_comes_within_the_timeout(served):
     answers = ask(
-        served,
-        lambda client: (
-            client.lookup_transform('world', 'late', Time(), Duration(seconds=1.0)).transform.translation.x
-        ),
+        served, lambda client: client.lookup_transform('world', 'late', Time(), Duration(seconds=1.0)).transform.translation.x
     )
     served.until(705)
     publish(served, 'late', 8.0)

@@ -19,9 +19,7 @@ from edulaunch.underlay_place import underlay_prefix
 FRAMES = ('--frame-id', 'world', '--child-frame-id', 'mystaticturtle')
 
 
-def run(
-    stage: Any, package: str, executable: str, *arguments: str, cwd: str | None = None
-) -> tuple[Process, list]:
+def run(stage: Any, package: str, executable: str, *arguments: str, cwd: str | None = None) -> tuple[Process, list]:
     """A started program and the list in which its (milliseconds, stream, text) will stand."""
     output: list[tuple[float, str, str]] = []
     argv = (f'{underlay_prefix()}/lib/{package}/{executable}', *arguments)
@@ -95,15 +93,11 @@ def test_a_static_publisher_can_be_renamed_and_shows_read_only_parameters(stage)
     stage.until(10)
     from rcl_interfaces.srv import GetParameters, SetParameters
 
-    values = stage.ask(
-        '/lamp/get_parameters', GetParameters, names=['translation.x', 'rotation.z', 'frame_id']
-    )
+    values = stage.ask('/lamp/get_parameters', GetParameters, names=['translation.x', 'rotation.z', 'frame_id'])
     from rclpy.parameter import Parameter
 
     refused = stage.ask(
-        '/lamp/set_parameters',
-        SetParameters,
-        parameters=[Parameter('frame_id', value='moon').to_parameter_msg()],
+        '/lamp/set_parameters', SetParameters, parameters=[Parameter('frame_id', value='moon').to_parameter_msg()]
     )
     stage.until(20)
     found = values[0].values
@@ -112,13 +106,10 @@ def test_a_static_publisher_can_be_renamed_and_shows_read_only_parameters(stage)
 
 
 def test_old_style_arguments_work_with_a_warning(stage):
-    _, output = run(
-        stage, 'tf2_ros', 'static_transform_publisher', *['1', '2', '3', '0', '0', '0', 'world', 'child']
-    )
+    _, output = run(stage, 'tf2_ros', 'static_transform_publisher', *['1', '2', '3', '0', '0', '0', 'world', 'child'])
     stage.until(10)
     assert text_of(output, 'stderr').startswith(
-        '[WARN] [1700000000.000000000] []: Old-style arguments are deprecated; see --help for new-style '
-        'arguments\n'
+        '[WARN] [1700000000.000000000] []: Old-style arguments are deprecated; see --help for new-style arguments\n'
     )
     assert stage.messages('/tf_static')[0].transforms[0].transform.translation.y == 2.0
 
@@ -128,10 +119,7 @@ def test_old_style_arguments_work_with_a_warning(stage):
     [
         (
             ('--x', '1'),
-            (
-                '[ERROR] [1700000000.000000000] []: error parsing command line arguments: '
-                'Frame id must not be empty\n'
-            ),
+            ('[ERROR] [1700000000.000000000] []: error parsing command line arguments: Frame id must not be empty\n'),
             1,
         ),
         (('--help',), '', 0),
@@ -145,14 +133,11 @@ def test_usage_is_printed_with_the_reason_on_stderr(stage, arguments, stderr, co
 
 
 def test_equal_frames_abort_the_static_publisher(stage):
-    process, output = run(
-        stage, 'tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'a'
-    )
+    process, output = run(stage, 'tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'a')
     stage.until(10)
     assert "]: cannot publish static transform from 'a' to 'a', exiting\n" in text_of(output, 'stderr')
     assert text_of(output, 'stderr').endswith(
-        "terminate called after throwing an instance of 'std::runtime_error'\n"
-        '  what():  child_frame_id cannot equal frame_id\n'
+        "terminate called after throwing an instance of 'std::runtime_error'\n  what():  child_frame_id cannot equal frame_id\n"
     )
     assert process.returncode == -6
 
@@ -234,11 +219,7 @@ def test_echo_tells_when_a_transform_is_lost(stage):
 def test_echo_refuses_bad_arguments(stage, arguments, stdout, stderr, code):
     process, output = run(stage, 'tf2_ros', 'tf2_echo', *arguments)
     stage.until(10)
-    assert (text_of(output)[: len(stdout)], text_of(output, 'stderr'), process.returncode) == (
-        stdout,
-        stderr,
-        code,
-    )
+    assert (text_of(output)[: len(stdout)], text_of(output, 'stderr'), process.returncode) == (stdout, stderr, code)
 
 
 def test_monitor_reports_delays_every_21_half_seconds(stage):
@@ -268,8 +249,7 @@ def test_monitor_of_all_frames_names_none(stage):
     send(stage, ('world', 'turtle1', 1.0, 0.0))
     stage.until(10600)
     assert text_of(output).startswith(
-        'Gathering data on all frames for 10 seconds...\n\n\n\nRESULTS: for all Frames\n\nFrames:\nFrame: '
-        'turtle1, '
+        'Gathering data on all frames for 10 seconds...\n\n\n\nRESULTS: for all Frames\n\nFrames:\nFrame: turtle1, '
     )
 
 
@@ -282,15 +262,11 @@ def test_view_frames_writes_the_graph_and_says_when_dot_is_missing(stage, tmp_pa
     assert process.returncode == 0
     lines = [line.partition(']: ')[2] for line in text_of(output, 'stderr').splitlines()]
     assert lines[:2] == ['Listening to tf data for 5.0 seconds...', 'Generating graph...']
-    assert lines[2].startswith(
-        "Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml=\"turtle1: \\n  parent: 'world'"
-    )
+    assert lines[2].startswith("Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml=\"turtle1: \\n  parent: 'world'")
     assert lines[3] == f'Exporting graph in {tmp_path}/tree.pdf file...'
     assert 'graphviz' in lines[4]
     graph = (tmp_path / 'tree.gv').read_text()
-    assert graph.startswith(
-        'digraph G {\n"world" -> "turtle1"[label=" Broadcaster: default_authority\\nAverage rate: 10.2'
-    )
+    assert graph.startswith('digraph G {\n"world" -> "turtle1"[label=" Broadcaster: default_authority\\nAverage rate: 10.2')
     assert re.search(r'"Recorded at time: 1700000005\.\d+"\[ shape=plaintext \] ;\n}->"world";\n}$', graph)
 
 

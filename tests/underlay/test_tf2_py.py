@@ -72,22 +72,14 @@ def test_the_cache_length_is_a_duration():
 
 def test_answers_of_can_transform_are_integers(buffer):
     assert repr(buffer.can_transform_core('world', 'turtle1', Time())) == "(1, '')"
-    assert buffer.can_transform_full_core(
-        'turtle1', Time(seconds=6), 'turtle1', Time(seconds=5), 'world'
-    ) == (1, '')
+    assert buffer.can_transform_full_core('turtle1', Time(seconds=6), 'turtle1', Time(seconds=5), 'world') == (1, '')
     assert buffer.can_transform_core('world', 'x', Time())[0] == 0
 
 
 @pytest.mark.parametrize(
     ('target', 'source', 'time', 'kind', 'text'),
     [
-        (
-            'world',
-            'x',
-            0,
-            'LookupException',
-            '"x" passed to lookupTransform argument source_frame does not exist. ',
-        ),
+        ('world', 'x', 0, 'LookupException', '"x" passed to lookupTransform argument source_frame does not exist. '),
         (
             'world',
             '/turtle1',
@@ -171,8 +163,7 @@ def test_a_translation_of_another_type_is_refused_and_a_rotation_warned_about(bu
     ):
         buffer.set_transform(fake, 'me')
     fake.transform = SimpleNamespace(
-        translation=stamped('a', 'b', 5, 1.0).transform.translation,
-        rotation=SimpleNamespace(x=0.0, y=0.0, z=0.0, w=1.0),
+        translation=stamped('a', 'b', 5, 1.0).transform.translation, rotation=SimpleNamespace(x=0.0, y=0.0, z=0.0, w=1.0)
     )
     with pytest.warns(UserWarning, match='Quaternion'):
         buffer.set_transform(fake, 'me')
@@ -181,18 +172,12 @@ def test_a_translation_of_another_type_is_refused_and_a_rotation_warned_about(bu
 
 def test_frames_can_be_listed(buffer):
     assert buffer.all_frames_as_string() == 'Frame turtle1 exists with parent world.\n'
-    assert buffer.all_frames_as_yaml().startswith(
-        "turtle1: \n  parent: 'world'\n  broadcaster: 'default_authority'\n"
-    )
+    assert buffer.all_frames_as_yaml().startswith("turtle1: \n  parent: 'world'\n  broadcaster: 'default_authority'\n")
     assert buffer._getFrameStrings() == ['turtle1', 'world']
     assert (buffer._frameExists('world'), buffer._frameExists('x')) == (True, False)
     assert buffer._allFramesAsDot(time=Time(seconds=7)).endswith('}')
     assert buffer._chain(
-        target_frame='world',
-        target_time=Time(),
-        source_frame='turtle1',
-        source_time=Time(),
-        fixed_frame='world',
+        target_frame='world', target_time=Time(), source_frame='turtle1', source_time=Time(), fixed_frame='world'
     ) == ['turtle1', 'world']
 
 

@@ -31,9 +31,7 @@ def program(stage: Any) -> Callable[[Callable[[], object]], Any]:
         from edulaunch.processes.process import Process
         from edulaunch.processes.spec import ProcessSpec
 
-        process = Process(
-            stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'], lambda _: body()
-        )
+        process = Process(stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'], lambda _: body())
         process.task.start()
         return process
 
@@ -118,19 +116,14 @@ def test_a_static_broadcaster_repeats_all_frames_but_never_changes_one(stage, pr
 def test_a_late_listener_gets_static_frames(stage, program):
     found: list[float] = []
     hand = stage.graph.add_node(None, 'early', '/')
-    publisher = stage.graph.create_publisher(
-        hand, '/tf_static', TFMessage, QoS(depth=1, durability=TRANSIENT_LOCAL)
-    )
+    publisher = stage.graph.create_publisher(hand, '/tf_static', TFMessage, QoS(depth=1, durability=TRANSIENT_LOCAL))
     publisher.publish(TFMessage.to_wire(TFMessage(transforms=[stamped('world', 'lamp', 0.0, 3.0)])))
     stage.until(1000)
     listening(
         stage,
         program,
         lambda node, buffer: node.create_timer(
-            0.1,
-            lambda: found.append(
-                buffer.lookup_transform('world', 'lamp', Time(seconds=5)).transform.translation.x
-            ),
+            0.1, lambda: found.append(buffer.lookup_transform('world', 'lamp', Time(seconds=5)).transform.translation.x)
         ),
     )
     stage.until(1150)
@@ -153,9 +146,7 @@ def test_a_lookup_with_a_timeout_blocks_its_executor_to_the_end(stage, program):
     stage.until(2100)
     stage.publish('/tf', TFMessage(transforms=[stamped('world', 'late', 1.0, 1.0)]))
     stage.until(3500)
-    assert log == [
-        (3000.0, 'LookupException: "world" passed to lookupTransform argument target_frame does not exist. ')
-    ]
+    assert log == [(3000.0, 'LookupException: "world" passed to lookupTransform argument target_frame does not exist. ')]
 
 
 @pytest.mark.parametrize('timeout', [1.0, 1, Duration(seconds=1.0).to_msg()])
@@ -239,9 +230,7 @@ def test_a_future_is_done_when_the_transform_arrives(stage, program):
 
     def use(node: Node, buffer: tf2_ros.Buffer) -> None:
         future = buffer.wait_for_transform_async('world', 'late', Time())
-        future.add_done_callback(
-            lambda done: log.append((stage.tape.now_ms(), done.result().transform.translation.x))
-        )
+        future.add_done_callback(lambda done: log.append((stage.tape.now_ms(), done.result().transform.translation.x)))
 
     listening(stage, program, use)
     stage.until(300)
@@ -352,9 +341,7 @@ def test_convert_goes_directly_or_over_a_message(stage, program):
         registration.add_to_msg(complex, lambda value: (value.real, value.imag))
         registration.add_from_msg(str, lambda pair: f'{pair[0]} {pair[1]}')
         registration.add_convert((complex, float), abs)
-        results.extend(
-            [tf2_ros.convert(3 + 4j, str), tf2_ros.convert(3 + 4j, float), tf2_ros.convert('x', str)]
-        )
+        results.extend([tf2_ros.convert(3 + 4j, str), tf2_ros.convert(3 + 4j, float), tf2_ros.convert('x', str)])
         with pytest.raises(tf2_ros.TypeException, match="Type <class 'int'> is not loaded or supported"):
             tf2_ros.convert(3 + 4j, int)
 
@@ -364,9 +351,7 @@ def test_convert_goes_directly_or_over_a_message(stage, program):
 
 
 def test_all_names_of_the_package_can_be_imported():
-    assert {name: getattr(tf2_ros, name).__name__ for name in tf2_ros.__all__} == {
-        n: n for n in tf2_ros.__all__
-    }
+    assert {name: getattr(tf2_ros, name).__name__ for name in tf2_ros.__all__} == {n: n for n in tf2_ros.__all__}
     assert tf2_ros.buffer.Buffer is tf2_ros.Buffer
     with pytest.raises(ImportError):
         from tf2_ros import Bufer  # noqa: F401

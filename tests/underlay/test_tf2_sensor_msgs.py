@@ -1,4 +1,5 @@
 """tf2_sensor_msgs."""
+
 from __future__ import annotations
 
 import math
@@ -11,7 +12,9 @@ from sensor_msgs.msg import PointCloud2, PointField
 from sensor_msgs_py import point_cloud2
 from std_msgs.msg import Header
 
-FIELDS = [PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate(['x', 'y', 'z', 'heat'])]
+FIELDS = [
+    PointField(name=name, offset=4 * i, datatype=PointField.FLOAT32, count=1) for i, name in enumerate(['x', 'y', 'z', 'heat'])
+]
 
 
 def quarter_turn() -> TransformStamped:

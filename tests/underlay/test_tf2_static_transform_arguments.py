@@ -29,15 +29,7 @@ def test_a_quaternion_is_taken_as_it_is():
 def test_the_old_order_has_yaw_first():
     request = parse(['1', '2', '3', '0.3', '0.2', '0.1', 'world', 'child'])
     assert request == ('world', 'child', (1.0, 2.0, 3.0, *from_euler(0.1, 0.2, 0.3)), True)
-    assert parse(['1', '2', '3', '0', '0', '1', '0', 'world', 'child']).transform == (
-        1.0,
-        2.0,
-        3.0,
-        0.0,
-        0.0,
-        1.0,
-        0.0,
-    )
+    assert parse(['1', '2', '3', '0', '0', '1', '0', 'world', 'child']).transform == (1.0, 2.0, 3.0, 0.0, 0.0, 1.0, 0.0)
 
 
 def test_what_follows_a_number_is_ignored_as_in_cpp():
@@ -52,10 +44,7 @@ def test_what_follows_a_number_is_ignored_as_in_cpp():
         ('1 2 3 0 0 0 1 a b c', 'Extra unparsed arguments on command-line'),
         ('--frame-id world --x', 'Not enough arguments for --x'),
         ('--x one --frame-id a --child-frame-id b', 'Failed to parse --x argument as float'),
-        (
-            '--yaw 1 --qw 1 --frame-id a --child-frame-id b',
-            'Cannot specify both quaternion and Euler rotations',
-        ),
+        ('--yaw 1 --qw 1 --frame-id a --child-frame-id b', 'Cannot specify both quaternion and Euler rotations'),
         ('--x 1 2 3 --frame-id a', 'Cannot specify both new-style (flags) and old-style (arguments)'),
         ('--x 1 --child-frame-id b', 'Frame id must not be empty'),
         ('--x 1 --frame-id a', 'Child frame id must not be empty'),

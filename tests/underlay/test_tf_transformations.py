@@ -12,19 +12,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 AXES = [
-    frame + ''.join(letters)
-    for frame in 'sr'
-    for letters in product('xyz', repeat=3)
-    if letters[0] != letters[1] != letters[2]
+    frame + ''.join(letters) for frame in 'sr' for letters in product('xyz', repeat=3) if letters[0] != letters[1] != letters[2]
 ]
 angles = st.floats(-3.0, 3.0)
 
 
 def test_yaw_is_the_third_angle_and_the_quaternion_ends_with_w():
     assert under_test.quaternion_from_euler(0, 0, pi / 2) == pytest.approx((0.0, 0.0, 0.5**0.5, 0.5**0.5))
-    assert under_test.euler_from_quaternion([0.0, 0.0, 0.5**0.5, 0.5**0.5]) == pytest.approx(
-        (0.0, 0.0, pi / 2)
-    )
+    assert under_test.euler_from_quaternion([0.0, 0.0, 0.5**0.5, 0.5**0.5]) == pytest.approx((0.0, 0.0, pi / 2))
 
 
 def test_there_are_24_sequences_of_axes_and_others_are_refused():
@@ -45,9 +40,7 @@ def test_angles_read_from_a_matrix_make_the_same_matrix(a, b, c, axes):
 @pytest.mark.parametrize('middle', [0.0, pi, pi / 2, -pi / 2])
 def test_where_two_axes_coincide_the_matrix_is_still_right(axes, middle):
     matrix = under_test.euler_matrix(0.3, middle, 0.4, axes)
-    assert np.allclose(
-        under_test.euler_matrix(*under_test.euler_from_matrix(matrix, axes), axes), matrix, atol=1e-6
-    )
+    assert np.allclose(under_test.euler_matrix(*under_test.euler_from_matrix(matrix, axes), axes), matrix, atol=1e-6)
 
 
 def test_turning_axes_are_applied_in_the_other_order():
@@ -74,9 +67,7 @@ def test_a_product_is_the_product_of_the_matrices(a, b):
 
 def test_the_inverse_undoes_whatever_the_length():
     q = (0.0, 0.0, 2.0, 2.0)
-    assert under_test.quaternion_multiply(under_test.quaternion_inverse(q), q) == pytest.approx(
-        (0.0, 0.0, 0.0, 1.0)
-    )
+    assert under_test.quaternion_multiply(under_test.quaternion_inverse(q), q) == pytest.approx((0.0, 0.0, 0.0, 1.0))
     assert under_test.quaternion_conjugate(q) == (0.0, 0.0, -2.0, 2.0)
 
 
@@ -125,7 +116,12 @@ def test_the_axis_of_a_turn_is_found(angle, axis, point):
 
 def test_scaling_and_mirroring_keep_the_origin():
     assert (under_test.scale_matrix(2.0, (1.0, 0.0, 0.0)) @ (1.0, 1.0, 0.0, 1.0)).tolist() == [1.0, 2.0, 0.0, 1.0]
-    assert (under_test.reflection_matrix((1.0, 0.0, 0.0), (2.0, 0.0, 0.0)) @ (3.0, 5.0, 0.0, 1.0)).tolist() == [-1.0, 5.0, 0.0, 1.0]
+    assert (under_test.reflection_matrix((1.0, 0.0, 0.0), (2.0, 0.0, 0.0)) @ (3.0, 5.0, 0.0, 1.0)).tolist() == [
+        -1.0,
+        5.0,
+        0.0,
+        1.0,
+    ]
 
 
 def test_chance_repeats_from_program_to_program_of_one_name():
@@ -210,12 +206,15 @@ def test_a_shear_keeps_its_plane_and_is_found(angle, direction, point, normal):
     assert under_test.is_same_transform(under_test.shear_matrix(*under_test.shear_from_matrix(matrix)), matrix)
 
 
-@pytest.mark.parametrize('function, words', [
-    ('reflection_from_matrix', 'no unit eigenvector corresponding to eigenvalue -1'),
-    ('scale_from_matrix', 'no eigenvector corresponding to eigenvalue 1'),
-    ('projection_from_matrix', 'no eigenvector corresponding to eigenvalue 0'),
-    ('shear_from_matrix', 'no two linear independent eigenvectors found'),
-])
+@pytest.mark.parametrize(
+    'function, words',
+    [
+        ('reflection_from_matrix', 'no unit eigenvector corresponding to eigenvalue -1'),
+        ('scale_from_matrix', 'no eigenvector corresponding to eigenvalue 1'),
+        ('projection_from_matrix', 'no eigenvector corresponding to eigenvalue 0'),
+        ('shear_from_matrix', 'no two linear independent eigenvectors found'),
+    ],
+)
 def test_a_turn_is_nothing_else(function, words):
     with pytest.raises(ValueError, match=words):
         getattr(under_test, function)(under_test.rotation_matrix(1.0, (0, 0, 1)))

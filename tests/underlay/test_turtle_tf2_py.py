@@ -1,4 +1,5 @@
 """The tf2 tutorials' programs (facts_tf2.md, section 11)."""
+
 from __future__ import annotations
 
 from math import hypot
@@ -16,8 +17,7 @@ def transforms(stage: Any, topic: str = '/tf') -> list[Any]:
 
 
 def test_broadcaster_sends_one_transform_for_each_pose(stage: Any) -> None:
-    stage.start('turtle_tf2_py', 'turtle_tf2_broadcaster', '--ros-args', '-p', 'turtlename:=leo',
-                '-r', '__ns:=/far')
+    stage.start('turtle_tf2_py', 'turtle_tf2_broadcaster', '--ros-args', '-p', 'turtlename:=leo', '-r', '__ns:=/far')
     stage.until(500)
     stage.publish('/leo/pose', Pose(x=1.0, y=2.0, theta=0.5))
     stage.until(501)
@@ -35,8 +35,7 @@ def test_listener_spawns_then_looks_up_then_drives(stage: Any) -> None:
     texts = [entry for entry in stage.tape.logs if 'turtlesim' not in entry[1]]
     assert texts[1][1].startswith('Spawning turtle [turtle2] at x=[4.000000], y=[2.000000]')
     assert texts[2] == (2000.0, 'Successfully spawned turtle2')
-    failure = ('Could not transform turtle2 to turtle1: "turtle2" passed to lookupTransform argument '
-               'target_frame does not exist. ')
+    failure = 'Could not transform turtle2 to turtle1: "turtle2" passed to lookupTransform argument target_frame does not exist. '
     assert texts[3] == (3000.0, failure)
 
 
@@ -49,8 +48,15 @@ def test_listener_waits_for_the_spawn_service(stage: Any) -> None:
 def test_turtle2_comes_to_turtle1(stage: Any) -> None:
     stage.start('turtlesim', 'turtlesim_node')
     for name in ('turtle1', 'turtle2'):
-        stage.start('turtle_tf2_py', 'turtle_tf2_broadcaster', '--ros-args', '-p', f'turtlename:={name}',
-                    '-r', f'__node:=broadcaster_{name}')
+        stage.start(
+            'turtle_tf2_py',
+            'turtle_tf2_broadcaster',
+            '--ros-args',
+            '-p',
+            f'turtlename:={name}',
+            '-r',
+            f'__node:=broadcaster_{name}',
+        )
     stage.start('turtle_tf2_py', 'turtle_tf2_listener')
     stage.until(20_000)
     leader, follower = stage.messages('/turtle1/pose')[-1], stage.messages('/turtle2/pose')[-1]
@@ -84,10 +90,10 @@ def test_static_broadcaster_publishes_its_arguments(stage: Any) -> None:
     assert sent.transform.rotation.z == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize('arguments, code, text', [
-    (['a', '1'], 1, 'Invalid number of parameters.'),
-    (['world', *'000000'], 2, 'Your static turtle name cannot be "world"'),
-])
+@pytest.mark.parametrize(
+    'arguments, code, text',
+    [(['a', '1'], 1, 'Invalid number of parameters.'), (['world', *'000000'], 2, 'Your static turtle name cannot be "world"')],
+)
 def test_static_broadcaster_refuses(stage: Any, arguments: list[str], code: int, text: str) -> None:
     process = stage.start('turtle_tf2_py', 'static_turtle_tf2_broadcaster', *arguments)
     stage.until(10)

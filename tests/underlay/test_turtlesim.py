@@ -1,4 +1,5 @@
 """turtlesim as its neighbours on the graph see it (facts_turtlesim.md)."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -12,8 +13,7 @@ from turtlesim.action import RotateAbsolute
 from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute
 
 TICK = 16.0
-WRONG_TYPE = ('Wrong parameter type, parameter {background_r} is of type {integer}, '
-              'setting it to {%s} is not allowed.')
+WRONG_TYPE = 'Wrong parameter type, parameter {background_r} is of type {integer}, setting it to {%s} is not allowed.'
 
 
 def twist(linear: float, angular: float = 0.0, sideways: float = 0.0) -> Twist:
@@ -33,8 +33,10 @@ def pose_times(stage: Any, turtle: str) -> list[float]:
 
 def test_first_lines_are_the_node_and_its_turtle(sim: Any) -> None:
     sim.until(0)
-    assert sim.texts() == ['Starting turtlesim with node name /turtlesim',
-                           'Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]']
+    assert sim.texts() == [
+        'Starting turtlesim with node name /turtlesim',
+        'Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]',
+    ]
 
 
 def test_poses_come_every_16_ms_from_the_second_tick_on(sim: Any) -> None:
@@ -46,10 +48,17 @@ def test_endpoints_are_those_of_the_default_node(sim: Any) -> None:
     sim.until(0)
     topics = {e.topic_name for e in sim.graph.nodes[1].endpoints if e.kind in ('publisher', 'subscription')}
     services = {e.service_name for e in sim.graph.nodes[1].endpoints if e.kind == 'service'}
-    assert {'/turtle1/pose', '/turtle1/color_sensor', '/turtle1/cmd_vel', '/parameter_events',
-            '/rosout'} <= topics
-    assert {'/clear', '/kill', '/reset', '/spawn', '/turtle1/set_pen', '/turtle1/teleport_absolute',
-            '/turtle1/teleport_relative', '/turtle1/rotate_absolute/_action/send_goal'} <= services
+    assert {'/turtle1/pose', '/turtle1/color_sensor', '/turtle1/cmd_vel', '/parameter_events', '/rosout'} <= topics
+    assert {
+        '/clear',
+        '/kill',
+        '/reset',
+        '/spawn',
+        '/turtle1/set_pen',
+        '/turtle1/teleport_absolute',
+        '/turtle1/teleport_relative',
+        '/turtle1/rotate_absolute/_action/send_goal',
+    } <= services
 
 
 def test_one_command_moves_the_turtle_for_63_ticks(sim: Any) -> None:
@@ -116,8 +125,10 @@ def test_spawn_names_turtles_and_answers_a_taken_name_with_nothing(sim: Any) -> 
     second = sim.ask('/spawn', Spawn, x=2.0, y=2.0, name='turtle2')
     sim.until(40)
     assert [first[0].name, second[0].name] == ['turtle2', '']
-    assert sim.texts()[2:] == ['Spawning turtle [turtle2] at x=[2.000000], y=[2.000000], theta=[0.200000]',
-                               'A turtle named [turtle2] already exists']
+    assert sim.texts()[2:] == [
+        'Spawning turtle [turtle2] at x=[2.000000], y=[2.000000], theta=[0.200000]',
+        'A turtle named [turtle2] already exists',
+    ]
 
 
 def test_kill_takes_the_turtle_off_the_graph(sim: Any) -> None:
@@ -136,8 +147,10 @@ def test_reset_starts_over_with_turtle1(sim: Any) -> None:
     sim.until(40)
     sim.ask('/reset', Empty)
     sim.until(80)
-    assert sim.texts()[3:] == ['Resetting turtlesim.',
-                               'Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]']
+    assert sim.texts()[3:] == [
+        'Resetting turtlesim.',
+        'Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]',
+    ]
     assert '/turtle2/pose' not in sim.graph.publishers
 
 
@@ -154,15 +167,23 @@ def test_the_sensor_sees_the_pens_colour_until_clear(sim: Any) -> None:
     assert sim.texts()[-1] == 'Clearing turtlesim.'
 
 
-@pytest.mark.parametrize('name, value, reason', [
-    ('background_r', ParameterValue(type=2, integer_value=256),
-     "Parameter {background_r} doesn't comply with integer range."),
-    ('background_r', ParameterValue(type=4, string_value='red'),
-     WRONG_TYPE % 'string'),
-    ('x', ParameterValue(type=2, integer_value=1), "parameter 'x' cannot be set because it was not declared"),
-    ('qos_overrides./parameter_events.publisher.depth', ParameterValue(type=2, integer_value=1),
-     "parameter 'qos_overrides./parameter_events.publisher.depth' cannot be set because it is read-only"),
-])
+@pytest.mark.parametrize(
+    'name, value, reason',
+    [
+        (
+            'background_r',
+            ParameterValue(type=2, integer_value=256),
+            "Parameter {background_r} doesn't comply with integer range.",
+        ),
+        ('background_r', ParameterValue(type=4, string_value='red'), WRONG_TYPE % 'string'),
+        ('x', ParameterValue(type=2, integer_value=1), "parameter 'x' cannot be set because it was not declared"),
+        (
+            'qos_overrides./parameter_events.publisher.depth',
+            ParameterValue(type=2, integer_value=1),
+            "parameter 'qos_overrides./parameter_events.publisher.depth' cannot be set because it is read-only",
+        ),
+    ],
+)
 def test_parameters_are_refused_in_cpp_words(sim: Any, name: str, value: Any, reason: str) -> None:
     parameter = Parameter(name=name, value=value)
     replies = sim.ask('/turtlesim/set_parameters', SetParameters, parameters=[parameter])
@@ -171,10 +192,13 @@ def test_parameters_are_refused_in_cpp_words(sim: Any, name: str, value: Any, re
     assert sim.process.returncode is None
 
 
-@pytest.mark.parametrize('value, error', [
-    ('300', "' could not be set: Parameter {background_r} doesn't comply with integer range."),
-    ('1.0', "' has invalid type: " + WRONG_TYPE % 'double'),
-])
+@pytest.mark.parametrize(
+    'value, error',
+    [
+        ('300', "' could not be set: Parameter {background_r} doesn't comply with integer range."),
+        ('1.0', "' has invalid type: " + WRONG_TYPE % 'double'),
+    ],
+)
 def test_a_bad_parameter_at_start_aborts(stage: Any, value: str, error: str) -> None:
     process = stage.start('turtlesim', 'turtlesim_node', '--ros-args', '-p', f'background_r:={value}')
     stage.until(10)
@@ -208,8 +232,9 @@ def test_names_follow_the_namespace(stage: Any) -> None:
 def test_mimic_repeats_velocities_at_every_pose(stage: Any) -> None:
     stage.start('turtlesim', 'turtlesim_node', '--ros-args', '-r', '__ns:=/a')
     stage.start('turtlesim', 'turtlesim_node', '--ros-args', '-r', '__ns:=/b')
-    stage.start('turtlesim', 'mimic', '--ros-args', '-r', 'input/pose:=/a/turtle1/pose',
-                '-r', 'output/cmd_vel:=/b/turtle1/cmd_vel')
+    stage.start(
+        'turtlesim', 'mimic', '--ros-args', '-r', 'input/pose:=/a/turtle1/pose', '-r', 'output/cmd_vel:=/b/turtle1/cmd_vel'
+    )
     stage.until(100)
     stage.publish('/a/turtle1/cmd_vel', twist(-1.0, 0.5))
     stage.until(3000)
@@ -222,13 +247,13 @@ def test_draw_square_turns_left_four_times(sim: Any) -> None:
     sim.start('turtlesim', 'draw_square')
     sim.until(30_000)
     goals = [text for text in sim.texts() if text.startswith('New goal')]
-    assert goals[:3] == ['New goal [7.544445 5.544445, 0.000000]', 'New goal [7.544445 5.544445, 1.570796]',
-                         goals[2]]
+    assert goals[:3] == ['New goal [7.544445 5.544445, 0.000000]', 'New goal [7.544445 5.544445, 1.570796]', goals[2]]
     assert sim.texts().count('Reached goal') == len(goals) - 1 >= 7
 
 
-@pytest.mark.parametrize('keys, linear, angular', [
-    ('\x1b[A', 2.0, 0.0), ('\x1b[B', -2.0, 0.0), ('\x1b[C', 0.0, -2.0), ('\x1b[D', 0.0, 2.0)])
+@pytest.mark.parametrize(
+    'keys, linear, angular', [('\x1b[A', 2.0, 0.0), ('\x1b[B', -2.0, 0.0), ('\x1b[C', 0.0, -2.0), ('\x1b[D', 0.0, 2.0)]
+)
 def test_an_arrow_key_is_one_command(stage: Any, keys: str, linear: float, angular: float) -> None:
     stage.start('turtlesim', 'turtle_teleop_key', stdin=keys)
     stage.until(5000)
@@ -251,22 +276,22 @@ def test_a_newer_goal_and_a_command_abort_the_older(sim: Any) -> None:
     sim.until(1300)
     assert sim.texts()[2:] == [
         'Rotation goal received before a previous goal finished. Aborting previous goal',
-        'Velocity command received during rotation goal. Aborting goal']
+        'Velocity command received during rotation goal. Aborting goal',
+    ]
     assert sim.messages('/turtle1/pose')[-1].linear_velocity == 1.0
 
 
-@pytest.mark.parametrize('theta, count, last, delta', [
-    (1.57, 98, 0.018000006675720215, -1.5520000457763672), (0.0, 1, 0.0, 0.0)])
+@pytest.mark.parametrize('theta, count, last, delta', [(1.57, 98, 0.018000006675720215, -1.5520000457763672), (0.0, 1, 0.0, 0.0)])
 def test_a_rotation_goal_ends_with_the_golden_feedback_and_result(
-        sim: Any, theta: float, count: int, last: float, delta: float) -> None:
+    sim: Any, theta: float, count: int, last: float, delta: float
+) -> None:
     action = RotateAbsolute.Impl
     goal = RotateAbsolute.Goal(theta=theta)
     accepted = sim.ask('/turtle1/rotate_absolute/_action/send_goal', action.SendGoalService, goal=goal)
     sim.until(100)
     result = sim.ask('/turtle1/rotate_absolute/_action/get_result', action.GetResultService)
     sim.until(3000)
-    feedback = [message.feedback.remaining for message in sim.messages(
-        '/turtle1/rotate_absolute/_action/feedback')]
+    feedback = [message.feedback.remaining for message in sim.messages('/turtle1/rotate_absolute/_action/feedback')]
     assert accepted[0].accepted
     assert (len(feedback), feedback[-1]) == (count, last)
     assert (result[0].status, result[0].result.delta) == (4, delta)

@@ -1,4 +1,5 @@
 """The Waffle and the node that drives it in circles."""
+
 from __future__ import annotations
 
 from math import hypot
@@ -13,8 +14,7 @@ def position(message: Any) -> tuple[float, float]:
 
 
 def test_odometry_starts_at_the_spawn_pose_and_comes_30_times_a_second(stage: Any) -> None:
-    stage.start('turtlebot3_gazebo', 'waffle_simulator', '--ros-args', '-p', 'x_pose:=1.0',
-                '-p', 'y_pose:=0.5')
+    stage.start('turtlebot3_gazebo', 'waffle_simulator', '--ros-args', '-p', 'x_pose:=1.0', '-p', 'y_pose:=0.5')
     stage.until(1000)
     odometry = stage.messages('/odom')
     assert (len(odometry), position(odometry[0])) == (30, (1.0, 0.5))
@@ -23,8 +23,9 @@ def test_odometry_starts_at_the_spawn_pose_and_comes_30_times_a_second(stage: An
     assert frames == ['base_footprint'] * 30
 
 
-@pytest.mark.parametrize('message, warnings', [
-    (TwistStamped(twist=Twist(linear=Vector3(x=0.1))), 0), (Twist(linear=Vector3(x=0.1)), 1)])
+@pytest.mark.parametrize(
+    'message, warnings', [(TwistStamped(twist=Twist(linear=Vector3(x=0.1))), 0), (Twist(linear=Vector3(x=0.1)), 1)]
+)
 def test_both_kinds_of_twist_drive_it_and_are_kept(stage: Any, message: Any, warnings: int) -> None:
     stage.start('turtlebot3_gazebo', 'waffle_simulator')
     stage.until(500)

@@ -1,4 +1,5 @@
 """What the real colcon builds is found, and behaves as the sources do."""
+
 from __future__ import annotations
 
 import os
@@ -23,8 +24,14 @@ pytestmark = pytest.mark.skipif(COLCON is None, reason="colcon is not installed 
 def build(folder: Path) -> None:
     environment = dict(os.environ, PATH=os.pathsep.join([os.path.dirname(COLCON or ''), os.environ.get('PATH', '')]))
     environment.pop('PYTHONPATH', None)
-    done = subprocess.run([str(COLCON), '--log-base', str(folder / 'log'), 'build'], cwd=folder, env=environment, capture_output=True,
-                          text=True, timeout=300)
+    done = subprocess.run(
+        [str(COLCON), '--log-base', str(folder / 'log'), 'build'],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -40,8 +47,9 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize(('package', 'file'), [
-    ('launch_tutorial', 'launch_turtlesim.launch.py'), ('learning_tf2_py', 'turtle_tf2_demo.launch.py')])
+@pytest.mark.parametrize(
+    ('package', 'file'), [('launch_tutorial', 'launch_turtlesim.launch.py'), ('learning_tf2_py', 'turtle_tf2_demo.launch.py')]
+)
 def test_built_and_from_source_the_recordings_are_equal(built: Path, package: str, file: str) -> None:
     source, installed = (edulaunch.run(package, file, duration_s=5, workspaces=[folder]) for folder in (built, built / 'install'))
     assert len(source.nodes) > 3 and source.digest() == installed.digest()

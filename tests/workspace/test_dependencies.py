@@ -1,4 +1,5 @@
 """What package.xml asks for and nobody has."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -14,12 +15,25 @@ def test_each_missing_dependency_is_named_once_with_its_line_and_the_nearest_nam
     packages, missing = missing_dependencies(str(workspace.folder))
     assert packages == ['robo', 'robo_msgs']
     assert [(row.package.name, row.dependency.name, row.dependency.line, row.nearest) for row in missing] == [
-        ('robo', 'geometry_mgs', 4, 'geometry_msgs'), ('robo', 'nav2_bringup', 5, None)]
+        ('robo', 'geometry_mgs', 4, 'geometry_msgs'),
+        ('robo', 'nav2_bringup', 5, None),
+    ]
 
 
-@pytest.mark.parametrize(('name', 'here'), [
-    ('launch', True), ('turtlesim', True), ('rosidl_default_generators', True), ('rclcpp', True), ('tf2_ros_py', True),
-    ('python3-numpy', True), ('python3-yaml', True), ('python3-no-such-thing', False), ('gazebo_ros', False), ('ros2launch', True),
-])
+@pytest.mark.parametrize(
+    ('name', 'here'),
+    [
+        ('launch', True),
+        ('turtlesim', True),
+        ('rosidl_default_generators', True),
+        ('rclcpp', True),
+        ('tf2_ros_py', True),
+        ('python3-numpy', True),
+        ('python3-yaml', True),
+        ('python3-no-such-thing', False),
+        ('gazebo_ros', False),
+        ('ros2launch', True),
+    ],
+)
 def test_what_counts_as_here(name: str, here: bool) -> None:
     assert is_here(name, ['turtlesim', 'tf2_ros', *faces()]) is here

@@ -1,4 +1,5 @@
 """Help below ROS's errors, for what is in the sources and would not be installed."""
+
 from __future__ import annotations
 
 from pathlib import Path
@@ -29,7 +30,9 @@ def index(robo: Any) -> Index:
 def test_ros2_launch_tells_of_a_launch_file_that_is_not_installed(robo: Any) -> None:
     with pytest.raises(edulaunch.UnusableInput) as caught:
         edulaunch.run('robo', 'go.launch.py', workspaces=[robo.folder])
-    assert str(caught.value.help).startswith(f'{robo.folder}/robo/launch/go.launch.py is there but not installed: add (os.path.join(')
+    assert str(caught.value.help).startswith(
+        f'{robo.folder}/robo/launch/go.launch.py is there but not installed: add (os.path.join('
+    )
 
 
 def test_a_node_action_tells_of_a_missing_entry_point(robo: Any, launch_text: Any) -> None:
@@ -39,12 +42,17 @@ def test_a_node_action_tells_of_a_missing_entry_point(robo: Any, launch_text: An
     assert str(caught.value.help).endswith("setup.py has no entry point for it: add 'brake = robo.brake:main' to console_scripts")
 
 
-@pytest.mark.parametrize('mistake', ['x = undefined', 'return LaunchDescription([Node(package="robo", executable="brake")])', 'return ['])
+@pytest.mark.parametrize(
+    'mistake', ['x = undefined', 'return LaunchDescription([Node(package="robo", executable="brake")])', 'return [']
+)
 def test_the_console_names_the_students_own_launch_file(workspace: Any, node: str, mistake: str) -> None:
     workspace.python('robo', 'drive = robo.drive:main', data="('share/robo/launch', glob('launch/*')),")
     workspace.write('robo/robo/drive.py', node)
-    file = workspace.write('robo/launch/go.launch.py', 'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
-                           f'def generate_launch_description():\n    {mistake}\n')
+    file = workspace.write(
+        'robo/launch/go.launch.py',
+        'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n'
+        f'def generate_launch_description():\n    {mistake}\n',
+    )
     written: list[str] = []
     with edulaunch.Session(workspaces=[workspace.folder], console=lambda stream, text: written.append(text)) as session:
         session.launch('robo', 'go.launch.py')
@@ -54,7 +62,9 @@ def test_the_console_names_the_students_own_launch_file(workspace: Any, node: st
 
 
 def test_a_tutorials_command_finds_ros2_on_the_path(workspace: Any) -> None:
-    file = workspace.write('go.launch.py', """
+    file = workspace.write(
+        'go.launch.py',
+        """
         from launch import LaunchDescription
         from launch.actions import ExecuteProcess
         from launch.substitutions import FindExecutable
@@ -64,7 +74,8 @@ def test_a_tutorials_command_finds_ros2_on_the_path(workspace: Any) -> None:
                 Node(package='turtlesim', executable='turtlesim_node', name='sim'),
                 ExecuteProcess(cmd=[[FindExecutable(name='ros2'), ' service call ', '/spawn turtlesim/srv/Spawn ',
                                      '"{x: 2, y: 2, theta: 0.2}"']], shell=True)])
-        """)
+        """,
+    )
     recording = edulaunch.run(file, duration_s=2)
     assert any('Spawning turtle [turtle2]' in line.text for line in recording.output) and not recording.notes
 
@@ -73,7 +84,8 @@ def test_a_file_that_is_only_in_the_source(index: Index, robo: Any) -> None:
     share = index.share('robo')
     assert installed_file_hint(index, f'{share}/config/wheels.yaml') == (
         f'{robo.folder}/robo/config/wheels.yaml is there but not installed: '
-        "add (os.path.join('share', package_name, 'config'), glob('config/*')) to data_files of setup.py")
+        "add (os.path.join('share', package_name, 'config'), glob('config/*')) to data_files of setup.py"
+    )
     assert installed_file_hint(index, f'{share}/config/other.yaml') is None
 
 
@@ -96,7 +108,9 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
 
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
     robo.write('robo/setup.cfg', '')
-    assert 'setup.cfg does not put executables into lib/robo' in (executable_hint(Index([], [robo.folder]), 'robo', 'drive') or '')
+    assert 'setup.cfg does not put executables into lib/robo' in (
+        executable_hint(Index([], [robo.folder]), 'robo', 'drive') or ''
+    )
 
 
 def test_a_package_with_an_unreadable_package_xml_is_named_with_its_line(index: Index, robo: Any) -> None:

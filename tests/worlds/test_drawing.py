@@ -1,4 +1,5 @@
 """What pens leave on the canvas and what the colour sensor reads of it."""
+
 from __future__ import annotations
 
 from random import Random
@@ -47,8 +48,9 @@ def test_the_sensor_sees_the_trail_one_tick_late(turtle: Turtle, world: TurtleWo
     assert colors == [UNTOUCHED, TRAIL, TRAIL]
 
 
-@pytest.mark.parametrize('width, rows', [
-    (0, [100]), (1, [100]), (2, [100, 101]), (3, [99, 100, 101]), (5, [98, 99, 100, 101, 102])])
+@pytest.mark.parametrize(
+    'width, rows', [(0, [100]), (1, [100]), (2, [100, 101]), (3, [99, 100, 101]), (5, [98, 99, 100, 101, 102])]
+)
 def test_a_line_is_as_wide_as_its_pen(width: int, rows: list[int]) -> None:
     layer = DrawingLayer()
     layer.draw(Pen(RED, width), 50 / METRE_PX, 100 / METRE_PX, 90 / METRE_PX, 100 / METRE_PX)

@@ -1,4 +1,5 @@
 """The differential-drive robot: exact arcs, limits, memory."""
+
 from __future__ import annotations
 
 from math import inf, nan, pi

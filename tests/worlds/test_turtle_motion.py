@@ -1,4 +1,5 @@
 """Golden numbers of one turtle's motion, computed from turtlesim's rules (facts_turtlesim.md, section 3)."""
+
 from __future__ import annotations
 
 from math import inf, nan
@@ -38,14 +39,17 @@ def pose(turtle: Turtle) -> tuple[float, float, float]:
     return as_float32(turtle.x), as_float32(turtle.y), as_float32(turtle.theta)
 
 
-@pytest.mark.parametrize('linear, angular, expected', [
-    (2.0, 0.0, (7.560444355010986, 5.544444561004639, 0.0)),
-    (2.0, 1.8, (6.602816581726074, 6.938989639282227, 1.8143999576568604)),
-    (0.0, 2.0, (5.544444561004639, 5.544444561004639, 2.0160000324249268)),
-])
+@pytest.mark.parametrize(
+    'linear, angular, expected',
+    [
+        (2.0, 0.0, (7.560444355010986, 5.544444561004639, 0.0)),
+        (2.0, 1.8, (6.602816581726074, 6.938989639282227, 1.8143999576568604)),
+        (0.0, 2.0, (5.544444561004639, 5.544444561004639, 2.0160000324249268)),
+    ],
+)
 def test_one_command_acts_for_63_ticks(
-        world: TurtleWorld, turtle: Turtle, linear: float, angular: float,
-        expected: tuple[float, float, float]) -> None:
+    world: TurtleWorld, turtle: Turtle, linear: float, angular: float, expected: tuple[float, float, float]
+) -> None:
     turtle.command(linear, angular, T0)
     ticks(world, 63)
     assert pose(turtle) == expected
@@ -113,31 +117,34 @@ def test_a_teleport_does_not_stop_the_turtle(world: TurtleWorld, turtle: Turtle)
     assert turtle.x == pytest.approx(2.0 + 63 * 0.016)
 
 
-@pytest.mark.parametrize('theta, count, first, last, delta', [
-    (1.57, 98, [1.5700000524520874, 1.5540000200271606, 1.5380001068115234], 0.018000006675720215,
-     -1.5520000457763672),
-    (0.7854, 49, [], None, -0.7680000066757202),
-    (3.1416, 197, [-3.141585350036621], None, 3.135999917984009),
-    (-2.3562, 148, [], None, 2.3519999980926514),
-    (0.0, 1, [0.0], 0.0, 0.0),
-])
+@pytest.mark.parametrize(
+    'theta, count, first, last, delta',
+    [
+        (1.57, 98, [1.5700000524520874, 1.5540000200271606, 1.5380001068115234], 0.018000006675720215, -1.5520000457763672),
+        (0.7854, 49, [], None, -0.7680000066757202),
+        (3.1416, 197, [-3.141585350036621], None, 3.135999917984009),
+        (-2.3562, 148, [], None, 2.3519999980926514),
+        (0.0, 1, [0.0], 0.0, 0.0),
+    ],
+)
 def test_rotation_goals_step_as_in_the_golden_runs(
-        world: TurtleWorld, turtle: Turtle, theta: float, count: int, first: list[float], last: float | None,
-        delta: float) -> None:
+    world: TurtleWorld, turtle: Turtle, theta: float, count: int, first: list[float], last: float | None, delta: float
+) -> None:
     goal = turtle.rotate_to(as_float32(theta))
     feedback = []
     while not turtle.turned:
         world.update(T0 + len(feedback) * TICK)
         feedback.append(goal.remaining)
     assert (len(feedback), goal.delta) == (count, delta)
-    assert feedback[:len(first)] == first
+    assert feedback[: len(first)] == first
     assert last is None or feedback[-1] == last
     assert (turtle.rotation, turtle.linear_velocity, turtle.turning) == (None, 0.0, 0.0)
 
 
 @given(st.floats(-30.0, 30.0), st.floats(-30.0, 30.0), st.floats(-30.0, 30.0), st.integers(1, 80))
 def test_a_turtle_stays_on_the_canvas_and_its_heading_in_one_turn(
-        linear: float, angular: float, sideways: float, count: int) -> None:
+    linear: float, angular: float, sideways: float, count: int
+) -> None:
     world = TurtleWorld(Random(1))
     turtle = world.spawn_first()
     turtle.command(linear, angular, T0, sideways)

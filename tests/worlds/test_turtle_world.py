@@ -1,4 +1,5 @@
 """Who lives in the turtle world: names, order, killing and starting over."""
+
 from __future__ import annotations
 
 from random import Random

@@ -43,15 +43,10 @@ def cli_node(
     from rclpy.parameter import Parameter
     from rclpy.signals import SignalHandlerOptions
 
-    rclpy.init(
-        args=[],
-        signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO,
-    )
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.ALL if handle_signals else SignalHandlerOptions.NO)
     sim_time = [Parameter('use_sim_time', value=True)] if getattr(arguments, 'use_sim_time', False) else []
     node = rclpy.create_node(
-        name or f'_ros2cli_{current_process().pid}',
-        start_parameter_services=False,
-        parameter_overrides=sim_time,
+        name or f'_ros2cli_{current_process().pid}', start_parameter_services=False, parameter_overrides=sim_time
     )
     try:
         if arguments is not None:

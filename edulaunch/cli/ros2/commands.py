@@ -42,10 +42,7 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     ),
     'node': (
         'Various node related sub-commands',
-        {
-            'info': 'Output information about a node',
-            'list': 'Output a list of available nodes',
-        },
+        {'info': 'Output information about a node', 'list': 'Output a list of available nodes'},
     ),
     'param': (
         'Various param related sub-commands',

@@ -67,8 +67,7 @@ def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = Fal
             listed = f'the fields of {message.TYPE} are: {", ".join(fields) or "(none)"}'
             blank = f'put a blank after the colon: {str(name).replace(":", ": ", 1)}' if ':' in str(name) else None
             raise FillError(
-                f'{type(message).__name__!r} object has no attribute {name!r}',
-                blank or nearest_help(str(name), fields) or listed,
+                f'{type(message).__name__!r} object has no attribute {name!r}', blank or nearest_help(str(name), fields) or listed
             )
         if stamps and _is_stamp(field, value):
             found.append(_stamp(message, field))

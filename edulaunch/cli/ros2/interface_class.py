@@ -22,8 +22,4 @@ def interface_class(text: str, kind: str) -> Any:
     return current_registry().get(name)
 
 
-EXAMPLES = {
-    'msg': 'geometry_msgs/msg/Twist',
-    'srv': 'turtlesim/srv/Spawn',
-    'action': 'turtlesim/action/RotateAbsolute',
-}
+EXAMPLES = {'msg': 'geometry_msgs/msg/Twist', 'srv': 'turtlesim/srv/Spawn', 'action': 'turtlesim/action/RotateAbsolute'}

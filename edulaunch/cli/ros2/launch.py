@@ -12,22 +12,13 @@ from edulaunch.processes.current import current_process
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     parser.add_argument(
-        '-n',
-        '--noninteractive',
-        action='store_true',
-        help='Run the launch system non-interactively, with no terminal associated',
+        '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
     )
     parser.add_argument(
-        '-d',
-        '--debug',
-        action='store_true',
-        help='Put the launch system in debug mode, provides more verbose output.',
+        '-d', '--debug', action='store_true', help='Put the launch system in debug mode, provides more verbose output.'
     )
     parser.add_argument(
-        '-a',
-        '--show-all-subprocesses-output',
-        action='store_true',
-        help="Show all launched subprocesses' output",
+        '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
     )
     shown = parser.add_mutually_exclusive_group()
     shown.add_argument(
@@ -51,15 +42,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _add_names(parser: argparse.ArgumentParser) -> None:
     """What to launch, and with which arguments."""
-    parser.add_argument(
-        'package_name',
-        help='Name of the ROS package which contains the launch file, or path of a launch file',
-    )
+    parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
-        'launch_arguments',
-        nargs='*',
-        help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+        'launch_arguments', nargs='*', help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)"
     )
 
 

@@ -45,12 +45,7 @@ def _positive(text: str) -> int:
 
 
 def listen(
-    arguments: argparse.Namespace,
-    measure: Measure,
-    *,
-    verb: str,
-    heading: str | None = None,
-    raw: bool = False,
+    arguments: argparse.Namespace, measure: Measure, *, verb: str, heading: str | None = None, raw: bool = False
 ) -> str | None:
     """Feed the measure and print its reports until interrupted; returns the text of an error."""
     import rclpy

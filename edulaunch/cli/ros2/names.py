@@ -38,11 +38,7 @@ def add_list_arguments(parser: argparse.ArgumentParser, what: str) -> None:
     """The options that all verbs `list` of names with types share."""
     parser.add_argument('-t', '--show-types', action='store_true', help=f'Additionally show the {what} type')
     parser.add_argument(
-        '-c',
-        f'--count-{what}s',
-        dest='count',
-        action='store_true',
-        help=f'Only display the number of {what}s discovered',
+        '-c', f'--count-{what}s', dest='count', action='store_true', help=f'Only display the number of {what}s discovered'
     )
 
 

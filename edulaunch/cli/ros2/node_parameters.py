@@ -45,11 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) ->
     parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
     parser.add_argument(
-        '--timeout',
-        metavar='N',
-        type=float,
-        default=1.0,
-        help='Wait for N seconds until node becomes available (default: 1)',
+        '--timeout', metavar='N', type=float, default=1.0, help='Wait for N seconds until node becomes available (default: 1)'
     )
 
 
@@ -126,6 +122,7 @@ def python_value(value: Any) -> Any:
 def type_help(reason: str) -> str | None:
     """What to try when a value of the wrong type was refused; in YAML the spelling makes the type."""
     import re
+
     found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 
@@ -141,11 +138,4 @@ def say_nested(values: dict[str, Any], node_name: str) -> None:
         for part in path:
             place = place.setdefault(part, {})
         place[last] = value
-    say(
-        yaml.safe_dump(
-            {node_name: {'ros__parameters': tree}},
-            default_flow_style=False,
-            width=float('inf'),
-            allow_unicode=True,
-        )
-    )
+    say(yaml.safe_dump({node_name: {'ros__parameters': tree}}, default_flow_style=False, width=float('inf'), allow_unicode=True))

@@ -21,9 +21,7 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, prog: str, description: str) -> None:
         super().__init__(
-            prog=prog,
-            description=description,
-            formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH),
+            prog=prog, description=description, formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH)
         )
 
     def _print_message(self, message: str, file: Any = None) -> None:

@@ -30,17 +30,12 @@ POLICIES = {
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
     """A preset, and each policy over it."""
     parser.add_argument(
-        '--qos-profile',
-        choices=PRESETS,
-        default=default,
-        help=f'Quality of service preset profile (default: {default})',
+        '--qos-profile', choices=PRESETS, default=default, help=f'Quality of service preset profile (default: {default})'
     )
     parser.add_argument('--qos-depth', metavar='N', type=int, help='Queue size setting (overrides depth of the profile)')
     for policy, values in POLICIES.items():
         parser.add_argument(
-            f'--qos-{policy}',
-            choices=values,
-            help=f'Quality of service {policy} setting (overrides the profile)',
+            f'--qos-{policy}', choices=values, help=f'Quality of service {policy} setting (overrides the profile)'
         )
 
 

@@ -69,10 +69,7 @@ def _not_found(index: Index, package: str, executable: str) -> str:
         return with_help(f"Package '{package}' not found", near or package_hint(index, package))
     native = index.native_executables(package)
     if executable in native:
-        return with_help(
-            'No executable found',
-            f'{executable} is made from C++ ({native[executable]}), which cannot run here',
-        )
+        return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')
     known = index.executables(package)
     return with_help(
         'No executable found',

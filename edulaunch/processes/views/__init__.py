@@ -3,6 +3,7 @@
 Each is a module of its own per process, with the real module's names, except for those that would leave the simulation:
 the clock, chance, threads, the process and its environment.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -57,12 +58,31 @@ def _standard(name: str) -> Callable[[], tuple[str, bool]]:
         if spec is None or spec.origin is None:
             raise ModuleNotFoundError(f'No module named {name!r}', name=name)
         return spec.origin, spec.submodule_search_locations is not None
+
     return place
 
 
-PRIVATE_COPIES = {name: _standard(name) for name in (
-    'argparse', 'cmd', 'concurrent', 'contextlib', 'fileinput', 'getpass', 'glob', 'inspect', 'logging', 'optparse', 'pathlib',
-    'sched', 'secrets', 'shutil', 'tkinter', 'traceback')}
+PRIVATE_COPIES = {
+    name: _standard(name)
+    for name in (
+        'argparse',
+        'cmd',
+        'concurrent',
+        'contextlib',
+        'fileinput',
+        'getpass',
+        'glob',
+        'inspect',
+        'logging',
+        'optparse',
+        'pathlib',
+        'sched',
+        'secrets',
+        'shutil',
+        'tkinter',
+        'traceback',
+    )
+}
 """Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
 what gives the file of each, and whether it is a package."""
 

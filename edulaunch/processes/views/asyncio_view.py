@@ -1,4 +1,5 @@
 """`asyncio` in simulated time: every loop of a program is a simulated one."""
+
 from __future__ import annotations
 
 import asyncio as real
@@ -49,6 +50,7 @@ class ProcessEventLoop(SimulatedEventLoop):
             def settle() -> None:
                 if not answer.done():
                     answer.set_result(value) if error is None else answer.set_exception(error)
+
             self.call_soon_threadsafe(settle)
 
         def work() -> None:
@@ -63,7 +65,8 @@ class ProcessEventLoop(SimulatedEventLoop):
             self._process.start_thread(work, 'asyncio', daemon=True)
         else:
             executor.submit(func, *args).add_done_callback(
-                lambda future: give(future.exception(), None if future.exception() else future.result()))
+                lambda future: give(future.exception(), None if future.exception() else future.result())
+            )
         return answer
 
     def add_signal_handler(self, sig: int, callback: Callable[..., object], *args: Any) -> None:  # type: ignore[override]
@@ -88,12 +91,22 @@ def _refusal(name: str, instead: str) -> Callable[..., Any]:
 
 REFUSED = {
     'start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time': (
-        'subprocess_exec', 'subprocess_shell'),
+        'subprocess_exec',
+        'subprocess_shell',
+    ),
     'the simulated machine has no network; nodes talk over topics, services and actions': (
-        'create_connection', 'create_server', 'create_datagram_endpoint', 'create_unix_connection', 'create_unix_server',
-        'sock_connect'),
+        'create_connection',
+        'create_server',
+        'create_datagram_endpoint',
+        'create_unix_connection',
+        'create_unix_server',
+        'sock_connect',
+    ),
     'read the keyboard with input() in a thread: await asyncio.to_thread(input)': (
-        'add_reader', 'connect_read_pipe', 'connect_write_pipe'),
+        'add_reader',
+        'connect_read_pipe',
+        'connect_write_pipe',
+    ),
 }
 """What to do in place of what, for methods of the loop that need a real machine."""
 for _instead, _names in REFUSED.items():

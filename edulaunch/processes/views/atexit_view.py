@@ -1,4 +1,5 @@
 """`atexit` of a simulated program: what it registers runs when that program ends, in its own time."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -22,6 +23,11 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     def unregister(function: Callable[..., object], /) -> None:
         calls[:] = [call for call in calls if call[0] != function]
 
-    view.__dict__.update(register=register, unregister=unregister, _clear=calls.clear, _ncallbacks=lambda: len(calls),
-                         _run_exitfuncs=process.run_exit_calls)
+    view.__dict__.update(
+        register=register,
+        unregister=unregister,
+        _clear=calls.clear,
+        _ncallbacks=lambda: len(calls),
+        _run_exitfuncs=process.run_exit_calls,
+    )
     return view

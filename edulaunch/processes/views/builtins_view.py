@@ -1,4 +1,5 @@
 """`__builtins__` of a simulated program."""
+
 from __future__ import annotations
 
 import builtins
@@ -19,8 +20,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
     """Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
 
-    def private_print(*values: object, sep: str | None = None, end: str | None = None, file: Any = None,
-                      flush: bool = False) -> None:
+    def private_print(
+        *values: object, sep: str | None = None, end: str | None = None, file: Any = None, flush: bool = False
+    ) -> None:
         if file is None:
             view: Any = process.loader.modules.get('sys')
             file = process.stdout if view is None else view.stdout
@@ -39,6 +41,7 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
     def private_open(file: Any, *arguments: Any, **options: Any) -> Any:
         if process.cwd is not None and not isinstance(file, int):
             import os
+
             file = os.path.join(os.fsencode(process.cwd) if isinstance(file, bytes) else process.cwd, file)
         return open(file, *arguments, **options)
 
@@ -48,6 +51,13 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
     def private_breakpoint(*_: Any, **__: Any) -> None:
         process.note('breakpoint', f'{process.name} called breakpoint(): it has no terminal, so it goes on')
 
-    return {**builtins.__dict__, 'breakpoint': private_breakpoint,
-            '__import__': import_, 'print': private_print, 'input': private_input,
-            'open': private_open, 'exit': private_exit, 'quit': private_exit}
+    return {
+        **builtins.__dict__,
+        'breakpoint': private_breakpoint,
+        '__import__': import_,
+        'print': private_print,
+        'input': private_input,
+        'open': private_open,
+        'exit': private_exit,
+        'quit': private_exit,
+    }

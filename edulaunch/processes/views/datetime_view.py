@@ -1,4 +1,5 @@
 """`datetime` in simulated time: `now`, `utcnow` and `today` read the simulation's clock."""
+
 from __future__ import annotations
 
 import datetime as real

@@ -1,4 +1,5 @@
 """Relative paths in a program that has a working folder of its own: for `os`, `os.path` and `io`."""
+
 from __future__ import annotations
 
 import os as real
@@ -13,11 +14,38 @@ from edulaunch.sim.task import current_task
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-ONE_PATH = ('access', 'chmod', 'listdir', 'lstat', 'makedirs', 'mkdir', 'open', 'readlink', 'remove', 'removedirs', 'rmdir',
-            'stat', 'truncate', 'unlink', 'utime')
+ONE_PATH = (
+    'access',
+    'chmod',
+    'listdir',
+    'lstat',
+    'makedirs',
+    'mkdir',
+    'open',
+    'readlink',
+    'remove',
+    'removedirs',
+    'rmdir',
+    'stat',
+    'truncate',
+    'unlink',
+    'utime',
+)
 TWO_PATHS = ('link', 'rename', 'renames', 'replace')
-QUESTIONS = ('abspath', 'exists', 'getatime', 'getctime', 'getmtime', 'getsize', 'isdir', 'isfile', 'islink', 'ismount',
-             'lexists', 'realpath')
+QUESTIONS = (
+    'abspath',
+    'exists',
+    'getatime',
+    'getctime',
+    'getmtime',
+    'getsize',
+    'isdir',
+    'isfile',
+    'islink',
+    'ismount',
+    'lexists',
+    'realpath',
+)
 
 
 def inside(path: Any) -> Any:
@@ -70,7 +98,9 @@ def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{name: Relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
     **{name: Relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)},
-    'walk': _walk, 'scandir': Free(_scandir)}
+    'walk': _walk,
+    'scandir': Free(_scandir),
+}
 """For the view of `os`; the same for all programs."""
 
 
@@ -87,8 +117,12 @@ def _expanduser(path: Any) -> Any:
 
 def _make_path() -> ModuleType:
     view = ModuleType(real.path.__name__)
-    view.__dict__.update({name: Relative(getattr(real.path, name)) for name in QUESTIONS}, relpath=_relpath,
-                         expanduser=_expanduser, __edulaunch_view__=True)
+    view.__dict__.update(
+        {name: Relative(getattr(real.path, name)) for name in QUESTIONS},
+        relpath=_relpath,
+        expanduser=_expanduser,
+        __edulaunch_view__=True,
+    )
     copy_names(view, real.path)
     return view
 

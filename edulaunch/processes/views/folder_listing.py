@@ -1,4 +1,5 @@
 """`os.scandir` in a program that has a working folder of its own: the entries' paths begin as the program wrote the folder."""
+
 from __future__ import annotations
 
 import os

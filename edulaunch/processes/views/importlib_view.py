@@ -1,4 +1,5 @@
 """`importlib` of a simulated program: modules of the program are found first, each where `import` statements find it."""
+
 from __future__ import annotations
 
 import importlib as real
@@ -64,6 +65,7 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
             if anchor is None:
                 anchor = sys._getframe(1).f_globals.get('__package__')
             return function(process.loader.import_module(anchor) if isinstance(anchor, str) else anchor, *arguments, **options)
+
         return call
 
     for name in ('contents', 'files', 'is_resource', 'open_binary', 'open_text', 'path', 'read_binary', 'read_text'):
@@ -76,6 +78,7 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
 def make_util(view: ModuleType, process: Process) -> ModuleType:
     """`importlib.util`: finds the program's own modules; one that is made from a spec runs as the program's own."""
     import importlib.util as real_util
+
     loader = process.loader
 
     def find_spec(name: str, package: str | None = None) -> ModuleSpec | None:

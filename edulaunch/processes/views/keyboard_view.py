@@ -1,4 +1,5 @@
 """`select`, `termios` and `tty` for programs that read keys: the keyboard is the program's scripted input."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -37,8 +38,16 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
 def make_termios(view: ModuleType, process: Process) -> ModuleType:
     """The attributes of the program's input; leaving canonical mode makes it a keyboard that is read key by key."""
     import termios as real
-    cooked: list[Any] = [real.ICRNL, real.OPOST, real.CS8, real.ICANON | real.ECHO | real.ISIG, real.B38400, real.B38400,
-              [b'\x00'] * real.NCCS]
+
+    cooked: list[Any] = [
+        real.ICRNL,
+        real.OPOST,
+        real.CS8,
+        real.ICANON | real.ECHO | real.ISIG,
+        real.B38400,
+        real.B38400,
+        [b'\x00'] * real.NCCS,
+    ]
     state = {'now': cooked}
 
     def tcgetattr(fd: Any, /) -> list[Any]:
@@ -62,6 +71,7 @@ def _change_terminal(process: Process, terminal: int, by_key: bool) -> None:
     stays what it is.
     """
     import termios
+
     mode = termios.tcgetattr(terminal)
     if 'terminal' not in process.state:
         process.state['terminal'] = list(mode)
@@ -99,9 +109,11 @@ def make_tty(view: ModuleType, process: Process) -> ModuleType:
             mode = [*before[:3], before[3] & ~clear, *before[4:]]
             termios.tcsetattr(fd, when, mode)
             return before
+
         return change
 
     import termios
+
     by_key = termios.ICANON | termios.ECHO
     view.__dict__.update(setraw=set_mode(by_key | termios.ISIG), setcbreak=set_mode(by_key))
     copy_names(view, real)

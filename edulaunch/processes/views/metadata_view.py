@@ -1,4 +1,5 @@
 """`importlib.metadata` of a simulated program: its packages are distributions, as if the workspace were built."""
+
 from __future__ import annotations
 
 import importlib.metadata as real
@@ -39,7 +40,8 @@ class PackageDistribution(real.Distribution):
         kind = _entry_point_kind(self._process)
         parts = [(group, *line.partition('=')[::2]) for group, lines in self._announced.items() for line in lines]
         return real.EntryPoints(
-            kind(name=name.strip(), value=value.strip(), group=group)._for(self) for group, name, value in parts)
+            kind(name=name.strip(), value=value.strip(), group=group)._for(self) for group, name, value in parts
+        )
 
 
 def _entry_point_kind(process: Process) -> Any:
@@ -70,6 +72,7 @@ class Metadata:
         version = contents.version if contents is not None else ''
         if not version:
             from xml.etree import ElementTree
+
             version = (ElementTree.parse(file).findtext('version') or '0.0.0').strip()
         return PackageDistribution(self._process, distribution_name, version, contents.announced if contents is not None else {})
 
@@ -81,8 +84,14 @@ class Metadata:
 
     def entry_points(self, **wanted: Any) -> Any:
         """The entry points of all packages that fit; those of the workspaces first."""
-        own = real.EntryPoints([point for package, contents in self._sources() if contents.announced
-                                for point in self.distribution(package).entry_points])
+        own = real.EntryPoints(
+            [
+                point
+                for package, contents in self._sources()
+                if contents.announced
+                for point in self.distribution(package).entry_points
+            ]
+        )
         installed: Any = real.entry_points(**wanted)
         if isinstance(installed, dict):  # up to Python 3.11, when nothing is wanted in particular
             points = [point for group in dict.values(installed) for point in group]
@@ -108,8 +117,9 @@ class Metadata:
 def make(view: ModuleType, process: Process) -> ModuleType:
     """Names of the real module, over the packages of this program."""
     found = Metadata(process)
-    view.__dict__.update({name: getattr(found, name) for name in ('distribution', 'distributions', 'entry_points',
-                                                                  'packages_distributions')})
+    view.__dict__.update(
+        {name: getattr(found, name) for name in ('distribution', 'distributions', 'entry_points', 'packages_distributions')}
+    )
     view.__dict__.update({name: _of_distribution(found, name) for name in ('metadata', 'version', 'files', 'requires')})
     copy_names(view, real)
     return view

@@ -1,4 +1,5 @@
 """`multiprocessing`: the simulated machine cannot copy a program. Importing it does no harm, using it tells what to use."""
+
 from __future__ import annotations
 
 from types import ModuleType
@@ -10,8 +11,27 @@ from edulaunch.processes.views.os_view import CPUS
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-NAMES = ('Process', 'Pool', 'Queue', 'SimpleQueue', 'JoinableQueue', 'Pipe', 'Manager', 'Value', 'Array', 'RawValue', 'RawArray',
-         'Lock', 'RLock', 'Event', 'Condition', 'Semaphore', 'BoundedSemaphore', 'Barrier', 'get_context')
+NAMES = (
+    'Process',
+    'Pool',
+    'Queue',
+    'SimpleQueue',
+    'JoinableQueue',
+    'Pipe',
+    'Manager',
+    'Value',
+    'Array',
+    'RawValue',
+    'RawArray',
+    'Lock',
+    'RLock',
+    'Event',
+    'Condition',
+    'Semaphore',
+    'BoundedSemaphore',
+    'Barrier',
+    'get_context',
+)
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:
@@ -33,8 +53,10 @@ def _refusal(name: str, process: Process) -> type:
 
         def __init__(self, *_: Any, **__: Any) -> None:
             error: Any = RuntimeError(f'multiprocessing.{name} cannot be used: the simulation cannot copy a running program')
-            error.edulaunch_hint = (f'{process.name} wants another process; in place of it use threading '
-                                    '(Thread, queue.Queue, ThreadPoolExecutor), which works in simulated time')
+            error.edulaunch_hint = (
+                f'{process.name} wants another process; in place of it use threading '
+                '(Thread, queue.Queue, ThreadPoolExecutor), which works in simulated time'
+            )
             raise error
 
     Refused.__name__ = Refused.__qualname__ = name

@@ -1,4 +1,5 @@
 """numpy with a `random` of the program's own: a student's unseeded randomness repeats from run to run."""
+
 from __future__ import annotations
 
 from types import ModuleType
@@ -19,12 +20,14 @@ class NumpyView(ModuleType):
 
     def __getattr__(self, name: str) -> Any:
         import numpy
+
         return getattr(numpy, name)
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:
     """See `NumpyView`."""
     import numpy
+
     made = NumpyView()
     made.__dict__['random'] = process.loader.import_module('numpy.random')
     copy_names(made, numpy)
@@ -36,6 +39,7 @@ def make_random(view: ModuleType, process: Process) -> ModuleType:
     without a seed.
     """
     import numpy
+
     source = process.sim.random(f'{process.name}/numpy')
     state = numpy.random.RandomState(source.getrandbits(32))
 

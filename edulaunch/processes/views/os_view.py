@@ -1,4 +1,5 @@
 """`os` of a simulated program: its own environment, folder, pid, children and end."""
+
 from __future__ import annotations
 
 import io
@@ -37,6 +38,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
     `system` and `popen` are those of `subprocess`; `urandom` repeats.
     """
+
     def putenv(name: str, value: str) -> None:
         process.env[name] = value
 
@@ -82,11 +84,26 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
     view.__dict__.update(FUNCTIONS, path=PATH)
     view.__dict__.update(
-        environ=process.env, getenv=getenv, putenv=putenv, unsetenv=lambda name: process.env.pop(name, None),
-        getpid=lambda: process.pid, getppid=lambda: 1000, kill=lambda pid, signum, /: _kill(process, pid, signum),
-        _exit=process.exit_now, abort=lambda: process.end_by(signal.SIGABRT), getcwd=Free(getcwd), chdir=chdir,
-        cpu_count=lambda: CPUS, process_cpu_count=lambda: CPUS, get_terminal_size=get_terminal_size,
-        system=lambda command: status(run(command).returncode), popen=popen, urandom=urandom, read=read, write=write)
+        environ=process.env,
+        getenv=getenv,
+        putenv=putenv,
+        unsetenv=lambda name: process.env.pop(name, None),
+        getpid=lambda: process.pid,
+        getppid=lambda: 1000,
+        kill=lambda pid, signum, /: _kill(process, pid, signum),
+        _exit=process.exit_now,
+        abort=lambda: process.end_by(signal.SIGABRT),
+        getcwd=Free(getcwd),
+        chdir=chdir,
+        cpu_count=lambda: CPUS,
+        process_cpu_count=lambda: CPUS,
+        get_terminal_size=get_terminal_size,
+        system=lambda command: status(run(command).returncode),
+        popen=popen,
+        urandom=urandom,
+        read=read,
+        write=write,
+    )
     copy_names(view, real)
     for name in LEFT_OUT:
         view.__dict__.pop(name, None)

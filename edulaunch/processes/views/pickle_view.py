@@ -1,4 +1,5 @@
 """`pickle` that finds the classes of the program's own modules."""
+
 from __future__ import annotations
 
 import datetime

@@ -1,4 +1,5 @@
 """`pkg_resources` of a simulated program: files, versions and entry points of its own packages, with or without setuptools."""
+
 from __future__ import annotations
 
 import io
@@ -93,6 +94,12 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
     resources = Resources(process)
     view.__dict__.update({name: getattr(resources, name) for name in dir(resources) if name.startswith('resource_')})
-    view.__dict__.update(Distribution=Distribution, DistributionNotFound=DistributionNotFound, get_distribution=get_distribution,
-                         require=require, iter_entry_points=iter_entry_points, load_entry_point=load_entry_point)
+    view.__dict__.update(
+        Distribution=Distribution,
+        DistributionNotFound=DistributionNotFound,
+        get_distribution=get_distribution,
+        require=require,
+        iter_entry_points=iter_entry_points,
+        load_entry_point=load_entry_point,
+    )
     return view

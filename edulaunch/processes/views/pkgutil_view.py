@@ -1,4 +1,5 @@
 """`pkgutil` of a simulated program: data and modules of its own packages."""
+
 from __future__ import annotations
 
 import os
@@ -24,8 +25,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         with open(os.path.join(os.path.dirname(str(module.__file__)), *resource.split('/')), 'rb') as file:
             return file.read()
 
-    def walk_packages(path: Iterable[str] | None = None, prefix: str = '',
-                      onerror: Callable[[str], object] | None = None) -> Iterator[real.ModuleInfo]:
+    def walk_packages(
+        path: Iterable[str] | None = None, prefix: str = '', onerror: Callable[[str], object] | None = None
+    ) -> Iterator[real.ModuleInfo]:
         for info in real.iter_modules(path, prefix):
             yield info
             if info.ispkg:

@@ -1,4 +1,5 @@
 """`queue` in simulated time."""
+
 from __future__ import annotations
 
 import queue as real

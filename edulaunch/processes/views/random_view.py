@@ -1,4 +1,5 @@
 """`random`, seeded per process: a student's unseeded randomness repeats from run to run."""
+
 from __future__ import annotations
 
 import random as real
@@ -36,7 +37,8 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     for name in NAMES:
         view.__dict__[name] = getattr(generator, name)
     view.__dict__['seed'] = lambda a=None, version=2: generator.seed(
-        f'{process.sim.seed}/{process.name}' if a is None else a, version)
+        f'{process.sim.seed}/{process.name}' if a is None else a, version
+    )
     view.__dict__['Random'] = view.__dict__['SystemRandom'] = Random
     copy_names(view, real)
     return view

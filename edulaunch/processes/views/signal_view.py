@@ -1,4 +1,5 @@
 """`signal` of a simulated program: handlers run where the program waits."""
+
 from __future__ import annotations
 
 import errno
@@ -61,9 +62,13 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         return math.ceil(setitimer(0, seconds)[0])
 
     view.__dict__.update(
-        setitimer=setitimer, alarm=set_alarm,
-        signal=install, pause=pause, raise_signal=process.send_signal,
-        getsignal=lambda signum: installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL))
+        setitimer=setitimer,
+        alarm=set_alarm,
+        signal=install,
+        pause=pause,
+        raise_signal=process.send_signal,
+        getsignal=lambda signum: installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL),
+    )
     copy_names(view, real)
     return view
 

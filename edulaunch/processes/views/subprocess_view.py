@@ -1,4 +1,5 @@
 """`subprocess` of a simulated program: `ros2 ...` and programs of packages run in the simulation, others for real."""
+
 from __future__ import annotations
 
 import subprocess as real
@@ -23,8 +24,16 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     class Popen(Child):
         """As `subprocess.Popen`."""
 
-        def __init__(self, args: Any, bufsize: int = -1, executable: Any = None, stdin: Any = None, stdout: Any = None,
-                     stderr: Any = None, **options: Any) -> None:
+        def __init__(
+            self,
+            args: Any,
+            bufsize: int = -1,
+            executable: Any = None,
+            stdin: Any = None,
+            stdout: Any = None,
+            stderr: Any = None,
+            **options: Any,
+        ) -> None:
             super().__init__(process, args, stdin=stdin, stdout=stdout, stderr=stderr, **options)
 
     run = _runner(process, Popen)
@@ -44,15 +53,29 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         done = run(cmd, shell=True, text=True, stdout=real.PIPE, stderr=real.STDOUT, **options)
         return done.returncode, done.stdout.removesuffix('\n')
 
-    view.__dict__.update(Popen=Popen, run=run, call=call, check_call=check_call, check_output=check_output,
-                         getstatusoutput=getstatusoutput, getoutput=lambda cmd, **options: getstatusoutput(cmd, **options)[1])
+    view.__dict__.update(
+        Popen=Popen,
+        run=run,
+        call=call,
+        check_call=check_call,
+        check_output=check_output,
+        getstatusoutput=getstatusoutput,
+        getoutput=lambda cmd, **options: getstatusoutput(cmd, **options)[1],
+    )
     copy_names(view, real)
     return view
 
 
 def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
-    def run(args: Any, *, input: Any = None, capture_output: bool = False, timeout: float | None = None, check: bool = False,
-            **options: Any) -> Any:
+    def run(
+        args: Any,
+        *,
+        input: Any = None,
+        capture_output: bool = False,
+        timeout: float | None = None,
+        check: bool = False,
+        **options: Any,
+    ) -> Any:
         if capture_output:
             options.update(stdout=real.PIPE, stderr=real.PIPE)
         if process.host.knows(spec_of(process, args, **options)):
@@ -78,8 +101,10 @@ def _really(process: Process, args: Any, input: Any, timeout: float | None, opti
     inherited = [stream for stream in ('stdout', 'stderr') if told.get(stream) is None]
     told.update(dict.fromkeys(inherited, real.PIPE))
     done = real.run(args, timeout=timeout, **told, **({'stdin': real.DEVNULL} if input is None else {'input': input}))
-    process.note('real program', f'{process.name} ran {args if isinstance(args, str) else " ".join(map(str, args))!r}, '
-                                 'which is a real program')
+    process.note(
+        'real program',
+        f'{process.name} ran {args if isinstance(args, str) else " ".join(map(str, args))!r}, which is a real program',
+    )
     for stream in inherited:
         text = getattr(done, stream)
         setattr(done, stream, None)

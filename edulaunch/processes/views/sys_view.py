@@ -1,4 +1,5 @@
 """`sys` of a simulated program: its own arguments, streams, path and modules."""
+
 from __future__ import annotations
 
 import sys as real

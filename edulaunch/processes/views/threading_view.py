@@ -1,4 +1,5 @@
 """`threading` in simulated time: a thread is a task of the same process."""
+
 from __future__ import annotations
 
 import threading as real
@@ -44,14 +45,30 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     threads = process.state['threads'] = Threads(process)
     current = threads.current
     view.__dict__.update(
-        Thread=Thread, Timer=Timer, Lock=sync.Lock, RLock=sync.RLock, Condition=sync.Condition, Event=sync.Event,
-        Semaphore=sync.Semaphore, BoundedSemaphore=sync.BoundedSemaphore, Barrier=Barrier, local=local,
-        excepthook=_print_exception, __excepthook__=_print_exception,
-        current_thread=current, currentThread=current, main_thread=lambda: threads.main,
-        get_ident=lambda: current().ident, get_native_id=lambda: current().ident,
-        enumerate=threads.alive, active_count=lambda: len(threads.alive()), activeCount=lambda: len(threads.alive()),
+        Thread=Thread,
+        Timer=Timer,
+        Lock=sync.Lock,
+        RLock=sync.RLock,
+        Condition=sync.Condition,
+        Event=sync.Event,
+        Semaphore=sync.Semaphore,
+        BoundedSemaphore=sync.BoundedSemaphore,
+        Barrier=Barrier,
+        local=local,
+        excepthook=_print_exception,
+        __excepthook__=_print_exception,
+        current_thread=current,
+        currentThread=current,
+        main_thread=lambda: threads.main,
+        get_ident=lambda: current().ident,
+        get_native_id=lambda: current().ident,
+        enumerate=threads.alive,
+        active_count=lambda: len(threads.alive()),
+        activeCount=lambda: len(threads.alive()),
         _register_atexit=lambda function, *arguments, **options: process.before_join.append(
-            lambda: function(*arguments, **options)))
+            lambda: function(*arguments, **options)
+        ),
+    )
     copy_names(view, real)
     return view
 
@@ -64,9 +81,18 @@ def _threads_here() -> Threads:
 class Thread:
     """As `threading.Thread`: a task of the process that makes it."""
 
-    def __init__(self, group: None = None, target: Callable[..., object] | None = None, name: str | None = None,
-                 args: Iterable[Any] = (), kwargs: Mapping[str, Any] | None = None, *, daemon: bool | None = None,
-                 context: Any = None, _threads: Threads | None = None) -> None:
+    def __init__(
+        self,
+        group: None = None,
+        target: Callable[..., object] | None = None,
+        name: str | None = None,
+        args: Iterable[Any] = (),
+        kwargs: Mapping[str, Any] | None = None,
+        *,
+        daemon: bool | None = None,
+        context: Any = None,
+        _threads: Threads | None = None,
+    ) -> None:
         threads = self._threads = _threads or _threads_here()
         self._target, self._args, self._kwargs = target, args, kwargs or {}
         suffix = f' ({target.__name__})' if target is not None and hasattr(target, '__name__') else ''
@@ -157,8 +183,13 @@ class MainThread(Thread):
 class Timer(Thread):
     """As `threading.Timer`."""
 
-    def __init__(self, interval: float, function: Callable[..., object], args: Iterable[Any] | None = None,
-                 kwargs: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        interval: float,
+        function: Callable[..., object],
+        args: Iterable[Any] | None = None,
+        kwargs: Mapping[str, Any] | None = None,
+    ) -> None:
         super().__init__()
         self.interval, self.function = interval, function
         self.args, self.kwargs = args or (), kwargs or {}
@@ -226,6 +257,7 @@ def _values(data: local) -> dict[str, Any]:
 def _print_exception(args: Any, /) -> None:
     """As `threading.excepthook`; a traceback shows frames of the program only."""
     from edulaunch.processes.traceback_text import student_traceback
+
     if args.exc_type is not SystemExit:
         process = current_task().owner
         process.write('stderr', f'Exception in thread {args.thread.name}:\n{student_traceback(args.exc_value)[0]}')

@@ -1,4 +1,5 @@
 """`uuid` that repeats: random identifiers come from the process's seed."""
+
 from __future__ import annotations
 
 import uuid as real

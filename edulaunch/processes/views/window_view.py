@@ -3,6 +3,7 @@
 Many a student's editor has imported something from `turtle` by accident, so both can be imported; opening a window fails as it
 does on a machine without a display.
 """
+
 from __future__ import annotations
 
 from types import ModuleType
@@ -60,6 +61,8 @@ def make_turtle(view: ModuleType, process: Process) -> ModuleType:
 
 def _no_display(process: Process, kind: type[Exception]) -> Exception:
     error: Any = kind(NO_DISPLAY)
-    error.edulaunch_hint = (f'{process.name} opens a window; the simulation has no screen. '
-                            'turtlesim is drawn by edulaunch itself, other windows cannot be shown')
+    error.edulaunch_hint = (
+        f'{process.name} opens a window; the simulation has no screen. '
+        'turtlesim is drawn by edulaunch itself, other windows cannot be shown'
+    )
     return error  # type: ignore[no-any-return]

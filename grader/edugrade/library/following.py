@@ -7,8 +7,7 @@ from ..failure import Failure
 from .movement import Track, distances, farthest, length, turtle_track
 
 
-def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float,
-                 try_: str) -> None:
+def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
     """From a time on, a follower is never farther from its goal than `bound_m` metres.
 
     :param goal: where the goal is over time.
@@ -19,9 +18,13 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
     if worst is None or worst[1] > bound_m:
         name = follower.strip('/')
         seen = f'no {name} then' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
-        raise Failure(f'{name} is too far from its goal, when launched with {run.scenario(scenario).words}',
-                      expected=f'at most {bound_m:g} m from {since_s:g} s on', seen=seen, where=run.source.place,
-                      try_=try_)
+        raise Failure(
+            f'{name} is too far from its goal, when launched with {run.scenario(scenario).words}',
+            expected=f'at most {bound_m:g} m from {since_s:g} s on',
+            seen=seen,
+            where=run.source.place,
+            try_=try_,
+        )
 
 
 def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: str = '') -> None:
@@ -34,9 +37,13 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
         there, here = (length(turtle_track(recording, f'{turtle}/pose')) for turtle in (original, copy))
         if there < 0.5 or abs(here - there) > 0.05 * there:
             seen = f'{original} travels {there:.2f} m, {copy} {here:.2f} m'
-            raise Failure(f'{copy} does not do what {original} does, when launched with {run.scenario(scenario).words}',
-                          expected='the same movement', seen='\n'.join(filter(None, (seen, hint_seen))),
-                          where=run.source.place, try_=try_)
+            raise Failure(
+                f'{copy} does not do what {original} does, when launched with {run.scenario(scenario).words}',
+                expected='the same movement',
+                seen='\n'.join(filter(None, (seen, hint_seen))),
+                where=run.source.place,
+                try_=try_,
+            )
 
 
 def still(place: tuple[float, float]) -> Track:

@@ -33,11 +33,23 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         frames = frames_at_end(run, scenario)
         if child not in frames:
             known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames at all'
-            raise Missing(f'the frame {child}', name=child, among=_misspelt(child, frames), where=run.source.place, try_=try_,
-                          seen='\n'.join(filter(None, (known, hint_seen))), expected=f'the frame {child} in the frame {parent}')
+            raise Missing(
+                f'the frame {child}',
+                name=child,
+                among=_misspelt(child, frames),
+                where=run.source.place,
+                try_=try_,
+                seen='\n'.join(filter(None, (known, hint_seen))),
+                expected=f'the frame {child} in the frame {parent}',
+            )
         if frames[child].parent != parent:
-            raise Failure(f'{child} hangs in another frame, when launched with {run.scenario(scenario).words}',
-                          expected=parent, seen=frames[child].parent, where=run.source.place, try_=try_)
+            raise Failure(
+                f'{child} hangs in another frame, when launched with {run.scenario(scenario).words}',
+                expected=parent,
+                seen=frames[child].parent,
+                where=run.source.place,
+                try_=try_,
+            )
 
 
 def _misspelt(child: str, frames: Frames) -> list[str]:
@@ -67,8 +79,7 @@ def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | Non
         if link is None:
             return None
         angle = yaw(link)
-        x, y = (link.translation[0] + cos(angle) * x - sin(angle) * y,
-                link.translation[1] + sin(angle) * x + cos(angle) * y)
+        x, y = (link.translation[0] + cos(angle) * x - sin(angle) * y, link.translation[1] + sin(angle) * x + cos(angle) * y)
         frame = link.parent
     return None
 

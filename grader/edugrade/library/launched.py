@@ -19,8 +19,7 @@ def find_processes(recording: Recording, package: str, executable: str) -> list[
     return [
         process
         for process in recording.processes
-        if (process.package, process.executable) == (package, executable)
-        or _words_of_run(process.argv) == [package, executable]
+        if (process.package, process.executable) == (package, executable) or _words_of_run(process.argv) == [package, executable]
     ]
 
 
@@ -33,9 +32,14 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
     if found:
         return found[0]
     started = [process.executable or os.path.basename(process.argv[0]) for process in launched(run.first)]
-    raise Missing(f'the node {executable} of the package {package}', name=executable, among=started,
-                  expected=f"Node(package='{package}', executable='{executable}')", where=run.source.place,
-                  try_='add this Node to the LaunchDescription')
+    raise Missing(
+        f'the node {executable} of the package {package}',
+        name=executable,
+        among=started,
+        expected=f"Node(package='{package}', executable='{executable}')",
+        where=run.source.place,
+        try_='add this Node to the LaunchDescription',
+    )
 
 
 def launched(recording: Recording) -> list[ProcessRecord]:
@@ -69,12 +73,22 @@ def _death(process: ProcessRecord, words: str) -> Failure:
     when = f'after {process.ended_s:.1f} s, when launched with {words}'
     error = process.exception
     if error is None:
-        return Failure(f'{process.name} died {when}', expected='it runs until the end', where=process.origin,
-                       seen=f'exit code {process.returncode}', try_='read what it printed before it died')
+        return Failure(
+            f'{process.name} died {when}',
+            expected='it runs until the end',
+            where=process.origin,
+            seen=f'exit code {process.returncode}',
+            try_='read what it printed before it died',
+        )
     place = Place(error['file'], error['line']) if error.get('file') else process.origin
     origin = '' if process.origin is None else f', at {process.origin[0]}:{process.origin[1]}'
-    return Failure(f'{process.name} died {when}', seen=f'{error["type"]}: {error["message"]}', where=place,
-                   expected='it runs until the end', try_=f'look at what the launch file gives it{origin}')
+    return Failure(
+        f'{process.name} died {when}',
+        seen=f'{error["type"]}: {error["message"]}',
+        where=place,
+        expected='it runs until the end',
+        try_=f'look at what the launch file gives it{origin}',
+    )
 
 
 def _words_of_run(argv: list[str]) -> list[str]:
@@ -93,9 +107,13 @@ def refuse_shared_names(run: Evidence) -> None:
         for node in recording.nodes:
             other = owners.setdefault(node.name, node.process)
             if other != node.process and node.ended_s is None:
-                raise Failure(f'two nodes are called {node.name}', where=_place_of(run, recording, node.process),
-                              expected='a name of its own for each node', seen=f'{other} and {node.process} share it',
-                              try_=f'give {node.process} another name')
+                raise Failure(
+                    f'two nodes are called {node.name}',
+                    where=_place_of(run, recording, node.process),
+                    expected='a name of its own for each node',
+                    seen=f'{other} and {node.process} share it',
+                    try_=f'give {node.process} another name',
+                )
 
 
 def _place_of(run: Evidence, recording: Recording, name: str) -> tuple[str, int | None] | None:

@@ -29,8 +29,9 @@ def with_origin(parameter: Parameter | None) -> str:
     return 'no such parameter' if parameter is None else f'{parameter.value} (from: {parameter.origin})'
 
 
-def require_parameter(run: Evidence, package: str, executable: str, name: str, wanted: Mapping[str, Any],
-                      try_: str, where: Place | None = None) -> None:
+def require_parameter(
+    run: Evidence, package: str, executable: str, name: str, wanted: Mapping[str, Any], try_: str, where: Place | None = None
+) -> None:
     """In each run, a parameter of an executable's node has its value.
 
     :param wanted: the value for each run, by the scenario's name.
@@ -46,9 +47,13 @@ def require_parameter(run: Evidence, package: str, executable: str, name: str, w
     where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
     if given and name not in given:
         raise Missing(f'the parameter {name} of the Node', name=name, among=given, try_=try_, where=where)
-    raise Mismatch(f'the parameter {name} of {executable}', _by_run(run, {key: str(value) for key, value in wanted.items()}),
-                   _by_run(run, {key: with_origin(seen) for key, seen in found.items()}),
-                   where=where, try_=try_)
+    raise Mismatch(
+        f'the parameter {name} of {executable}',
+        _by_run(run, {key: str(value) for key, value in wanted.items()}),
+        _by_run(run, {key: with_origin(seen) for key, seen in found.items()}),
+        where=where,
+        try_=try_,
+    )
 
 
 def _by_run(run: Evidence, texts: Mapping[str, str]) -> str:

@@ -1,4 +1,5 @@
 """One test passes, one claims what is not so, one breaks."""
+
 import unittest
 
 import launch_testing.actions
@@ -13,7 +14,6 @@ def generate_test_description():
 
 
 class TestClaims(unittest.TestCase):
-
     def test_a_right(self):
         self.assertTrue(True)
 

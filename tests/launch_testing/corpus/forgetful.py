@@ -1,4 +1,5 @@
 """No ReadyToTest."""
+
 import pytest
 from launch import LaunchDescription
 

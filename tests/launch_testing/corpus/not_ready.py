@@ -1,4 +1,5 @@
 """ReadyToTest comes too late."""
+
 import unittest
 
 import launch_testing
@@ -17,6 +18,5 @@ def generate_test_description():
 
 
 class TestNothing(unittest.TestCase):
-
     def test_nothing(self):
         pass

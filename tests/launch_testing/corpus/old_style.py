@@ -1,4 +1,5 @@
 """`ready_fn`, threads, and a process started by the test itself."""
+
 import threading
 import time
 import unittest
@@ -18,7 +19,6 @@ def generate_test_description(ready_fn):
 
 
 class TestMore(unittest.TestCase):
-
     def test_threads_wait_in_simulated_time(self):
         event = threading.Event()
         threading.Timer(30.0, event.set).start()

@@ -1,4 +1,5 @@
 """Two launches, with what a test sees of its parameters."""
+
 import unittest
 
 import launch_testing
@@ -14,12 +15,12 @@ from launch_ros.actions import Node
 @launch_testing.parametrize('topic, rate', [('one', 1), ('two', 2)])
 def generate_test_description(topic, rate):
     listener = Node(package='demo_nodes_py', executable='listener', name=topic)
-    return LaunchDescription([
-        DeclareLaunchArgument('who', default_value='nobody'), listener, launch_testing.actions.ReadyToTest()]), locals()
+    return LaunchDescription(
+        [DeclareLaunchArgument('who', default_value='nobody'), listener, launch_testing.actions.ReadyToTest()]
+    ), locals()
 
 
 class TestParameters(unittest.TestCase):
-
     def test_arguments(self, topic, rate, listener, test_args, launch_service, proc_info):
         proc_info.assertWaitForStartup(listener)
         self.assertEqual({'one': 1, 'two': 2}[topic], rate)

@@ -1,4 +1,5 @@
 """A talker, tested while it runs and afterwards."""
+
 import time
 import unittest
 
@@ -20,7 +21,6 @@ def generate_test_description():
 
 
 class TestTalker(unittest.TestCase):
-
     @classmethod
     def setUpClass(cls):
         rclpy.init()
@@ -46,6 +46,5 @@ class TestTalker(unittest.TestCase):
 
 @launch_testing.post_shutdown_test()
 class TestShutdown(unittest.TestCase):
-
     def test_exit_code(self, proc_info, talker):
         launch_testing.asserts.assertExitCodes(proc_info, process=talker)

@@ -1,4 +1,5 @@
 """Waiting for topics, as tests of ROS nodes do."""
+
 import time
 import unittest
 
@@ -17,7 +18,6 @@ def generate_test_description():
 
 
 class TestTopics(unittest.TestCase):
-
     def test_messages_come(self):
         with WaitForTopics([('chatter', String)], timeout=10.0, messages_received_buffer_length=2) as topics:
             self.assertEqual(topics.topics_received(), {'chatter'})
@@ -26,8 +26,11 @@ class TestTopics(unittest.TestCase):
 
     def test_messages_do_not_come(self):
         asked = []
-        topics = WaitForTopics([('chatter', String), ('silence', String)], timeout=3.0,
-                               trigger=lambda node, what: asked.append((node.get_name(), what)))
+        topics = WaitForTopics(
+            [('chatter', String), ('silence', String)],
+            timeout=3.0,
+            trigger=lambda node, what: asked.append((node.get_name(), what)),
+        )
         self.assertFalse(topics.wait('please'))
         self.assertEqual((topics.topics_not_received(), asked), ({'silence'}, [('wait_for_topics', 'please')]))
         topics.shutdown()

@@ -1,4 +1,5 @@
 """A test that waits for ever."""
+
 import threading
 import unittest
 
@@ -14,6 +15,5 @@ def generate_test_description():
 
 
 class TestWaiting(unittest.TestCase):
-
     def test_waiting(self):
         threading.Event().wait()

@@ -19,22 +19,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     cli_node.add_arguments(parser)
     parser.add_argument('action_name', help="Name of the action to get info (e.g. '/fibonacci')")
     parser.add_argument('-t', '--show-types', action='store_true', help='Additionally show the action type')
-    parser.add_argument(
-        '-c',
-        '--count',
-        action='store_true',
-        help='Only display the number of action clients and action servers',
-    )
+    parser.add_argument('-c', '--count', action='store_true', help='Only display the number of action clients and action servers')
 
 
 def main(arguments: argparse.Namespace) -> None:
     """Print the nodes on both sides."""
     action = arguments.action_name
     with cli_node.cli_node(arguments) as node:
-        sides = (
-            ('clients', _nodes(node, action, clients_by_node)),
-            ('servers', _nodes(node, action, servers_by_node)),
-        )
+        sides = (('clients', _nodes(node, action, clients_by_node)), ('servers', _nodes(node, action, servers_by_node)))
     say(f'Action: {action}')
     for side, found in sides:
         say(f'Action {side}: {len(found)}')

@@ -54,11 +54,7 @@ def _lines(folder: str, content: dict[str, Any]) -> list[str]:
         ('Topic information:', '\n'.join(topics)),
         ('Service:', '0'),
     )
-    return [
-        '',
-        *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows),
-        'Service information: ',
-    ]
+    return ['', *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows), 'Service information: ']
 
 
 def _topic_line(entry: dict[str, Any]) -> str:

@@ -21,18 +21,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of ROS 2 that choose messages and their times."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument(
-        '-r',
-        '--rate',
-        type=_positive,
-        default=1.0,
-        help='rate at which to play back messages. Valid range > 0.0.',
+        '-r', '--rate', type=_positive, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
     )
     parser.add_argument('--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.')
     parser.add_argument(
-        '--start-offset',
-        type=float,
-        default=0.0,
-        help='Start the playback player this many seconds into the bag file.',
+        '--start-offset', type=float, default=0.0, help='Start the playback player this many seconds into the bag file.'
     )
     parser.add_argument('-l', '--loop', action='store_true', help='enables loop playback when playing a bagfile.')
     parser.add_argument('-d', '--delay', type=float, default=0.0, help='Sleep duration before play (each loop), in seconds.')
@@ -50,8 +43,7 @@ def main(arguments: argparse.Namespace) -> str | None:
     folder = os.path.join(current_process().spec.cwd or '', arguments.bag_path)
     if not os.path.isfile(os.path.join(folder, 'metadata.yaml')):
         return with_help(
-            f"[ERROR] [ros2bag]: bag path '{arguments.bag_path}' does not exist!",
-            'give the folder that `ros2 bag record` made',
+            f"[ERROR] [ros2bag]: bag path '{arguments.bag_path}' does not exist!", 'give the folder that `ros2 bag record` made'
         )
     if find_spec('rosbags') is None:
         return with_help("bags cannot be read, because 'rosbags' is not installed", 'pip install edulaunch[bags]')

@@ -26,36 +26,18 @@ MISSING = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of ROS 2 that choose topics and the place of the bag."""
     parser.add_argument('topics', nargs='*', help='List of topics to record.')
-    parser.add_argument(
-        '--topics',
-        nargs='+',
-        dest='more_topics',
-        default=[],
-        metavar='Topic',
-        help='List of topics to record.',
-    )
+    parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
     parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
     parser.add_argument('--all-topics', action='store_true', help='Record all topics.')
     parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
     parser.add_argument(
-        '-x',
-        '--exclude',
-        '--exclude-regex',
-        default='',
-        help='Exclude topics containing provided regular expression.',
+        '-x', '--exclude', '--exclude-regex', default='', help='Exclude topics containing provided regular expression.'
     )
     parser.add_argument(
-        '-o',
-        '--output',
-        metavar='OUTPUT',
-        help='Destination of the bagfile to create, defaults to a timestamped folder.',
+        '-o', '--output', metavar='OUTPUT', help='Destination of the bagfile to create, defaults to a timestamped folder.'
     )
     parser.add_argument(
-        '-s',
-        '--storage',
-        choices=('mcap', 'sqlite3'),
-        default='mcap',
-        help="Storage identifier to be used, defaults to 'mcap'.",
+        '-s', '--storage', choices=('mcap', 'sqlite3'), default='mcap', help="Storage identifier to be used, defaults to 'mcap'."
     )
     _add_discovery(parser)
 

@@ -55,10 +55,7 @@ def definition(registry: Registry, type_name: str) -> str:
             spec = registry.spec(name)
             assert isinstance(spec, MessageSpec)
             texts[name] = '\n'.join(
-                [
-                    *map(_constant, spec.constants),
-                    *(f'{_type(field.type)} {field.name}' for field in spec.fields),
-                ]
+                [*map(_constant, spec.constants), *(f'{_type(field.type)} {field.name}' for field in spec.fields)]
             )
             waiting += [field.type.base for field in spec.fields if field.type.kind is None]
     own = texts.pop(type_name)

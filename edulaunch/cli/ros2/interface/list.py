@@ -15,11 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     for kind, heading in KINDS:
         parser.add_argument(
-            f'-{kind[0]}',
-            f'--only-{kind}s',
-            dest=kind,
-            action='store_true',
-            help=f'Print out only {heading.lower()}',
+            f'-{kind[0]}', f'--only-{kind}s', dest=kind, action='store_true', help=f'Print out only {heading.lower()}'
         )
 
 

@@ -18,9 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('type', help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
     group = parser.add_mutually_exclusive_group()
     group.add_argument(
-        '--all-comments',
-        action='store_true',
-        help='Show all comments, including for nested interface definitions',
+        '--all-comments', action='store_true', help='Show all comments, including for nested interface definitions'
     )
     group.add_argument('--no-comments', action='store_true', help='Show no comments or whitespace')
 

@@ -22,10 +22,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         descriptors = parameters.descriptors(arguments.parameter_names)
         if not descriptors:
             known = parameters.names()
-            wrong = next(
-                (name for name in arguments.parameter_names if name not in known),
-                arguments.parameter_names[0],
-            )
+            wrong = next((name for name in arguments.parameter_names if name not in known), arguments.parameter_names[0])
             return with_help(f'Requested parameter {wrong!r} is not declared', parameters.help_for(wrong))
     for descriptor in descriptors:
         say_lines(_lines(descriptor))

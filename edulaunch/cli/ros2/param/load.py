@@ -15,9 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_file', help='Parameter file')
     parser.add_argument(
-        '--no-use-wildcard',
-        action='store_true',
-        help="Do not load parameters in the '/**' namespace into the node",
+        '--no-use-wildcard', action='store_true', help="Do not load parameters in the '/**' namespace into the node"
     )
 
 

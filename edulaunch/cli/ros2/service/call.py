@@ -71,10 +71,7 @@ def _wait(node: Node, client: Client) -> None:
         else nearest_help(client.service_name, [name for name, _ in services])
     )
     complain(
-        with_help(
-            f'still waiting for {client.service_name} [{client.srv_type.TYPE}]',
-            other or 'see `ros2 service list -t`',
-        )
+        with_help(f'still waiting for {client.service_name} [{client.srv_type.TYPE}]', other or 'see `ros2 service list -t`')
     )
     client.wait_for_service()
 

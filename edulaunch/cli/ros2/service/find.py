@@ -11,15 +11,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
     cli_node.add_arguments(parser)
     parser.add_argument(
-        'service_type',
-        help="Name of the ROS service type to filter for (e.g. 'rcl_interfaces/srv/ListParameters')",
+        'service_type', help="Name of the ROS service type to filter for (e.g. 'rcl_interfaces/srv/ListParameters')"
     )
     parser.add_argument(
-        '-c',
-        '--count-services',
-        dest='count',
-        action='store_true',
-        help='Only display the number of services discovered',
+        '-c', '--count-services', dest='count', action='store_true', help='Only display the number of services discovered'
     )
     parser.add_argument('--include-hidden-services', action='store_true', help='Consider hidden services as well')
 

@@ -12,11 +12,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     cli_node.add_arguments(parser)
     parser.add_argument('topic_type', help="Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')")
     parser.add_argument(
-        '-c',
-        '--count-topics',
-        dest='count',
-        action='store_true',
-        help='Only display the number of topics discovered',
+        '-c', '--count-topics', dest='count', action='store_true', help='Only display the number of topics discovered'
     )
     parser.add_argument('--include-hidden-topics', action='store_true', help='Consider hidden topics as well')
 

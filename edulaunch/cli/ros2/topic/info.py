@@ -14,10 +14,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to get info (e.g. '/chatter')")
     parser.add_argument(
-        '-v',
-        '--verbose',
-        action='store_true',
-        help='Print each endpoint with its node, type and quality of service',
+        '-v', '--verbose', action='store_true', help='Print each endpoint with its node, type and quality of service'
     )
 
 

@@ -27,12 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
     parser.add_argument('-r', '--rate', metavar='N', type=_positive, default=1.0, help='Publishing rate in Hz (default: 1)')
     parser.add_argument(
-        '-p',
-        '--print',
-        metavar='N',
-        type=int,
-        default=1,
-        help='Only print every N-th published message (default: 1)',
+        '-p', '--print', metavar='N', type=int, default=1, help='Only print every N-th published message (default: 1)'
     )
     _add_times(parser)
 
@@ -51,11 +46,7 @@ def _add_times(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument('--max-wait-time-secs', type=_positive, default=None, help='Longest wait for matching subscriptions')
     parser.add_argument(
-        '--keep-alive',
-        metavar='N',
-        type=float,
-        default=0.1,
-        help='Keep publishing node alive for N seconds after the last msg',
+        '--keep-alive', metavar='N', type=float, default=0.1, help='Keep publishing node alive for N seconds after the last msg'
     )
     parser.add_argument('-n', '--node-name', help='Name of the created publishing node')
     qos_options.add_arguments(parser, 'default')
@@ -108,12 +99,7 @@ def _wait_for_subscriptions(node: Node, publisher: Publisher, arguments: argpars
 
 
 def _publish(
-    node: Node,
-    publisher: Publisher,
-    message: Any,
-    stamps: list[Any],
-    arguments: argparse.Namespace,
-    times: int,
+    node: Node, publisher: Publisher, message: Any, stamps: list[Any], arguments: argparse.Namespace, times: int
 ) -> None:
     say('publisher: beginning loop')
     period_ns, count = round(1e9 / arguments.rate), 0

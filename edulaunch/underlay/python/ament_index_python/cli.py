@@ -15,12 +15,8 @@ def main(argv: list[str] | None = None) -> str | None:
     import argparse
 
     parser = argparse.ArgumentParser(prog='ament_index', description='Query the ament resource index.')
-    parser.add_argument(
-        'resource_type', nargs='?', help='the type of resource; without it all types are listed'
-    )
-    parser.add_argument(
-        'resource_name', nargs='?', help='the name of a resource; without it all of the type are listed'
-    )
+    parser.add_argument('resource_type', nargs='?', help='the type of resource; without it all types are listed')
+    parser.add_argument('resource_name', nargs='?', help='the name of a resource; without it all of the type are listed')
     args = parser.parse_args(sys.argv[1:] if argv is None else argv)
     if args.resource_type is None:
         print('\n'.join(sorted(get_resource_types())))

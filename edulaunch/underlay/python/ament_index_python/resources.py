@@ -62,12 +62,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 def get_resource_types() -> set[str]:
     """Names of all types of resources."""
     folders = [os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in _prefixes()]
-    return {
-        entry.name
-        for folder in folders
-        for entry in _entries(folder)
-        if entry.is_dir() and not entry.name.startswith('.')
-    }
+    return {entry.name for folder in folders for entry in _entries(folder) if entry.is_dir() and not entry.name.startswith('.')}
 
 
 def _check(resource_type: str, resource_name: str | None) -> None:

@@ -1,4 +1,5 @@
 """What both clients of add_two_ints do: wait for the service, ask for 2 + 3, say the sum."""
+
 from __future__ import annotations
 
 import rclpy

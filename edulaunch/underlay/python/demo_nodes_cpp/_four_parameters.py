@@ -1,4 +1,5 @@
 """A node with four parameters of its own, which it sets once."""
+
 from __future__ import annotations
 
 from rclcpp_like import CppNode

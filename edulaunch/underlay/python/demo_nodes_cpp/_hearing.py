@@ -1,4 +1,5 @@
 """A node that says what it hears on `chatter`."""
+
 from __future__ import annotations
 
 from rclcpp_like import CppNode

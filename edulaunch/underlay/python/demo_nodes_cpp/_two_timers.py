@@ -1,4 +1,5 @@
 """A periodic timer that, every third time, sets going a timer which fires only once."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """The program add_two_ints_client_async: asks add_two_ints_server for 2 + 3."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The program add_two_ints_server: adds."""
+
 from __future__ import annotations
 
 import sys

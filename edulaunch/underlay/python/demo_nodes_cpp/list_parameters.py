@@ -1,4 +1,5 @@
 """The program list_parameters: says which of its parameters lie under given prefixes."""
+
 from __future__ import annotations
 
 import sys

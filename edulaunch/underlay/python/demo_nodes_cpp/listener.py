@@ -1,4 +1,5 @@
 """The program listener: logs what it hears on `chatter`."""
+
 from __future__ import annotations
 
 import sys

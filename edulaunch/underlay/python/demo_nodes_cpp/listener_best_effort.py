@@ -1,4 +1,5 @@
 """The program listener_best_effort: as listener, content with messages that may get lost."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The program one_off_timer: a timer that fires once; makes a new timer each time."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The program parameter_blackboard: a node that keeps any parameter it is given."""
+
 from __future__ import annotations
 
 import sys
@@ -11,11 +12,14 @@ class ParameterBlackboard(CppNode):
     """Takes undeclared parameters, and those of the command line, as declared."""
 
     def __init__(self) -> None:
-        super().__init__('parameter_blackboard', allow_undeclared_parameters=True,
-                         automatically_declare_parameters_from_overrides=True)
+        super().__init__(
+            'parameter_blackboard', allow_undeclared_parameters=True, automatically_declare_parameters_from_overrides=True
+        )
         count = len(self.list_parameters([], 0).names)
-        self.get_logger().info(f"Parameter blackboard node named '{self.get_fully_qualified_name()}' ready, "
-                               f"and serving '{count}' parameters already!")
+        self.get_logger().info(
+            f"Parameter blackboard node named '{self.get_fully_qualified_name()}' ready, "
+            f"and serving '{count}' parameters already!"
+        )
 
 
 def main() -> None:

@@ -1,4 +1,5 @@
 """The program reuse_timer: a timer that fires once; resets one timer again and again."""
+
 from __future__ import annotations
 
 import sys

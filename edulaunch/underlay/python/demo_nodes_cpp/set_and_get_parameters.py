@@ -1,4 +1,5 @@
 """The program set_and_get_parameters: sets its parameters, reads them back and says so."""
+
 from __future__ import annotations
 
 import sys

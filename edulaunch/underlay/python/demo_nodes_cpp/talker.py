@@ -1,4 +1,5 @@
 """The program talker: a numbered greeting on `chatter` every second."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The two ends of `chatter`."""
+
 from __future__ import annotations
 
 from rclpy.node import Node

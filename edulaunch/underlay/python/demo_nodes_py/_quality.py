@@ -1,4 +1,5 @@
 """The options of talker_qos and listener_qos, and how long these programs run."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -16,6 +17,7 @@ MakeNode = Callable[[str, QoSProfile], 'Talker | Listener']
 def run_with_quality(arguments: list[str], verb: str, node_stem: str, make_node: MakeNode) -> None:
     """Run a node with the quality of service that was asked for, until it has handled enough messages."""
     import argparse
+
     parser = argparse.ArgumentParser(formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument('--reliable', action='store_true', help=f'{verb} reliably instead of best effort')
     parser.add_argument('-n', '--number_of_cycles', type=int, default=20, help='messages before ending')
@@ -27,4 +29,5 @@ def run_with_quality(arguments: list[str], verb: str, node_stem: str, make_node:
         node.get_logger().info('Reliable ' + node_stem if options.reliable else 'Best effort ' + node_stem)
         while rclpy.ok() and node.count < options.number_of_cycles:
             rclpy.spin_once(node)
+
     run(body)

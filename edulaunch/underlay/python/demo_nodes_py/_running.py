@@ -1,4 +1,5 @@
 """How the demo programs run."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,4 +1,5 @@
 """The program add_two_ints_client: asks for 2 + 3 and waits for the reply."""
+
 from __future__ import annotations
 
 import rclpy

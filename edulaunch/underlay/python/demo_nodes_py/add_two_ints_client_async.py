@@ -1,4 +1,5 @@
 """The program add_two_ints_client_async: asks for 2 + 3 and does other work until the reply is there."""
+
 from __future__ import annotations
 
 import rclpy

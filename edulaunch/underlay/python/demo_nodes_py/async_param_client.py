@@ -1,4 +1,5 @@
 """The program async_param_client: sets, lists, gets, loads and deletes parameters of parameter_blackboard."""
+
 from __future__ import annotations
 
 import os
@@ -13,9 +14,11 @@ from rclpy.parameter_client import AsyncParameterClient
 from demo_nodes_py._running import run
 
 REMOTE = 'parameter_blackboard'
-VALUES = [Parameter('int_parameter', Parameter.Type.INTEGER, 10),
-          Parameter('bool_parameter', Parameter.Type.BOOL, False),
-          Parameter('string_parameter', Parameter.Type.STRING, 'Fee Fi Fo Fum')]
+VALUES = [
+    Parameter('int_parameter', Parameter.Type.INTEGER, 10),
+    Parameter('bool_parameter', Parameter.Type.BOOL, False),
+    Parameter('string_parameter', Parameter.Type.STRING, 'Fee Fi Fo Fum'),
+]
 NAMES = [parameter.name for parameter in VALUES]
 
 

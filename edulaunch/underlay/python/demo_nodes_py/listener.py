@@ -1,4 +1,5 @@
 """The program listener: logs what it hears on chatter."""
+
 from __future__ import annotations
 
 from demo_nodes_py._chatter import Listener

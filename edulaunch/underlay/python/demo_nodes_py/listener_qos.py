@@ -1,4 +1,5 @@
 """The program listener_qos: as listener, best effort unless told --reliable, for a number of messages."""
+
 from __future__ import annotations
 
 import sys

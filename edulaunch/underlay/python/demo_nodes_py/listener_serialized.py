@@ -1,4 +1,5 @@
 """The program listener_serialized: logs the bytes of what it hears on `chatter`."""
+
 from __future__ import annotations
 
 from rclpy.node import Node

@@ -1,4 +1,5 @@
 """The program set_parameters_callback: the three moments at which a node has its say on a new value."""
+
 from __future__ import annotations
 
 from rcl_interfaces.msg import SetParametersResult

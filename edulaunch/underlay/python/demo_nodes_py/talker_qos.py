@@ -1,4 +1,5 @@
 """The program talker_qos: as talker, best effort unless told --reliable, for a number of messages."""
+
 from __future__ import annotations
 
 import sys

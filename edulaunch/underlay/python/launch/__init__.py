@@ -4,6 +4,7 @@ The names, arguments, defaults, messages and rules are those of launch in ROS 2 
 a simulation (`_engine.py` is the only place that knows it). Read `architecture.rst` of upstream's launch for
 the ideas; each class here is at the relative path it has there.
 """
+
 from ._lazy import lazy_exports
 
 _EXPORTS = {

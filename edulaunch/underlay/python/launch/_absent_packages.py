@@ -1,4 +1,5 @@
 """What launch does where a well-known package of ROS 2 is needed that is not here: it says so, and goes on without it."""
+
 from __future__ import annotations
 
 import os
@@ -11,14 +12,14 @@ def is_left_out(path: str) -> bool:
     """Whether a launch file to be included belongs to such a package. If it does, that is told."""
     sentence = absent_file(path)
     if sentence is not None:
-        _tell(f'{path[len(_share()):]} is not included: {sentence}; the rest of the launch goes on without it')
+        _tell(f'{path[len(_share()) :]} is not included: {sentence}; the rest of the launch goes on without it')
     return sentence is not None
 
 
 def absent_file(path: str) -> str | None:
     """Why a file is not there, when it would belong to such a package."""
     share = _share()
-    package = path[len(share):].partition(os.sep)[0] if path.startswith(share) else ''
+    package = path[len(share) :].partition(os.sep)[0] if path.startswith(share) else ''
     kind = absent_package(package)
     return None if kind is None else f'the package {package!r} ({kind}) is not here'
 
@@ -38,6 +39,7 @@ def is_empty_output(argv: Sequence[str]) -> bool:
     """Whether a command cannot run because its program is of such a package, so that its output is empty. If so, that is told."""
     name = os.path.basename(argv[0]) if argv else ''
     from osrf_pycommon.process_utils import which
+
     path = absent_program(name)
     if path is None or argv[0] != path and (argv[0] != name or which(name) is not None):
         return False
@@ -47,4 +49,5 @@ def is_empty_output(argv: Sequence[str]) -> bool:
 
 def _tell(sentence: str) -> None:
     from .logging import get_logger
+
     get_logger('launch').error(sentence)

@@ -4,6 +4,7 @@ Upstream searches everything below a file when it is included, and so again at e
 depth. Here what was found below a description that was only loaded to look inside is kept, as long as none of
 the files changes that it came from.
 """
+
 from __future__ import annotations
 
 from collections.abc import Iterable

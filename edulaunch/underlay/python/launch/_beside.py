@@ -3,6 +3,7 @@
 Alone, a launch lets simulated time run as fast as it can. Beside something that lives in real time and may call in (a
 `threading.Timer` that shuts the launch down, say) its time keeps pace with real time, a slice at a time.
 """
+
 from __future__ import annotations
 
 import sys
@@ -34,6 +35,7 @@ class Company:
         if not new:
             return False
         from edulaunch.processes.real import READER_NAME
+
         return any(not thread.name.startswith(READER_NAME) for thread in new)
 
 
@@ -56,6 +58,7 @@ async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[i
     :raises SimulationError: as above.
     """
     import asyncio
+
     outer: Any = asyncio.get_running_loop()
 
     def has_company() -> bool:
@@ -80,6 +83,7 @@ def _is_notebook() -> bool:
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_company: Callable[[], bool]) -> bool:
     """Run to the end in one go, when nobody else is there; False when somebody is."""
     from edulaunch.errors import SimulationError
+
     if has_company():
         return False
     try:

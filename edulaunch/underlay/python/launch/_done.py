@@ -1,4 +1,5 @@
 """Something to await that is over already."""
+
 from __future__ import annotations
 
 from collections.abc import Coroutine, Generator

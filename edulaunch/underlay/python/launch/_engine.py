@@ -2,6 +2,7 @@
 
 Everything is looked up through the running process, so that two simulations in one interpreter never meet.
 """
+
 from __future__ import annotations
 
 import os
@@ -21,8 +22,7 @@ T = TypeVar('T')
 
 
 def running_process() -> Process:
-    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script.
-    """
+    """The process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
     return _current_process()()
 
 
@@ -30,12 +30,14 @@ def running_process() -> Process:
 def _current_process() -> Callable[[], Process]:
     # An import statement takes as long as the question, which every action asks.
     from edulaunch.processes.current import current_process
+
     return current_process
 
 
 def is_plain_script() -> bool:
     """Whether the code that runs is a plain script's (or a notebook cell's), not a simulated program's."""
     from edulaunch.sim.task import AmbientTask, current_task
+
     return isinstance(current_task(), AmbientTask)
 
 
@@ -72,6 +74,7 @@ def process_counter(context: LaunchContext) -> list[int]:
 def new_event_loop() -> AbstractEventLoop:
     """An asyncio loop on simulated time for the running task."""
     from edulaunch.sim.aio import new_event_loop
+
     return new_event_loop()
 
 
@@ -111,6 +114,7 @@ def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, st
     :raises FileNotFoundError: when there is no such command.
     """
     from edulaunch.processes import ProcessSpec
+
     process = running_process()
     assumed = assumptions()
     text = None if assumed is None else assumed.output_of(argv, process.env.get('PATH'))
@@ -124,6 +128,7 @@ def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, st
 
 def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> tuple[int, str, str]:
     from edulaunch.sim.task import current_task
+
     task = current_task()
     texts = {'stdout': '', 'stderr': ''}
     codes: list[int] = []
@@ -141,10 +146,15 @@ def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> t
     return codes[0], texts['stdout'], texts['stderr']
 
 
-def _run_real_command(argv: Sequence[str], env: MutableMapping[str, str],
-                      stderr_to_stdout: bool) -> tuple[int, str, str]:
+def _run_real_command(argv: Sequence[str], env: MutableMapping[str, str], stderr_to_stdout: bool) -> tuple[int, str, str]:
     import subprocess
+
     done = subprocess.run(
-        list(argv), env=dict(env), text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT if stderr_to_stdout else subprocess.PIPE)
+        list(argv),
+        env=dict(env),
+        text=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT if stderr_to_stdout else subprocess.PIPE,
+    )
     return done.returncode, done.stdout, done.stderr or ''

@@ -1,4 +1,5 @@
 """The queue of events that wait to be handled."""
+
 from __future__ import annotations
 
 import asyncio

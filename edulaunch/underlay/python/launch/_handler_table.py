@@ -5,6 +5,7 @@ cost six hundred questions for each line that one of them prints. Handlers that 
 events of which action, they can accept are therefore kept in groups by these; only the groups that can match
 are asked, in the same order as upstream.
 """
+
 from __future__ import annotations
 
 from collections import deque

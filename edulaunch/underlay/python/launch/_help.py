@@ -3,6 +3,7 @@
 The errors themselves keep ROS's and Python's own texts. Here is added where in whose file it happened, and
 what was probably meant.
 """
+
 from __future__ import annotations
 
 import os
@@ -45,7 +46,7 @@ def help_line(error: BaseException) -> str | None:
     start = '' if place is None else f'{place._replace(file=running_process().index.source_path(place.file))}{_entity(error)}'
     if not (text or start):
         return None
-    return f"  help: {': '.join(part for part in (start, text) if part)}"
+    return f'  help: {": ".join(part for part in (start, text) if part)}'
 
 
 def launch_help(error: BaseException) -> str | None:
@@ -53,6 +54,7 @@ def launch_help(error: BaseException) -> str | None:
     None.
     """
     from . import _help_rules
+
     cause = root_cause(error)
     for rule in _help_rules.RULES:
         if isinstance(cause, rule.error_type):
@@ -68,6 +70,7 @@ def launch_origin(error: BaseException) -> Origin | None:
     action.
     """
     from edulaunch.processes import Origin
+
     cause = root_cause(error)
     if isinstance(cause, SyntaxError) and cause.filename and not cause.filename.startswith('<'):
         return Origin(cause.filename, cause.lineno or 1)
@@ -77,9 +80,7 @@ def launch_origin(error: BaseException) -> Origin | None:
     for frame, number in reversed(list(frames_of(cause))):
         if is_students(frame.f_code.co_filename):
             return Origin(frame.f_code.co_filename, number)
-    origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(
-        error, 'edulaunch_origin', None
-    )
+    origin: Origin | None = getattr(cause, 'edulaunch_origin', None) or getattr(error, 'edulaunch_origin', None)
     return origin if origin is not None and is_students(origin.file) else None
 
 

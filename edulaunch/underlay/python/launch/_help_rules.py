@@ -1,4 +1,5 @@
 """What is said about which error. Each rule gets the error and its text, and gives one line or None."""
+
 from __future__ import annotations
 
 import os
@@ -50,7 +51,8 @@ def _match(pattern: str, text: str) -> re.Match[str] | None:
 
 def _import_of_name(error: BaseException, text: str) -> str | None:
     found = _match(r"cannot import name '(\w+)' from '([\w.]+)'", text) or _match(
-        r"(?:partially initialized )?module '([\w.]+)' has no attribute '(\w+)'", text)
+        r"(?:partially initialized )?module '([\w.]+)' has no attribute '(\w+)'", text
+    )
     if found is None:
         return None
     name, module = found.groups() if text.startswith('cannot') else found.groups()[::-1]
@@ -67,12 +69,15 @@ def _import_of_name(error: BaseException, text: str) -> str | None:
 def _relative_import(error: BaseException, text: str) -> str | None:
     if not text.startswith('attempted relative import'):
         return None
-    return ('a launch file belongs to no package: put the shared code into your Python package, '
-            'and write from my_package.module import ... without the leading dot')
+    return (
+        'a launch file belongs to no package: put the shared code into your Python package, '
+        'and write from my_package.module import ... without the leading dot'
+    )
 
 
 def _missing_module(error: BaseException, text: str) -> str | None:
     from ._known_names import MODULES
+
     found = _match(r"No module named '([\w.]+)'", text)
     if found is None:
         return None
@@ -95,10 +100,12 @@ def _unknown_name(error: BaseException, text: str) -> str | None:
         return None
     name = found[1]
     if _raised_in_expression(error):
-        return (f"the text {name} stands bare in a PythonExpression: put quotes around the substitution, "
-                "as in [\"'\", LaunchConfiguration('x'), \"' == 'text'\"]")
+        return (
+            f'the text {name} stands bare in a PythonExpression: put quotes around the substitution, '
+            "as in [\"'\", LaunchConfiguration('x'), \"' == 'text'\"]"
+        )
     if name in ('true', 'false', 'null', 'none'):
-        return f"Python writes {({'null': 'None', 'none': 'None'}).get(name, name.capitalize())}"
+        return f'Python writes {({"null": "None", "none": "None"}).get(name, name.capitalize())}'
     line = import_line(name)
     if line is not None:
         return f'add the line: {line}'
@@ -108,15 +115,12 @@ def _unknown_name(error: BaseException, text: str) -> str | None:
 
 def _raised_in_expression(error: BaseException) -> bool:
     frames = [frame for frame, _ in frames_of(error)]
-    return (
-        len(frames) > 1
-        and frames[-1].f_code.co_filename == '<string>'
-        and 'substitutions' in frames[-2].f_code.co_filename
-    )
+    return len(frames) > 1 and frames[-1].f_code.co_filename == '<string>' and 'substitutions' in frames[-2].f_code.co_filename
 
 
 def _bad_expression(error: BaseException, text: str) -> str | None:
     from .substitutions.python_expression import PythonExpression
+
     if isinstance(local_of(error, 'self'), PythonExpression):
         expression = local_of(error, 'self').describe()
         return f'the expression is {expression}: check quotes and spaces where its parts meet'
@@ -127,10 +131,7 @@ def _unexpected_keyword(error: BaseException, text: str) -> str | None:
     found = _match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", text)
     if found is None:
         return None
-    made = next(
-        (frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'),
-        None,
-    )
+    made = next((frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'), None)
     cls = type(made) if made is not None else class_named(found[1])
     if cls is None:
         return None
@@ -138,7 +139,7 @@ def _unexpected_keyword(error: BaseException, text: str) -> str | None:
     near = OLD_KEYWORDS.get(name) if OLD_KEYWORDS.get(name) in keywords else nearest(name, keywords)
     if near is not None:
         return f'{cls.__name__} has no {name}=; did you mean {near}=?'
-    return f"{cls.__name__} knows {', '.join(f'{keyword}=' for keyword in keywords)}"
+    return f'{cls.__name__} knows {", ".join(f"{keyword}=" for keyword in keywords)}'
 
 
 def _positional(error: BaseException, text: str) -> str | None:
@@ -149,7 +150,7 @@ def _positional(error: BaseException, text: str) -> str | None:
     if 'actions' in keywords_of(cls):
         return f'one list is expected: {cls.__name__}([..., ...])'
     code = cls.__init__.__code__
-    first = code.co_varnames[code.co_argcount:code.co_argcount + code.co_kwonlyargcount]
+    first = code.co_varnames[code.co_argcount : code.co_argcount + code.co_kwonlyargcount]
     return f'give the arguments by name: {cls.__name__}({first[0]}=...)' if first else None
 
 
@@ -160,6 +161,7 @@ def _missing_keyword(error: BaseException, text: str) -> str | None:
     if found is None or place is None:
         return None
     import linecache
+
     text = ''.join(linecache.getline(place.file, line) for line in range(place.line, place.line + 8))
     calls = re.split(rf'\b{found[1]}\(', text, flags=re.IGNORECASE)  # the class PushROSNamespace has a second spelling
     cls = class_named(found[1])
@@ -213,6 +215,7 @@ def _wrong_type(error: BaseException, text: str) -> str | None:
 
 def _no_pairs(error: BaseException, text: str) -> str | None:
     from .actions.include_launch_description import IncludeLaunchDescription
+
     if 'values to unpack' in text and isinstance(local_of(error, 'self'), IncludeLaunchDescription):
         return 'launch_arguments needs (name, value) pairs: add .items() to the dictionary'
     return None
@@ -245,8 +248,7 @@ def _not_an_entity(error: BaseException, text: str) -> str | None:
     if attribute.startswith('get_launch_arguments') and kind == 'NoneType':
         return 'generate_launch_description() returned nothing: end it with "return LaunchDescription([...])"'
     if attribute.startswith('get_launch_arguments'):
-        return (f'generate_launch_description() returned a {kind}: '
-                'end it with "return LaunchDescription([...])"')
+        return f'generate_launch_description() returned a {kind}: end it with "return LaunchDescription([...])"'
     if attribute == 'evaluate':
         return f'a condition is expected: put IfCondition(...) or UnlessCondition(...) around the {kind}'
     if attribute in ('visit', 'describe_sub_entities'):
@@ -278,8 +280,10 @@ def _missing_configuration(error: BaseException, text: str) -> str | None:
     if near is not None:
         return f"did you mean '{near}'?"
     if any(argument.name == found[1] for argument in running_process().state.get('launch.declared', ())):
-        return (f"'{found[1]}' was set inside a GroupAction that is over by now (events and timers come later): "
-                'give the group scoped=False, or take the value in an OpaqueFunction inside it')
+        return (
+            f"'{found[1]}' was set inside a GroupAction that is over by now (events and timers come later): "
+            'give the group scoped=False, or take the value in an OpaqueFunction inside it'
+        )
     return f"put DeclareLaunchArgument('{found[1]}', default_value='...') before its use"
 
 
@@ -334,6 +338,7 @@ def _not_installed(error: BaseException, path: str) -> str | None:
         from edulaunch.workspace.hints import installed_file_hint
 
         from ._engine import running_process
+
         known = installed_file_hint(running_process().index, path)
         error.edulaunch_hint = known  # type: ignore[attr-defined]
     return known

@@ -1,4 +1,5 @@
 """Launch files that include themselves."""
+
 from __future__ import annotations
 
 import os
@@ -38,16 +39,19 @@ def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> N
     entered = Include(file, origin, dict(context.launch_configurations))
     before = [number for number, include in enumerate(context._includes) if include.file == file]
     if before and (len(before) >= DEEPEST or context._includes[before[-1]].configurations == entered.configurations):
-        raise _ring_error([*context._includes[before[-1]:], entered])
+        raise _ring_error([*context._includes[before[-1] :], entered])
     context._includes.append(entered)
 
 
 def _ring_error(ring: list[Include]) -> RecursionError:
-    steps = [f'{_shown(include)} includes {os.path.basename(inner.file)}'
-             for include, inner in zip(ring, ring[1:], strict=False)]
-    error: Any = RecursionError(f"launch file '{ring[0].file}' includes itself without end: " + ', '.join(
-        f'{step} (line {inner.origin.line})' if inner.origin is not None else step
-        for step, inner in zip(steps, ring[1:], strict=True)))
+    steps = [f'{_shown(include)} includes {os.path.basename(inner.file)}' for include, inner in zip(ring, ring[1:], strict=False)]
+    error: Any = RecursionError(
+        f"launch file '{ring[0].file}' includes itself without end: "
+        + ', '.join(
+            f'{step} (line {inner.origin.line})' if inner.origin is not None else step
+            for step, inner in zip(steps, ring[1:], strict=True)
+        )
+    )
     error.edulaunch_hint = 'take one of these includes out, or give it a condition that is false in the end'
     return error  # type: ignore[no-any-return]
 

@@ -1,4 +1,5 @@
 """Where the names that launch files import live."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -25,9 +26,7 @@ MODULES = (
     'launch_ros.events.lifecycle',
     'ament_index_python.packages',
 )
-STANDARD = {
-    name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')
-}
+STANDARD = {name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')}
 
 
 def names_in(module: str) -> list[str]:

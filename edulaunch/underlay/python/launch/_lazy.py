@@ -3,6 +3,7 @@
 `import launch` must be quick, and a launch file uses a handful of launch's ninety classes. Upstream imports
 them all.
 """
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The locals of a launch context."""
+
 from __future__ import annotations
 
 from typing import Any, NoReturn
@@ -17,8 +18,7 @@ class LocalsView:
     def __getattr__(self, name: str) -> Any:
         values: dict[str, Any] = object.__getattribute__(self, '_values')
         if name not in values:
-            raise AttributeError(
-                f"context.locals does not contain attribute '{name}', it contains: [{', '.join(values)}]")
+            raise AttributeError(f"context.locals does not contain attribute '{name}', it contains: [{', '.join(values)}]")
         return values[name]
 
     def __setattr__(self, name: str, value: Any) -> NoReturn:

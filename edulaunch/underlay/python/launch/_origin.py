@@ -3,6 +3,7 @@
 ROS 2 does not know this; errors, `edulaunch doctor` and grades point there. It must cost next to nothing,
 because every action pays for it: two numbers are kept, and made readable only when somebody asks.
 """
+
 from __future__ import annotations
 
 import os
@@ -56,12 +57,14 @@ def origin_of(place: Place | None) -> Origin | None:
     if place is None:
         return None
     from edulaunch.processes import Origin
+
     where, position = place
     return Origin(where, position) if isinstance(where, str) else Origin(where.co_filename, _line_at(where, position))
 
 
 def _line_at(code: CodeType, position: int) -> int:
     from bisect import bisect_right
+
     _, starts, lines = _TABLES.get(id(code)) or _line_table(code)
     return lines[bisect_right(starts, position) - 1]
 

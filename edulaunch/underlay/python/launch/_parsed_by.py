@@ -3,6 +3,7 @@
 Upstream each class defines its own; here all of them are in `launch.frontend`, which Python launch files
 never load.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -27,8 +28,10 @@ class _ParsedBy:
 
         def parse(*args: Any) -> tuple[type, dict[str, Any]]:
             from .frontend import expose
+
             methods: dict[str, Any] = getattr(expose, f'{self._kind}_parse_methods')
             return made, methods[self._name](*args)[1]
+
         return parse
 
 

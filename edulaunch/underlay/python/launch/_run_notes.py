@@ -1,4 +1,5 @@
 """What a recording keeps of a launch besides its processes, in the state of the process that runs launch."""
+
 from __future__ import annotations
 
 import os
@@ -45,11 +46,14 @@ def undeclared_warnings(state: dict[str, Any]) -> list[str]:
     for name, declared, file, origin in state.get('launch.undeclared', ()):
         if name not in state.get('launch.read', ()):
             from edulaunch.packages.nearest import nearest
+
             near = nearest(name, declared)
             known = f'it declares: {", ".join(declared)}' if declared else 'it declares none'
             place = '' if origin is None else f' at {os.path.basename(origin.file)}:{origin.line}'
-            lines.append(f"launch argument '{name}', given to {os.path.basename(file)}{place}, is not declared there; "
-                         + (f"did you mean '{near}'?" if near is not None else known))
+            lines.append(
+                f"launch argument '{name}', given to {os.path.basename(file)}{place}, is not declared there; "
+                + (f"did you mean '{near}'?" if near is not None else known)
+            )
     return list(dict.fromkeys(lines))
 
 

@@ -1,4 +1,5 @@
 """Texts of objects that are the same in every run."""
+
 from __future__ import annotations
 
 

@@ -8,6 +8,7 @@ is really launched is always loaded anew.
 Whether files have changed would be asked at each level for all files below it, which is quadratic again. So within one visit, in
 which includes of any depth are executed one right after the other, each file is looked at once.
 """
+
 from __future__ import annotations
 
 import os
@@ -39,14 +40,10 @@ class Loaded:
         self.files: Files = {}
 
 
-def load_once(
-    source: object, location: str, load: Callable[[], LaunchDescription]
-) -> LaunchDescription | None:
-    """What `load()` returns, None when it raises an exception; remembered by the kind of source and location.
-    """
+def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> LaunchDescription | None:
+    """What `load()` returns, None when it raises an exception; remembered by the kind of source and location."""
     process = running_process()
-    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process.state.setdefault(
-        'launch.static_loads', {})
+    cache: dict[tuple[type, str], tuple[Seen, LaunchDescription | None]] = process.state.setdefault('launch.static_loads', {})
     stamp, folder = _stamp_of(location), os.getcwd()
     process.state.get('launch.looked_at', {})[location] = stamp
     for files in process.state.get('launch.watched_loads', ()):

@@ -2,6 +2,7 @@
 
 As upstream, the mistake shows only when the description is used; by then nobody knows where it came from.
 """
+
 from __future__ import annotations
 
 from types import FunctionType

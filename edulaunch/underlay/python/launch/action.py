@@ -1,4 +1,5 @@
 """The base class of actions."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -35,8 +36,7 @@ class Action(LaunchDescriptionEntity):
         return origin_of(self.__dict__.get('_Action__origin'))
 
     def _set_origin(self, file: str, line: int) -> None:
-        """For frontends, whose actions are made by a parser: say which line of which file asked for this one.
-        """
+        """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
         self.__origin = (file, line)
 
     @staticmethod
@@ -46,6 +46,7 @@ class Action(LaunchDescriptionEntity):
         :raises RuntimeError: when both are given.
         """
         from .frontend.action_parsers.condition import condition_of
+
         return Action, condition_of(entity, parser)
 
     @property

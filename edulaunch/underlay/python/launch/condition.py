@@ -1,4 +1,5 @@
 """The base class of conditions."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

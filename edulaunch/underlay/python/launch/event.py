@@ -1,4 +1,5 @@
 """The base class of events."""
+
 from __future__ import annotations
 
 from ._stable_repr import StableRepr

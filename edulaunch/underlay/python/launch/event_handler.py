@@ -1,4 +1,5 @@
 """Reacting to events."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -73,8 +74,7 @@ class EventHandler(BaseEventHandler):
     :param entities: an entity or several.
     """
 
-    def __init__(self, *, matcher: Matcher, entities: SomeEntitiesType | None = None,
-                 handle_once: bool = False) -> None:
+    def __init__(self, *, matcher: Matcher, entities: SomeEntitiesType | None = None, handle_once: bool = False) -> None:
         super().__init__(matcher=matcher, handle_once=handle_once)
         self.__entities = entities
 
@@ -100,5 +100,3 @@ class EventHandler(BaseEventHandler):
         """The entities."""
         super().handle(event, context)
         return self.__entities
-
-

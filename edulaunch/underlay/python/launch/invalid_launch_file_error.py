@@ -1,4 +1,5 @@
 """A launch file that no loader understands."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence

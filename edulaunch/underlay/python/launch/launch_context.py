@@ -1,4 +1,5 @@
 """What a running launch knows."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -154,6 +155,7 @@ class LaunchContext:
     def _event_queue(self) -> EventQueue:
         if self.__event_queue is None:
             from ._event_queue import EventQueue
+
             self.__event_queue = EventQueue()
         return self.__event_queue
 
@@ -205,6 +207,7 @@ class LaunchContext:
     def __log_emission(self, how: str, event: Event) -> None:
         if self.__logger is None:
             from .logging import get_logger
+
             self.__logger = get_logger(__name__)
         if self.__logger.isEnabledFor(10):
             self.__logger.debug(f"emitting event {how}: '{event.name}'")

@@ -1,4 +1,5 @@
 """A list of entities: what a launch file returns."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -20,8 +21,9 @@ class LaunchDescription(LaunchDescriptionEntity):
     :param deprecated_reason: when given, a visit logs a warning.
     """
 
-    def __init__(self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None, *,
-                 deprecated_reason: str | None = None) -> None:
+    def __init__(
+        self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None, *, deprecated_reason: str | None = None
+    ) -> None:
         self.__entities = list(initial_entities) if initial_entities is not None else []
         self.__deprecated_reason = deprecated_reason
 
@@ -60,6 +62,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         """The entities; a deprecated description first logs a warning."""
         if self.__deprecated_reason is not None:
             from .logging import get_logger
+
             here = context.get_locals_as_dict().get('current_launch_file_path')
             what = 'deprecated launch description' if here is None else f'launch file [{here}] is deprecated'
             get_logger().warning(f'{what}: {self.__deprecated_reason}')
@@ -74,8 +77,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         found = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
         return [argument for argument, _ in found]
 
-    def get_launch_arguments_with_include_launch_description_actions(
-            self, conditional_inclusion: bool = False) -> FoundArguments:
+    def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion: bool = False) -> FoundArguments:
         """As :meth:`get_launch_arguments`, each with the include actions that lead to it (None for none).
 
         The first declaration of a name counts. Files whose path is not known before launching, or which

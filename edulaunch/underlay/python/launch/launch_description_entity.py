@@ -1,4 +1,5 @@
 """The base class of everything that can be visited."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

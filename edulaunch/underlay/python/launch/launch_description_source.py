@@ -1,4 +1,5 @@
 """Where a launch description comes from."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -22,9 +23,12 @@ class LaunchDescriptionSource:
     :param method: how it is loaded, in words.
     """
 
-    def __init__(self, launch_description: LaunchDescription | None = None,
-                 location: SomeSubstitutionsType = '<string>',
-                 method: str = 'unspecified mechanism from a script') -> None:
+    def __init__(
+        self,
+        launch_description: LaunchDescription | None = None,
+        location: SomeSubstitutionsType = '<string>',
+        method: str = 'unspecified mechanism from a script',
+    ) -> None:
         self.__launch_description = launch_description
         self.__location = normalize_to_list_of_substitutions(location)
         self.__method = method

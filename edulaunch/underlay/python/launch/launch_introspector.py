@@ -1,4 +1,5 @@
 """Launch descriptions as text."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -30,8 +31,8 @@ def _tree(blocks: list[list[str]]) -> list[str]:
     lines = []
     for position, (first, *below) in enumerate(blocks):
         last = position == len(blocks) - 1
-        lines.append(f"{'└── ' if last else '├── '}{first}")
-        lines += [f"{'    ' if last else '│   '}{line}" for line in below]
+        lines.append(f'{"└── " if last else "├── "}{first}')
+        lines += [f'{"    " if last else "│   "}{line}' for line in below]
     return lines
 
 

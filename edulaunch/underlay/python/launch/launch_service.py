@@ -1,4 +1,5 @@
 """Executing launch descriptions."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -46,9 +47,7 @@ class LaunchService:
     :param debug: log at level DEBUG.
     """
 
-    def __init__(
-        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
-    ) -> None:
+    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False) -> None:
         if debug:
             launch_config.level = DEBUG
         self.__logger = get_logger('launch')
@@ -84,8 +83,7 @@ class LaunchService:
     # -- from outside
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Execute a description: now if the service runs, else when it does. May be called from any thread.
-        """
+        """Execute a description: now if the service runs, else when it does. May be called from any thread."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def emit_event(self, event: Event) -> None:
@@ -134,11 +132,11 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """As :meth:`run`. On a loop that knows no simulated time (a notebook's) the simulation runs in place.
-        """
+        """As :meth:`run`. On a loop that knows no simulated time (a notebook's) the simulation runs in place."""
         import asyncio
 
         from edulaunch.sim.aio import SimulatedEventLoop
+
         _check_thread()
         loop = asyncio.get_running_loop()
         if not isinstance(loop, SimulatedEventLoop):
@@ -167,6 +165,7 @@ class LaunchService:
     @contextmanager
     def __running_on(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
         import asyncio
+
         context = self.__context
         self.__loop, self.__task, self.__thread = loop, asyncio.current_task(), threading.get_ident()
         self.__return_code, self.__shutting_down, self.__interrupted = 0, False, False
@@ -186,6 +185,7 @@ class LaunchService:
 
     async def __main_loop(self, shutdown_when_idle: bool) -> None:
         from asyncio import sleep
+
         queue = self.__context._event_queue
         while True:
             try:
@@ -247,9 +247,7 @@ class LaunchService:
                 if entity is None:
                     continue
                 if not isinstance(entity, LaunchDescriptionEntity):
-                    raise RuntimeError(
-                        f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'"
-                    )
+                    raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{entity}'")
                 self.__visit(entity)
         finally:
             context._pop_locals()
@@ -279,6 +277,7 @@ class LaunchService:
     def __report(self, error: Exception) -> None:
         """Say what went wrong, and end the launch; processes that wait for their start are not started."""
         import traceback
+
         message = f'Caught exception in launch (see debug for traceback): {error}'
         self.__logger.debug(traceback.format_exc())
         self.__logger.error(message)
@@ -310,6 +309,7 @@ class LaunchService:
 def _check_thread() -> None:
     """The main thread is the real one for a plain script, and the first task of a simulated process."""
     from edulaunch.sim.task import AmbientTask, current_task
+
     task = running_process().task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:
@@ -319,4 +319,5 @@ def _check_thread() -> None:
 def _cancel_all_tasks(loop: asyncio.AbstractEventLoop) -> None:
     """End what a failed or interrupted launch left behind, as `asyncio.run` does."""
     from edulaunch.sim.loops import cancel_all_tasks
+
     cancel_all_tasks(loop)

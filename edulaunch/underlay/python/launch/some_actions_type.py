@@ -1,4 +1,5 @@
 """The name that ROS 2 Humble uses for :mod:`launch.some_entities_type`."""
+
 from __future__ import annotations
 
 from .some_entities_type import SomeEntitiesType as SomeActionsType

@@ -1,4 +1,5 @@
 """What may be given wherever launch entities are expected."""
+
 from __future__ import annotations
 
 import collections.abc

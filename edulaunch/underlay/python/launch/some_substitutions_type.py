@@ -1,4 +1,5 @@
 """What may be given wherever a text may contain substitutions."""
+
 from __future__ import annotations
 
 import collections.abc

@@ -1,4 +1,5 @@
 """The base class of substitutions."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Which functions are launch tests, what items they become, and in which order these run."""
+
 from __future__ import annotations
 
 import inspect
@@ -100,8 +101,13 @@ def _second_part(first: pytest.Function) -> pytest.Function:
     options: dict[str, Any] = {'callspec': first.callspec} if hasattr(first, 'callspec') else {}
     name = f'{first.originalname}[shutdown_test]'
     second: pytest.Function = pytest.Function.from_parent(
-        first.parent, name=name + first.name.removeprefix(first.originalname), originalname=name, callobj=first.obj,
-        fixtureinfo=first._fixtureinfo, **options)
+        first.parent,
+        name=name + first.name.removeprefix(first.originalname),
+        originalname=name,
+        callobj=first.obj,
+        fixtureinfo=first._fixtureinfo,
+        **options,
+    )
     second.stash[IS_SECOND_PART] = True
     first.stash[SHUTDOWN_ITEM] = second
     return second

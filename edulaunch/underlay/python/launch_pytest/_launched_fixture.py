@@ -1,4 +1,5 @@
 """Launching what a launch fixture has returned."""
+
 from __future__ import annotations
 
 import asyncio
@@ -21,8 +22,11 @@ def launch_description_of(result: object, prefix: str) -> LaunchDescription:
     first = result[0] if isinstance(result, Sequence) and not isinstance(result, str) and result else result
     if isinstance(first, LaunchDescription):
         return first
-    pytest.fail(f'{prefix} return value must be either a launch description or a sequence whose first item is a launch '
-                f'description\n  help: it is {_kind(result)}; let the function return LaunchDescription([...])', pytrace=False)
+    pytest.fail(
+        f'{prefix} return value must be either a launch description or a sequence whose first item is a launch '
+        f'description\n  help: it is {_kind(result)}; let the function return LaunchDescription([...])',
+        pytrace=False,
+    )
 
 
 def _kind(value: object) -> str:
@@ -39,8 +43,9 @@ def get_ready_to_test_action(description: LaunchDescription) -> ReadyToTest:
         found = [ReadyToTest()]
         description.add_action(found[0])
     elif len(found) > 1:
-        pytest.fail('launch_pytest fixtures must return a LaunchDescription containing only one ReadyToTest action',
-                    pytrace=False)
+        pytest.fail(
+            'launch_pytest fixtures must return a LaunchDescription containing only one ReadyToTest action', pytrace=False
+        )
     return found[0]
 
 
@@ -51,8 +56,9 @@ def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, 
     errors_before = len(_launch_errors())
     service.include_launch_description(description)
     task = service.task or loop.create_task(service.run_async(shutdown_when_idle=shutdown_when_idle))
-    run_until_complete(loop, asyncio.wait([ready, task], return_when=asyncio.FIRST_COMPLETED),
-                       f'{prefix} ReadyToTest was not reached')
+    run_until_complete(
+        loop, asyncio.wait([ready, task], return_when=asyncio.FIRST_COMPLETED), f'{prefix} ReadyToTest was not reached'
+    )
     if not ready.done():
         errors = _launch_errors()[errors_before:]
         why = f'{type(errors[0]).__name__}: {errors[0]}' if errors else 'nothing was left to do'
@@ -61,6 +67,7 @@ def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, 
 
 def _launch_errors() -> list[BaseException]:
     from edulaunch.processes.current import current_process
+
     errors: list[BaseException] = current_process().state.get('launch.exceptions', [])
     return errors
 
@@ -69,4 +76,5 @@ def _once(ready: Any) -> Callable[[], None]:
     def tell() -> None:
         if not ready.done():
             ready.set_result(None)
+
     return tell

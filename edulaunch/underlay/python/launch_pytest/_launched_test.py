@@ -1,4 +1,5 @@
 """Running one launch test: beside the launch, after its shutdown, or first the one and then the other."""
+
 from __future__ import annotations
 
 import inspect
@@ -27,8 +28,12 @@ def run_launched_test(item: pytest.Function) -> None:
     loop = funcargs['event_loop']
     options = options_of(item)
     assert options is not None
-    finalize = partial(finalize_launch_service, funcargs['launch_service'], eprefix=f"When running test '{item.name}':",
-                       auto_shutdown=options['auto_shutdown'])
+    finalize = partial(
+        finalize_launch_service,
+        funcargs['launch_service'],
+        eprefix=f"When running test '{item.name}':",
+        auto_shutdown=options['auto_shutdown'],
+    )
     if item.stash.get(IS_SECOND_PART, False):
         _run_second_part(item, loop, finalize)
         return
@@ -92,6 +97,7 @@ def _advance(loop: Any, test: Any) -> bool:
         except StopAsyncIteration:
             return False
         return True
+
     return bool(run_until_complete(loop, advance(), 'the test did not come to its end'))
 
 

@@ -1,4 +1,5 @@
 """Running the parts of a test in simulated time, and telling what waits for ever."""
+
 from __future__ import annotations
 
 import asyncio
@@ -32,8 +33,11 @@ def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any
         future.cancel()
         loop.run_until_complete(_settled(future))
         waited = current_process().sim.elapsed_s - began
-        pytest.fail(f'{problem}: it was still waiting after {waited:.1f} s of simulated time\n'
-                    '  help: give waits a timeout, such as wait_for_exit(launch_context, action, timeout=10)', pytrace=False)
+        pytest.fail(
+            f'{problem}: it was still waiting after {waited:.1f} s of simulated time\n'
+            '  help: give waits a timeout, such as wait_for_exit(launch_context, action, timeout=10)',
+            pytrace=False,
+        )
     finally:
         limit.cancel()
     return future.result()

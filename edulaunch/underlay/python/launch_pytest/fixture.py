@@ -1,4 +1,5 @@
 """Fixtures that describe what to launch, and those that they bring with them."""
+
 from __future__ import annotations
 
 import asyncio
@@ -42,10 +43,12 @@ def get_event_loop_fixture(*, scope: Any = 'function', overridable: bool = True)
         """The asyncio loop of launch, in simulated time."""
         from edulaunch.processes.current import current_process
         from edulaunch.processes.views.asyncio_view import ProcessEventLoop
+
         process = current_process()
         loop = ProcessEventLoop(process, process.task)
         yield loop
         loop.close()
+
     return _marked(event_loop, scope, overridable)
 
 
@@ -56,9 +59,11 @@ def get_launch_service_fixture(*, scope: Any = 'function', overridable: bool = T
     def launch_service(event_loop: asyncio.AbstractEventLoop) -> Iterator[LaunchService]:
         """What executes the launch descriptions."""
         from launch.launch_service import LaunchService
+
         service = LaunchService()
         yield service
         finalize_launch_service(service, eprefix='When tearing down launch_service fixture')
+
     return _marked(launch_service, scope, overridable)
 
 
@@ -69,15 +74,24 @@ def get_launch_context_fixture(*, scope: Any = 'function', overridable: bool = T
     def launch_context(launch_service: LaunchService) -> LaunchContext:
         """The context of the launch."""
         return launch_service.context
+
     return _marked(launch_context, scope, overridable)
 
 
-_COMPANIONS = {'event_loop': get_event_loop_fixture, 'launch_service': get_launch_service_fixture,
-               'launch_context': get_launch_context_fixture}
+_COMPANIONS = {
+    'event_loop': get_event_loop_fixture,
+    'launch_service': get_launch_service_fixture,
+    'launch_context': get_launch_context_fixture,
+}
 
 
-def fixture(decorated: Callable[..., Any] | None = None, *args: Any, shutdown_when_idle: bool = True,
-            auto_shutdown: bool = True, **kwargs: Any) -> Any:
+def fixture(
+    decorated: Callable[..., Any] | None = None,
+    *args: Any,
+    shutdown_when_idle: bool = True,
+    auto_shutdown: bool = True,
+    **kwargs: Any,
+) -> Any:
     """Make a fixture whose launch description is launched before the tests that use it.
 
     The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture, and
@@ -91,12 +105,17 @@ def fixture(decorated: Callable[..., Any] | None = None, *args: Any, shutdown_wh
     _add_companions(sys._getframe(1).f_globals, scope)
 
     def decorate(function: Callable[..., Any]) -> Any:
-        options = {'name': kwargs.get('name') or function.__name__, 'scope': scope, 'auto_shutdown': auto_shutdown,
-                   'shutdown_when_idle': shutdown_when_idle}
+        options = {
+            'name': kwargs.get('name') or function.__name__,
+            'scope': scope,
+            'auto_shutdown': auto_shutdown,
+            'shutdown_when_idle': shutdown_when_idle,
+        }
         setattr(function, OPTIONS, options)
         made: Any = pytest.fixture(*args, **kwargs)(function)
         setattr(made, OPTIONS, options)
         return made
+
     return decorate if decorated is None else decorate(decorated)
 
 

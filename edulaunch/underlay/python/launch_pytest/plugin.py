@@ -1,4 +1,5 @@
 """The pytest plugin of launch_pytest. edulaunch's own plugin registers it when a test file needs it."""
+
 from __future__ import annotations
 
 import functools
@@ -26,8 +27,11 @@ __all__ = ['LaunchTestWarning', 'has_shutdown_kwarg', 'is_launch_test']
 
 def pytest_configure(config: pytest.Config) -> None:
     """Make the mark known."""
-    config.addinivalue_line('markers', 'launch(fixture, shutdown=False): a test of what the launch fixture describes, run beside '
-                                       'it, or after its shutdown (edulaunch)')
+    config.addinivalue_line(
+        'markers',
+        'launch(fixture, shutdown=False): a test of what the launch fixture describes, run beside '
+        'it, or after its shutdown (edulaunch)',
+    )
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
@@ -73,7 +77,8 @@ def pytest_fixture_setup(fixturedef: Any, request: pytest.FixtureRequest) -> Gen
     loop = request.getfixturevalue('event_loop')
     result = yield
     description = launch_description_of(result, prefix)
-    fixturedef.addfinalizer(functools.partial(finalize_launch_service, service, eprefix=prefix,
-                                              auto_shutdown=options['auto_shutdown']))
+    fixturedef.addfinalizer(
+        functools.partial(finalize_launch_service, service, eprefix=prefix, auto_shutdown=options['auto_shutdown'])
+    )
     launch_until_ready(service, loop, description, prefix, options['shutdown_when_idle'])
     return result

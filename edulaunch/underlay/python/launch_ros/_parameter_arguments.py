@@ -93,9 +93,7 @@ class ParameterArguments:
         import launch.logging
 
         self.missing_files.append(str(path))
-        launch.logging.get_logger('launch_ros.actions.node').warning(
-            f'Parameter file path is not a file: {path}'
-        )
+        launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
 
     def _add_rule(self, context: LaunchContext, parameter: Parameter) -> None:
         import yaml
@@ -137,5 +135,7 @@ class ParameterArguments:
         except (RosArgumentsError, OSError, ValueError):
             return origins  # the node says what is wrong
         return {
-            name: text for name, text in origins.items()
-            if name not in given or given[name].origin.startswith(('launch_params_', 'command line'))}
+            name: text
+            for name, text in origins.items()
+            if name not in given or given[name].origin.startswith(('launch_params_', 'command line'))
+        }

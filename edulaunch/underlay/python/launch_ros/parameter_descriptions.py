@@ -66,8 +66,7 @@ class ParameterValue:
         :raises ValueError: when the text of a substitution cannot be converted.
         """
         value = self.__value
-        self.__evaluated = (
-            value if type(value) in _PLAIN else perform_typed_substitution(context, value, self.__value_type))
+        self.__evaluated = value if type(value) in _PLAIN else perform_typed_substitution(context, value, self.__value_type)
         return self.__evaluated
 
 
@@ -120,10 +119,7 @@ class ParameterFile:
 
     def __init__(self, param_file: Any, *, allow_substs: Any = False) -> None:
         ensure_argument_type(
-            param_file,
-            (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes),
-            'param_file',
-            'ParameterFile()',
+            param_file, (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes), 'param_file', 'ParameterFile()'
         )
         if isinstance(param_file, (os.PathLike, bytes)):
             param_file = os.fsdecode(param_file)

@@ -4,6 +4,7 @@ A launch test file describes what to launch (`generate_test_description`) and te
 runs, and after it was shut down. Names and rules are those of launch_testing in ROS 2 Jazzy; time is simulated, so that
 `assertWaitFor(..., timeout=10)` gives the same answer on every machine.
 """
+
 from launch._lazy import lazy_exports
 
 from .decorator import post_shutdown_test, ready_to_test_action_timeout

@@ -1,4 +1,5 @@
 """The example programs of launch_testing: what launch tests are tried on."""
+
 from __future__ import annotations
 
 import sys

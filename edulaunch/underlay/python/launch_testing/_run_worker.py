@@ -1,4 +1,5 @@
 """One launch with its tests."""
+
 from __future__ import annotations
 
 import unittest
@@ -35,8 +36,9 @@ class RunWorker:
     :param preamble: is launched before the test's description.
     """
 
-    def __init__(self, test_run: TestRun, arguments: Sequence[str], debug: bool,
-                 preamble: Sequence[LaunchDescriptionEntity] = ()) -> None:
+    def __init__(
+        self, test_run: TestRun, arguments: Sequence[str], debug: bool, preamble: Sequence[LaunchDescriptionEntity] = ()
+    ) -> None:
         self._run = test_run
         self._preamble = preamble
         self._arguments = parse_launch_arguments(arguments)
@@ -52,8 +54,13 @@ class RunWorker:
         """Launch, test, shut down, test again."""
         began = self._process.sim.elapsed_s
         description, context = self._run.normalized_test_description(self._ready.set)
-        values = {**self._run.param_args, **context, 'proc_info': self._proc_info, 'proc_output': self._proc_output,
-                  'test_args': dict(self._arguments)}
+        values = {
+            **self._run.param_args,
+            **context,
+            'proc_info': self._proc_info,
+            'proc_output': self._proc_output,
+            'test_args': dict(self._arguments),
+        }
         self._launch_service.include_launch_description(self._watched(description))
         tests = self._process.start_thread(lambda: self._run_test(values), 'test_runner', daemon=True)
         self._launch_service.run(shutdown_when_idle=not self._run.markers.get('keep_alive', False))
@@ -74,13 +81,15 @@ class RunWorker:
         def on_exit(event: Any, _: object) -> None:
             info.append(event)
 
-        return LaunchDescription([
-            RegisterEventHandler(OnProcessStart(on_start=on_start)),
-            RegisterEventHandler(OnProcessExit(on_exit=on_exit)),
-            RegisterEventHandler(OnProcessIO(on_stdout=output.append, on_stderr=output.append)),
-            *self._preamble,
-            IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
-        ])
+        return LaunchDescription(
+            [
+                RegisterEventHandler(OnProcessStart(on_start=on_start)),
+                RegisterEventHandler(OnProcessExit(on_exit=on_exit)),
+                RegisterEventHandler(OnProcessIO(on_stdout=output.append, on_stderr=output.append)),
+                *self._preamble,
+                IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
+            ]
+        )
 
     def _run_test(self, values: dict[str, Any]) -> None:
         if not self._ready.wait(self._run.timeout_s):

@@ -1,4 +1,5 @@
 """Decorators of test classes and of `generate_test_description`."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -14,6 +15,7 @@ def post_shutdown_test() -> Callable[[type], type]:
     def mark(test_class: type) -> type:
         test_class.__post_shutdown_test__ = True  # type: ignore[attr-defined]
         return test_class
+
     return mark
 
 
@@ -26,4 +28,5 @@ def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable
     def mark(test_description: T) -> T:
         test_description.__ready_to_test_action_timeout__ = timeout  # type: ignore[attr-defined]
         return test_description
+
     return mark

@@ -1,4 +1,5 @@
 """What processes of a launch test wrote: `proc_output` of the tests."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
@@ -61,9 +62,18 @@ class ActiveIoHandler(IoHandler):
             super().append(process_io)
             self._changed.notify_all()
 
-    def waitFor(self, expected_output: Any, process: Any = None, cmd_args: CmdArgs = None, *, timeout: float = 10,
-                stream: str = 'stderr', output_filter: Callable[[str], str] | None = None, strict_proc_matching: bool = True,
-                strip_ansi_escape_sequences: bool = True) -> bool:
+    def waitFor(
+        self,
+        expected_output: Any,
+        process: Any = None,
+        cmd_args: CmdArgs = None,
+        *,
+        timeout: float = 10,
+        stream: str = 'stderr',
+        output_filter: Callable[[str], str] | None = None,
+        strict_proc_matching: bool = True,
+        strip_ansi_escape_sequences: bool = True,
+    ) -> bool:
         """Wait for output; False when it has not come after `timeout` simulated seconds.
 
         :param expected_output: a text, a compiled regular expression, or a list of them that must come in this order.
@@ -76,9 +86,16 @@ class ActiveIoHandler(IoHandler):
 
         def has_come() -> bool:
             try:
-                assertInStream(self, expected_output, process, cmd_args, stream=stream, output_filter=output_filter,
-                               strict_proc_matching=strict_proc_matching,
-                               strip_ansi_escape_sequences=strip_ansi_escape_sequences)
+                assertInStream(
+                    self,
+                    expected_output,
+                    process,
+                    cmd_args,
+                    stream=stream,
+                    output_filter=output_filter,
+                    strict_proc_matching=strict_proc_matching,
+                    strip_ansi_escape_sequences=strip_ansi_escape_sequences,
+                )
             except (AssertionError, NoMatchingProcessException):
                 return False
             return True
@@ -86,8 +103,16 @@ class ActiveIoHandler(IoHandler):
         with self._changed:
             return bool(self._changed.wait_for(has_come, timeout))
 
-    def assertWaitFor(self, expected_output: Any, process: Any = None, cmd_args: CmdArgs = None, *, timeout: float = 10,
-                      stream: str = 'stderr', **kwargs: Any) -> None:
+    def assertWaitFor(
+        self,
+        expected_output: Any,
+        process: Any = None,
+        cmd_args: CmdArgs = None,
+        *,
+        timeout: float = 10,
+        stream: str = 'stderr',
+        **kwargs: Any,
+    ) -> None:
         """As :meth:`waitFor`.
 
         :raises AssertionError: when the output has not come in time.

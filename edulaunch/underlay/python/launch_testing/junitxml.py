@@ -1,4 +1,5 @@
 """Results as JUnit XML, the format that build servers read."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -57,11 +58,13 @@ def _all_cases(result: TestResult) -> list[Any]:
 
 
 def _counts(results: list[TestResult]) -> dict[str, str]:
-    return {'tests': str(sum(result.testsRun for result in results)),
-            'failures': str(sum(len(result.failures) + len(result.notes) for result in results)),
-            'errors': str(sum(len(result.errors) for result in results)),
-            'skipped': str(sum(len(result.skipped) for result in results)),
-            'time': f'{sum(sum(result.testTimes.values()) for result in results):.3f}'}
+    return {
+        'tests': str(sum(result.testsRun for result in results)),
+        'failures': str(sum(len(result.failures) + len(result.notes) for result in results)),
+        'errors': str(sum(len(result.errors) for result in results)),
+        'skipped': str(sum(len(result.skipped) for result in results)),
+        'time': f'{sum(sum(result.testTimes.values()) for result in results):.3f}',
+    }
 
 
 def _case(suite: Any, test: Any, result: TestResult) -> Any:
@@ -69,4 +72,5 @@ def _case(suite: Any, test: Any, result: TestResult) -> Any:
     cls = type(test)
     classname = f'{cls.__module__}.{cls.__qualname__}' if hasattr(test, '_testMethodName') else str(suite.get('name'))
     return ElementTree.SubElement(
-        suite, 'testcase', {'classname': classname, 'name': name, 'time': f'{result.testTimes.get(test, 0.0):.3f}'})
+        suite, 'testcase', {'classname': classname, 'name': name, 'time': f'{result.testTimes.get(test, 0.0):.3f}'}
+    )

@@ -3,6 +3,7 @@
 The installed command `launch_test` opens a simulation of its own (see `edulaunch/testing/session.py`); so does
 `python -m launch_testing.launch_test` where the faces are on the path.
 """
+
 from __future__ import annotations
 
 import os
@@ -46,6 +47,7 @@ class LaunchTest:
     def run(self) -> int:
         """Run everything in the file; returns 0 when all went well, else 1."""
         from .test_runner import LaunchTestRunner
+
         try:
             self.results = LaunchTestRunner(self.load(), self.arguments, self.debug).run()
         except BaseException as error:
@@ -65,6 +67,7 @@ class LaunchTest:
     def show_arguments(self) -> int:
         """Print the launch arguments of the (first) description; returns 0."""
         from ros2launch.api.api import arguments_text
+
         description, _ = self.load()[0].normalized_test_description(lambda: None)
         current_process().stdout.write(arguments_text(description) + '\n')
         return 0
@@ -72,6 +75,7 @@ class LaunchTest:
     def write_junit_xml(self, path: str, package_name: str | None) -> None:
         """Write the results as JUnit XML."""
         from .junitxml import unittestResultsToXml
+
         name = self.name if package_name is None else f'{package_name}.{self.name}'
         tree: Any = unittestResultsToXml(name=name, test_results=self.results)
         tree.write(path, xml_declaration=True, encoding='UTF-8')
@@ -91,6 +95,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit code."""
     from edulaunch.testing.session import main
+
     return main(argv)
 
 

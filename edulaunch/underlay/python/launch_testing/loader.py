@@ -1,4 +1,5 @@
 """What a launch test file contains."""
+
 from __future__ import annotations
 
 import functools
@@ -27,9 +28,17 @@ class TestRun:
 
     __test__ = False  # pytest is not to take this class for a test case
 
-    def __init__(self, name: str, test_description_function: Callable[..., Any], param_args: Mapping[str, Any],
-                 pre_shutdown_tests: Tests, post_shutdown_tests: Tests, *, timeout_s: float = DEFAULT_TIMEOUT_S,
-                 markers: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self,
+        name: str,
+        test_description_function: Callable[..., Any],
+        param_args: Mapping[str, Any],
+        pre_shutdown_tests: Tests,
+        post_shutdown_tests: Tests,
+        *,
+        timeout_s: float = DEFAULT_TIMEOUT_S,
+        markers: Mapping[str, Any] | None = None,
+    ) -> None:
         self.name = name
         self.param_args = dict(param_args)
         self.pre_shutdown_tests = pre_shutdown_tests
@@ -54,8 +63,10 @@ class TestRun:
         actions = ready_actions(description)
         if len(actions) != 1:
             wanted = 'only one ReadyToTest action' if actions else 'a ReadyToTest action'
-            raise Exception('generate_test_description functions without a ready_fn argument must return '
-                            f'a LaunchDescription containing {wanted}')
+            raise Exception(
+                'generate_test_description functions without a ready_fn argument must return '
+                f'a LaunchDescription containing {wanted}'
+            )
         actions[0]._add_callback(ready_fn)
         return description, context
 
@@ -84,8 +95,12 @@ class TestRun:
         yield from self.pre_shutdown_tests
         yield from self.post_shutdown_tests
 
-    def bind(self, tests: Tests, injected_attributes: Mapping[str, Any] = MappingProxyType({}),
-             injected_args: Mapping[str, Any] = MappingProxyType({})) -> None:
+    def bind(
+        self,
+        tests: Tests,
+        injected_attributes: Mapping[str, Any] = MappingProxyType({}),
+        injected_args: Mapping[str, Any] = MappingProxyType({}),
+    ) -> None:
         """Give the tests attributes, and their methods the arguments whose names they have."""
         for test in tests:
             for name, value in injected_attributes.items():
@@ -106,9 +121,18 @@ def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests')
     runs = function() if getattr(function, '__parametrized__', False) else [(function, {})]
     timeout_s = getattr(function, '__ready_to_test_action_timeout__', DEFAULT_TIMEOUT_S)
     markers = getattr(function, '__markers__', {})
-    return [TestRun(name, description, parameters, _tests(PreShutdownTestLoader(), module),
-                    _tests(PostShutdownTestLoader(), module), timeout_s=timeout_s, markers=markers)
-            for description, parameters in runs]
+    return [
+        TestRun(
+            name,
+            description,
+            parameters,
+            _tests(PreShutdownTestLoader(), module),
+            _tests(PostShutdownTestLoader(), module),
+            timeout_s=timeout_s,
+            markers=markers,
+        )
+        for description, parameters in runs
+    ]
 
 
 class PreShutdownTestLoader(unittest.TestLoader):
@@ -131,8 +155,9 @@ def _is_post_shutdown(test_class: type) -> bool:
     return bool(getattr(test_class, '__post_shutdown_test__', False))
 
 
-def _suite(load: Callable[[type[unittest.TestCase]], unittest.TestSuite], test_class: type[unittest.TestCase],
-           wanted: bool) -> unittest.TestSuite:
+def _suite(
+    load: Callable[[type[unittest.TestCase]], unittest.TestSuite], test_class: type[unittest.TestCase], wanted: bool
+) -> unittest.TestSuite:
     return load(test_class) if wanted else unittest.TestSuite()
 
 

@@ -1,4 +1,5 @@
 """Markers: how a launch test is to be run."""
+
 from __future__ import annotations
 
 import functools
@@ -30,7 +31,9 @@ def retry_on_failure(*, times: int) -> Callable[[T], T]:
                 except AssertionError:
                     continue
             return function(*args, **kwargs)
+
         return _with_marker(repeated, 'retry_on_failure', {'times': times})  # type: ignore[return-value]
+
     return decorate
 
 

@@ -1,4 +1,5 @@
 """Several launches of one description."""
+
 from __future__ import annotations
 
 import functools
@@ -26,8 +27,10 @@ def parametrize(argnames: str | Iterable[str], argvalues: Iterable[Any]) -> Call
         def each() -> Iterator[tuple[Description, dict[str, Any]]]:
             for row in rows:
                 yield functools.partial(function, **row), row
+
         each.__parametrized__ = True  # type: ignore[attr-defined]
         return each
+
     return decorate
 
 

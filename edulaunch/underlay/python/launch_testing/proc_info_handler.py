@@ -1,4 +1,5 @@
 """How processes of a launch test ended: `proc_info` of the tests."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -75,13 +76,15 @@ class ActiveProcInfoHandler(ProcInfoHandler):
         :raises AssertionError: when it has not started after `timeout` simulated seconds; the text is ROS 2's.
         """
         started = self._wait(process, cmd_args, RunningProcessEvent, timeout)
-        assert started, (f"Timed out waiting for process '{_told(process)}' to finish\n"
-                         f"  help: it has not started; started are: {', '.join(self.process_names()) or 'none'}")
+        assert started, (
+            f"Timed out waiting for process '{_told(process)}' to finish\n"
+            f'  help: it has not started; started are: {", ".join(self.process_names()) or "none"}'
+        )
 
     def _wait(self, process: Any, cmd_args: CmdArgs, event_type: type, timeout: float) -> bool:
         def has_come() -> bool:
             try:
-                action, = resolveProcesses(self, process=process, cmd_args=cmd_args)
+                (action,) = resolveProcesses(self, process=process, cmd_args=cmd_args)
             except NoMatchingProcessException:
                 return False
             return isinstance(self._proc_info[action], event_type)

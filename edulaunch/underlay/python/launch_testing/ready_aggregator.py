@@ -1,4 +1,5 @@
 """Waiting for several things to be ready."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,4 +1,5 @@
 """How tests went."""
+
 from __future__ import annotations
 
 import unittest
@@ -108,10 +109,12 @@ class TestResult(unittest.TestResult):
 
     def problems(self) -> list[tuple[str, str, str]]:
         """(what, which test, text) of everything that went wrong."""
-        return [*(('ERROR', title(test), text) for test, text in self.errors),
-                *(('FAIL', title(test), text) for test, text in self.failures),
-                *(('UNEXPECTED SUCCESS', title(test), '') for test in self.unexpectedSuccesses),
-                *(('FAIL', 'launch', note) for note in self.notes)]
+        return [
+            *(('ERROR', title(test), text) for test, text in self.errors),
+            *(('FAIL', title(test), text) for test, text in self.failures),
+            *(('UNEXPECTED SUCCESS', title(test), '') for test in self.unexpectedSuccesses),
+            *(('FAIL', 'launch', note) for note in self.notes),
+        ]
 
     def print_summary(self, seconds: float) -> None:
         """Tell what went wrong, and how many tests there were."""

@@ -1,4 +1,5 @@
 """Running launch tests."""
+
 from __future__ import annotations
 
 import unittest
@@ -48,6 +49,7 @@ class LaunchTestRunner:
 
     def _run_one(self, test_run: TestRun) -> TestResult:
         from ._run_worker import RunWorker
+
         if len(self._test_runs) > 1:
             current_process().stdout.write(f'Starting test run {test_run}\n')
         try:
@@ -60,5 +62,6 @@ def __getattr__(name: str) -> Any:
     # It needs all of launch, which those who only read a test file do without.
     if name == '_RunnerWorker':
         from ._run_worker import RunWorker
+
         return RunWorker
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

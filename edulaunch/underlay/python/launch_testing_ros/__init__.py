@@ -1,7 +1,14 @@
 """ROS 2 launch_testing_ros: what tests of ROS nodes need beside launch_testing."""
+
 from launch._lazy import lazy_exports
 
-_EXPORTS = {'DataRepublisher': 'data_republisher', 'LaunchTestRunner': 'test_runner', 'MessagePump': 'message_pump',
-            'WaitForTopics': 'wait_for_topics', 'test_runner': '', 'tools': ''}
+_EXPORTS = {
+    'DataRepublisher': 'data_republisher',
+    'LaunchTestRunner': 'test_runner',
+    'MessagePump': 'message_pump',
+    'WaitForTopics': 'wait_for_topics',
+    'test_runner': '',
+    'tools': '',
+}
 __all__ = list(_EXPORTS)
 __getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)

@@ -1,4 +1,5 @@
 """Passing on messages, changed."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -15,8 +16,9 @@ class DataRepublisher:
     :param transform_fn: gives the message to publish, or None for none.
     """
 
-    def __init__(self, node: Node, listen_topic: str, publish_topic: str, msg_type: Any,
-                 transform_fn: Callable[[Any], Any]) -> None:
+    def __init__(
+        self, node: Node, listen_topic: str, publish_topic: str, msg_type: Any, transform_fn: Callable[[Any], Any]
+    ) -> None:
         self._node = node
         self._transform_fn = transform_fn
         self._received = 0

@@ -1,4 +1,5 @@
 """Spinning a node beside a test."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ class MessagePump:
 
     def __init__(self, node: Node, timeout: float = 10, context: Context | None = None) -> None:
         from rclpy.executors import SingleThreadedExecutor
+
         self._node = node
         self._timeout_s = timeout
         self._executor: Any = SingleThreadedExecutor(context=context)
@@ -43,6 +45,7 @@ class MessagePump:
         :raises RuntimeError: when one does not end in time.
         """
         from edulaunch.sim.sync import sleep
+
         self._running = False
         self._executor.wake()
         waited_s = 0.0

@@ -1,4 +1,5 @@
 """Waiting until topics have messages."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -19,10 +20,16 @@ class WaitForTopics:
     :param trigger: called as trigger(node, *args, **kwargs) by :meth:`wait`, before it waits.
     """
 
-    def __init__(self, topic_tuples: Iterable[tuple[Any, ...]], timeout: float = 5.0, messages_received_buffer_length: int = 10,
-                 trigger: Callable[..., object] | None = None) -> None:
+    def __init__(
+        self,
+        topic_tuples: Iterable[tuple[Any, ...]],
+        timeout: float = 5.0,
+        messages_received_buffer_length: int = 10,
+        trigger: Callable[..., object] | None = None,
+    ) -> None:
         import rclpy
         from rclpy.context import Context
+
         self.topic_tuples = list(topic_tuples)
         self.timeout = timeout
         self.messages_received_buffer_length = messages_received_buffer_length
@@ -81,4 +88,5 @@ class WaitForTopics:
             self._messages[topic].append(message)
             if all(self._messages.values()):
                 self._all_here.set()
+
         return note

@@ -1,4 +1,5 @@
 """Launch files in XML."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {'Entity': 'entity', 'Parser': 'parser', 'launch_description_sources': ''}

@@ -1,4 +1,5 @@
 """One XML element as read from a file."""
+
 from __future__ import annotations
 
 

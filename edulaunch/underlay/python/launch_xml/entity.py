@@ -1,4 +1,5 @@
 """An XML element as the parse functions see it."""
+
 from __future__ import annotations
 
 from collections.abc import Collection
@@ -53,8 +54,7 @@ class Entity(BaseEntity):
         self._children_asked = True
         return [Entity(child, parent=self) for child in self._element]
 
-    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
-                 can_be_str: bool = True) -> Any:
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
         """An attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
         if data_type is not Entities and (data_type is str or data_type is None or not check_is_list_entity(data_type)):
             self.asked.add(name)
@@ -70,9 +70,9 @@ class Entity(BaseEntity):
         if optional:
             return None
         raise self._missing(
-            AttributeError(
-                f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
-            f"the attribute '{name}'")
+            AttributeError(f"Attribute '{name}' of type '{data_type}' not found in Entity '{self.type_name}'"),
+            f"the attribute '{name}'",
+        )
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
         """The texts of two attributes of each child (typed: the second one converted), and its line, when no child has anything
@@ -118,7 +118,8 @@ class Entity(BaseEntity):
         except ValueError:
             error = TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "
-                f'`{text}` can not be converted to one of those types')
+                f'`{text}` can not be converted to one of those types'
+            )
             raise hints.at(error, self, None) from None
 
     def assert_entity_completely_parsed(self) -> None:

@@ -1,9 +1,8 @@
 """Launch descriptions from XML files."""
+
 from __future__ import annotations
 
-from launch.launch_description_sources.frontend_launch_description_source import (
-    FrontendLaunchDescriptionSource,
-)
+from launch.launch_description_sources.frontend_launch_description_source import FrontendLaunchDescriptionSource
 from launch.some_substitutions_type import SomeSubstitutionsType
 
 from .parser import Parser

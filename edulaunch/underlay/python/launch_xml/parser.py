@@ -1,4 +1,5 @@
 """Reading launch files in XML."""
+
 from __future__ import annotations
 
 import os

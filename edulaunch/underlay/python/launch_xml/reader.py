@@ -3,6 +3,7 @@
 Launch files come from strangers: nothing outside the text is ever read, no entity can be declared (none can
 be multiplied), and nesting has a limit.
 """
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -30,6 +31,7 @@ class _Reading:
 
     def __init__(self) -> None:
         from pyexpat import ParserCreate
+
         self.expat: Any = ParserCreate(None, '}')
         self.expat.buffer_text = True
         self.expat.StartElementHandler = self.start
@@ -41,6 +43,7 @@ class _Reading:
 
     def root_of(self, text: str) -> Element:
         from pyexpat import ExpatError
+
         try:
             self.expat.Parse(text, True)
         except ExpatError as error:
@@ -74,6 +77,7 @@ class _Reading:
     def broken(self, message: str, line: int, column: int) -> ParseError:
         """The standard library's error, with what was still open as a hint."""
         from xml.etree.ElementTree import ParseError
+
         error: Any = ParseError(message)
         error.position = line, column
         error.edulaunch_line = line

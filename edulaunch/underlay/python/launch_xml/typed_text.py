@@ -1,4 +1,5 @@
 """Typed values from the texts of XML attributes."""
+
 from __future__ import annotations
 
 import re

@@ -1,4 +1,5 @@
 """A YAML value as the parse functions see it."""
+
 from __future__ import annotations
 
 from collections.abc import Collection
@@ -24,8 +25,7 @@ class Entity(BaseEntity):
 
     __slots__ = ('_element', '_type_name', '_parent', '_line', '_children_asked')
 
-    def __init__(self, element: Any, type_name: str | None = None, *, parent: Entity | None = None,
-                 line: int = 0) -> None:
+    def __init__(self, element: Any, type_name: str | None = None, *, parent: Entity | None = None, line: int = 0) -> None:
         self._element = element
         self._type_name = type_name
         self._parent = parent
@@ -60,14 +60,17 @@ class Entity(BaseEntity):
             if 'children' not in children:
                 error = ValueError(
                     f'Expected entity `{self._type_name}` to have children entities. '
-                    'That can be a list of subentities or a dictionary with a `children` list element')
+                    'That can be a list of subentities or a dictionary with a `children` list element'
+                )
                 raise hints.at(error, self, self._hint_of_children(children))
             self.asked.add('children')
             children = children['children']
         if not isinstance(children, list):
             raise hints.at(
                 TypeError(f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'"),
-                self, f"put a list below '{self._type_name}', each item with a dash: - node: ...")
+                self,
+                f"put a list below '{self._type_name}', each item with a dash: - node: ...",
+            )
         return children
 
     def _hint_of_children(self, element: dict[Any, Any]) -> str:
@@ -80,7 +83,7 @@ class Entity(BaseEntity):
     def _child(self, item: Any) -> Entity:
         if not isinstance(item, dict) or len(item) != 1:
             raise self._no_single_element(item)
-        (type_name, element), = item.items()
+        ((type_name, element),) = item.items()
         return Entity(element, type_name, parent=self, line=getattr(item, 'line', 0))
 
     def _no_single_element(self, item: Any) -> RuntimeError:
@@ -88,14 +91,15 @@ class Entity(BaseEntity):
         error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
         if not isinstance(item, dict) or not item:
             return hints.at(
-                error, self, f"each item of '{self._type_name}' is an element's name with a colon and what it has: - node: ...")
+                error, self, f"each item of '{self._type_name}' is an element's name with a colon and what it has: - node: ..."
+            )
         hints.at(
-            error, self, f"{', '.join(map(repr, item))} stand in one item: a dash for each element, its keys two columns further")
+            error, self, f'{", ".join(map(repr, item))} stand in one item: a dash for each element, its keys two columns further'
+        )
         error.edulaunch_line = getattr(item, 'line', self.line)  # type: ignore[attr-defined]
         return error
 
-    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
-                 can_be_str: bool = True) -> Any:
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
         """The value under the key `name`, which must have the type; or children for `List[Entity]`."""
         self.asked.add(name)
         element = self._element
@@ -115,8 +119,8 @@ class Entity(BaseEntity):
             return self._entities(name, value)
         if not is_instance_of(value, data_type, can_be_str=can_be_str):
             error = TypeError(
-                f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
-                f"got '{_type_of(value)}'")
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', got '{_type_of(value)}'"
+            )
             raise hints.at(error, self, _about_type(name, value, data_type))
         return value
 
@@ -149,8 +153,7 @@ class Entity(BaseEntity):
 
     def _entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):
-            error = TypeError(
-                f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
+            error = TypeError(f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
             raise hints.at(error, self, f"begin each '{name}' with a dash: - {{...}}")
         line = self._line
         return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]

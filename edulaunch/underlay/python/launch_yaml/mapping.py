@@ -1,4 +1,5 @@
 """A mapping of a YAML file."""
+
 from __future__ import annotations
 
 

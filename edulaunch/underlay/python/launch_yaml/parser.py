@@ -1,4 +1,5 @@
 """Reading launch files in YAML."""
+
 from __future__ import annotations
 
 import os
@@ -48,6 +49,7 @@ def _read(text: str, name: str) -> Any:
         return read_plain(text)
     except NotPlain:
         from .reader import read_file
+
         return read_file(text, name)
 
 

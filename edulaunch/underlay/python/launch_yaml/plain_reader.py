@@ -4,6 +4,7 @@ libyaml builds ten objects for each word. A text of block mappings and lists, wi
 quoted texts and one-line `{name: x, value: 1}` mappings needs none of that; five times as many nodes are read
 in the same time. Whatever is not of this kind for certain is left to libyaml: the two must never differ.
 """
+
 from __future__ import annotations
 
 import re

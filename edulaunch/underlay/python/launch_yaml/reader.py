@@ -2,6 +2,7 @@
 
 Launch files come from strangers: aliases must not multiply the text, and nesting has a limit.
 """
+
 from __future__ import annotations
 
 from io import StringIO
@@ -94,8 +95,8 @@ def _mapping_of(node: Any, loader: Any) -> Mapping:
             mapping[key] = value
         except TypeError:
             raise yaml.constructor.ConstructorError(
-                'while constructing a mapping', node.start_mark, 'found unhashable key',
-                key_node.start_mark) from None
+                'while constructing a mapping', node.start_mark, 'found unhashable key', key_node.start_mark
+            ) from None
     return mapping
 
 

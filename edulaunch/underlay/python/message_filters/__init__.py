@@ -1,4 +1,5 @@
 """Filters that messages pass through before a program sees them: by time, in pairs, or when tf knows their frame."""
+
 from __future__ import annotations
 
 from message_filters.approximate_time_synchronizer import ApproximateTimeSynchronizer
@@ -9,6 +10,11 @@ from message_filters.tf2_message_filter import FilterFailureReason, MessageFilte
 from message_filters.time_synchronizer import TimeSynchronizer
 
 __all__ = [
-    'ApproximateTimeSynchronizer', 'Cache', 'FilterFailureReason', 'MessageFilter', 'SimpleFilter', 'Subscriber',
+    'ApproximateTimeSynchronizer',
+    'Cache',
+    'FilterFailureReason',
+    'MessageFilter',
+    'SimpleFilter',
+    'Subscriber',
     'TimeSynchronizer',
 ]

@@ -1,4 +1,5 @@
 """Messages of several topics with nearly equal stamps."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -32,7 +33,8 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             self._keep(msg, stamp_ns, my_queue)
             for stamps in product(*(self._near(queue, stamp_ns, queue is my_queue) for queue in self.queues)):
                 if max(stamps) - min(stamps) < self.slop_ns and all(
-                        one in queue for queue, one in zip(self.queues, stamps, strict=True)):
+                    one in queue for queue, one in zip(self.queues, stamps, strict=True)
+                ):
                     self._pass(stamps)
                     break
 
@@ -40,5 +42,6 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         """The stamps of a queue that are near enough, nearest first; of the message's own queue only its own stamp."""
         if is_own:
             return [stamp_ns]
-        return sorted((stamp for stamp in queue if abs(stamp - stamp_ns) <= self.slop_ns),
-                      key=lambda stamp: abs(stamp - stamp_ns))
+        return sorted(
+            (stamp for stamp in queue if abs(stamp - stamp_ns) <= self.slop_ns), key=lambda stamp: abs(stamp - stamp_ns)
+        )

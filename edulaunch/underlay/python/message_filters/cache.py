@@ -1,4 +1,5 @@
 """The last messages of a topic, found again by their stamps."""
+
 from __future__ import annotations
 
 from typing import Any

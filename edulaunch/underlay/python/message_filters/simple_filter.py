@@ -1,4 +1,5 @@
 """The base of all filters: something that gives messages to callbacks."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,4 +1,5 @@
 """When a message was made, as filters see it."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -7,8 +8,10 @@ from rclpy.clock import ROSClock
 from rclpy.logging import get_logger
 from rclpy.time import Time
 
-NO_STAMP = ('can not use message filters for messages without timestamp infomation when "allow_headerless" is disabled. '
-            'auto assign ROSTIME to headerless messages once enabling constructor option of "allow_headerless".')
+NO_STAMP = (
+    'can not use message filters for messages without timestamp infomation when "allow_headerless" is disabled. '
+    'auto assign ROSTIME to headerless messages once enabling constructor option of "allow_headerless".'
+)
 
 
 def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | None:

@@ -1,4 +1,5 @@
 """Where messages enter a chain of filters."""
+
 from __future__ import annotations
 
 from typing import Any

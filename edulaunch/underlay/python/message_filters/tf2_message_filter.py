@@ -1,4 +1,5 @@
 """Messages that wait until tf knows where their frame was."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -42,8 +43,9 @@ class MessageFilter(SimpleFilter):
     :param f: the filter (mostly a Subscriber) whose messages are taken.
     """
 
-    def __init__(self, buffer: Buffer, target_frame: str | Sequence[str], queue_size: int, node: Node,
-                 f: SimpleFilter | None = None) -> None:
+    def __init__(
+        self, buffer: Buffer, target_frame: str | Sequence[str], queue_size: int, node: Node, f: SimpleFilter | None = None
+    ) -> None:
         super().__init__()
         self.buffer = buffer
         self.queue_size = queue_size
@@ -114,6 +116,7 @@ class MessageFilter(SimpleFilter):
         stamp = msg.header.stamp
         self.node.get_logger().info(
             f"Message Filter dropping message: frame '{msg.header.frame_id}' at time {stamp.sec + stamp.nanosec / 1e9:.3f} "
-            f"for reason '{_WORDS[reason]}'")
+            f"for reason '{_WORDS[reason]}'"
+        )
         for callback in list(self._failure_callbacks):
             callback(msg, reason)

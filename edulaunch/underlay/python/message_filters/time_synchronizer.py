@@ -1,4 +1,5 @@
 """Messages of several topics with equal stamps."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -30,7 +31,8 @@ class TimeSynchronizer(SimpleFilter):
         """Take the messages that pass these filters."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
-            f.registerCallback(self.add, queue, index) for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))]
+            f.registerCallback(self.add, queue, index) for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))
+        ]
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
         """Let one message wait, and let pass what is complete."""

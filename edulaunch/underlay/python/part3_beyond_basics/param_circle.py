@@ -1,4 +1,5 @@
 """The program param_circle.py: drives a robot in a circle whose radius is a parameter."""
+
 from __future__ import annotations
 
 import rclpy
@@ -28,8 +29,7 @@ class ParamCircle(Node):
             command.twist.angular.z = SPEED / radius
             self.get_logger().info(f'Moving with radius: {radius:.2f} [m].', throttle_duration_sec=1.0)
         else:
-            self.get_logger().warning('A circle of radius 0 cannot be driven; going straight ahead.',
-                                      throttle_duration_sec=1.0)
+            self.get_logger().warning('A circle of radius 0 cannot be driven; going straight ahead.', throttle_duration_sec=1.0)
         self._commands.publish(command)
 
 

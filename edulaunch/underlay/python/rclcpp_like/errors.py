@@ -1,4 +1,5 @@
 """Errors as a C++ program reports them: the exception's C++ name and its text."""
+
 from __future__ import annotations
 
 from rclpy.exceptions import (

@@ -1,4 +1,5 @@
 """A node as rclcpp makes it."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -14,8 +15,7 @@ from rclpy.subscription import Subscription
 from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
 from rclcpp_like.parameter_rules import range_refusal, type_refusal
 
-_EVENT_QOS = (
-    ('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
+_EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_last'), ('reliability', 'reliable'))
 
 
 class CppNode(Node):
@@ -33,15 +33,15 @@ class CppNode(Node):
             if not self.has_parameter(name):
                 self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         qos = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
-        self._parameter_events = self.create_subscription(
-            ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
+        self._parameter_events = self.create_subscription(ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
 
     def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
         """As rclpy's; rclcpp's warnings about it name the topic in full."""
         return super().create_publisher(msg_type, self._rclpy.resolve(topic, 'topic', only_expand=True), qos_profile, **options)
 
-    def create_subscription(self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int,
-                            **options: Any) -> Subscription:
+    def create_subscription(
+        self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, **options: Any
+    ) -> Subscription:
         """As rclpy's; rclcpp's warnings about it name the topic in full."""
         name = self._rclpy.resolve(topic, 'topic', only_expand=True)
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
@@ -49,8 +49,7 @@ class CppNode(Node):
     def on_parameter_event(self, event: ParameterEvent) -> None:
         """Called for every parameter event of every node; the plain node has no use for it."""
 
-    def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None,
-                          ignore_override: bool = False) -> Parameter:
+    def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False) -> Parameter:
         """As rclpy's, with rclcpp's errors.
 
         :raises InvalidParameterType: the value given at start-up is of another type.
@@ -62,8 +61,7 @@ class CppNode(Node):
             declared = Parameter.Type.from_parameter_value(value)
             given = Parameter.Type.from_parameter_value(override.value)
             if given != declared:
-                raise InvalidParameterType(
-                    f"parameter '{name}' has invalid type: {type_refusal(name, declared, given)}")
+                raise InvalidParameterType(f"parameter '{name}' has invalid type: {type_refusal(name, declared, given)}")
             refusal = range_refusal(name, override.value, descriptor)
             if refusal:
                 raise InvalidParameterValue(f"parameter '{name}' could not be set: {refusal}")

@@ -1,4 +1,5 @@
 """Why a C++ node refuses a parameter value, in rclcpp's words."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -6,17 +7,25 @@ from typing import Any
 from rclpy.parameter import ParameterType
 
 _TYPE_NAMES = {
-    ParameterType.NOT_SET: 'not set', ParameterType.BOOL: 'bool', ParameterType.INTEGER: 'integer',
-    ParameterType.DOUBLE: 'double', ParameterType.STRING: 'string', ParameterType.BYTE_ARRAY: 'byte_array',
-    ParameterType.BOOL_ARRAY: 'bool_array', ParameterType.INTEGER_ARRAY: 'integer_array',
-    ParameterType.DOUBLE_ARRAY: 'double_array', ParameterType.STRING_ARRAY: 'string_array',
+    ParameterType.NOT_SET: 'not set',
+    ParameterType.BOOL: 'bool',
+    ParameterType.INTEGER: 'integer',
+    ParameterType.DOUBLE: 'double',
+    ParameterType.STRING: 'string',
+    ParameterType.BYTE_ARRAY: 'byte_array',
+    ParameterType.BOOL_ARRAY: 'bool_array',
+    ParameterType.INTEGER_ARRAY: 'integer_array',
+    ParameterType.DOUBLE_ARRAY: 'double_array',
+    ParameterType.STRING_ARRAY: 'string_array',
 }
 
 
 def type_refusal(name: str, declared: ParameterType, given: ParameterType) -> str:
     """The reason for refusing a value of another type."""
-    return (f'Wrong parameter type, parameter {{{name}}} is of type {{{_TYPE_NAMES[declared]}}}, '
-            f'setting it to {{{_TYPE_NAMES[given]}}} is not allowed.')
+    return (
+        f'Wrong parameter type, parameter {{{name}}} is of type {{{_TYPE_NAMES[declared]}}}, '
+        f'setting it to {{{_TYPE_NAMES[given]}}} is not allowed.'
+    )
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:

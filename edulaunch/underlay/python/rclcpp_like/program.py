@@ -1,4 +1,5 @@
 """The frame around a C++ program's main: how it starts, is interrupted and dies."""
+
 from __future__ import annotations
 
 import signal

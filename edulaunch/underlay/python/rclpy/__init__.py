@@ -1,4 +1,5 @@
 """The ROS 2 client library for Python, over edulaunch's simulation: names, defaults and errors are those of ROS 2 Jazzy."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -25,14 +26,33 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 __all__ = [
-    'Context', 'Parameter', 'SignalHandlerOptions', 'create_node', 'get_available_rmw_implementations', 'get_default_context',
-    'get_global_executor', 'get_rmw_implementation_identifier', 'init', 'ok', 'remove_ros_args', 'shutdown', 'spin',
-    'spin_once', 'spin_until_future_complete', 'timeout_sec_to_nsec', 'try_shutdown',
+    'Context',
+    'Parameter',
+    'SignalHandlerOptions',
+    'create_node',
+    'get_available_rmw_implementations',
+    'get_default_context',
+    'get_global_executor',
+    'get_rmw_implementation_identifier',
+    'init',
+    'ok',
+    'remove_ros_args',
+    'shutdown',
+    'spin',
+    'spin_once',
+    'spin_until_future_complete',
+    'timeout_sec_to_nsec',
+    'try_shutdown',
 ]
 
 
-def init(*, args: list[str] | None = None, context: Context | None = None, domain_id: int | None = None,
-         signal_handler_options: SignalHandlerOptions | None = None) -> None:
+def init(
+    *,
+    args: list[str] | None = None,
+    context: Context | None = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> None:
     """Begin to use ROS 2.
 
     :param args: the command line; the program's own if None.
@@ -50,6 +70,7 @@ def get_global_executor() -> Executor:
     state = process_state()
     if state.global_executor is None:
         from rclpy.executors import SingleThreadedExecutor
+
         state.global_executor = SingleThreadedExecutor()
     return state.global_executor
 
@@ -79,20 +100,36 @@ def _end_global_executor() -> None:
         state.global_executor = None
 
 
-def create_node(node_name: str, *, context: Context | None = None, cli_args: list[str] | None = None,
-                namespace: str | None = None, use_global_arguments: bool = True, enable_rosout: bool = True,
-                start_parameter_services: bool = True, parameter_overrides: Iterable[Parameter] | None = None,
-                allow_undeclared_parameters: bool = False, automatically_declare_parameters_from_overrides: bool = False,
-                enable_logger_service: bool = False) -> Node:
+def create_node(
+    node_name: str,
+    *,
+    context: Context | None = None,
+    cli_args: list[str] | None = None,
+    namespace: str | None = None,
+    use_global_arguments: bool = True,
+    enable_rosout: bool = True,
+    start_parameter_services: bool = True,
+    parameter_overrides: Iterable[Parameter] | None = None,
+    allow_undeclared_parameters: bool = False,
+    automatically_declare_parameters_from_overrides: bool = False,
+    enable_logger_service: bool = False,
+) -> Node:
     """Make a node; the arguments are those of :class:`rclpy.node.Node`."""
     from rclpy.node import Node
+
     return Node(
-        node_name, context=context, cli_args=cli_args, namespace=namespace, use_global_arguments=use_global_arguments,
-        enable_rosout=enable_rosout, start_parameter_services=start_parameter_services,
+        node_name,
+        context=context,
+        cli_args=cli_args,
+        namespace=namespace,
+        use_global_arguments=use_global_arguments,
+        enable_rosout=enable_rosout,
+        start_parameter_services=start_parameter_services,
         parameter_overrides=None if parameter_overrides is None else list(parameter_overrides),
         allow_undeclared_parameters=allow_undeclared_parameters,
         automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
-        enable_logger_service=enable_logger_service)
+        enable_logger_service=enable_logger_service,
+    )
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
@@ -120,8 +157,9 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         executor.remove_node(node)
 
 
-def spin_until_future_complete(node: Node, future: Future, executor: Executor | None = None,
-                               timeout_sec: float | None = None) -> None:
+def spin_until_future_complete(
+    node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
+) -> None:
     """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
@@ -129,6 +167,7 @@ def spin_until_future_complete(node: Node, future: Future, executor: Executor | 
         source = getattr(future, '_source', None)
         if timeout_sec is None and source is not None and source._ready_list.executor is None:
             from rclpy.execution.deadlocks import note_foreign_future
+
             note_foreign_future(node, source)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
@@ -145,9 +184,11 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
         executor = get_global_executor()
     elif not hasattr(executor, '_spinner'):
         from rclpy.execution.unfit import check_executor
+
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor._spinner is not None and executor._note_nested_spin():
         from rclpy.execution.deadlocks import note_future_wait, note_spin
+
         source = None if future is None or future._done else getattr(future, '_source', None)
         if source is not None and not source.callback_group.can_execute(source):
             note_future_wait(f'rclpy.{function}()', source)
@@ -158,6 +199,7 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
         other = None if core is None else core.executor
         if other is not None and other is not executor and other._spinner is not None and other._note_nested_spin():
             from rclpy.execution.deadlocks import note_lost_node
+
             note_lost_node(f'rclpy.{function}', node, other)
     return executor
 
@@ -166,10 +208,36 @@ def __getattr__(name: str) -> Any:
     """What rclpy itself loads at once is loaded here when it is first asked for: sub-modules and the class Future."""
     if name == 'Future':
         from rclpy.task import Future
+
         return Future
-    if name in ('node', 'executors', 'qos', 'task', 'time', 'duration', 'clock', 'timer', 'logging', 'exceptions', 'action',
-                'callback_groups', 'subscription', 'publisher', 'client', 'service', 'utilities', 'parameter', 'constants',
-                'context', 'event_handler', 'waitable', 'guard_condition', 'topic_endpoint_info', 'time_source'):
+    if name in (
+        'node',
+        'executors',
+        'qos',
+        'task',
+        'time',
+        'duration',
+        'clock',
+        'timer',
+        'logging',
+        'exceptions',
+        'action',
+        'callback_groups',
+        'subscription',
+        'publisher',
+        'client',
+        'service',
+        'utilities',
+        'parameter',
+        'constants',
+        'context',
+        'event_handler',
+        'waitable',
+        'guard_condition',
+        'topic_endpoint_info',
+        'time_source',
+    ):
         from importlib import import_module
+
         return import_module(f'rclpy.{name}')
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

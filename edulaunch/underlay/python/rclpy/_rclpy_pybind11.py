@@ -1,4 +1,5 @@
 """The errors that ROS 2's C layer raises, under the name by which tracebacks show them."""
+
 from __future__ import annotations
 
 

@@ -1,4 +1,5 @@
 """Which callbacks of a node may run at the same time."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """Calling services."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -29,8 +30,16 @@ class Client(Entity):
 
     category = CLIENT
 
-    def __init__(self, context: Context, ready_list: ReadyList, srv_type: Any, srv_name: str, qos_profile: QoSProfile,
-                 callback_group: CallbackGroup, number: int) -> None:
+    def __init__(
+        self,
+        context: Context,
+        ready_list: ReadyList,
+        srv_type: Any,
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+        number: int,
+    ) -> None:
         super().__init__(ready_list, callback_group, number)
         self.context = context
         self.srv_type = srv_type
@@ -68,6 +77,7 @@ class Client(Entity):
         executor = self._ready_list.executor
         if executor is not None and executor._cannot_serve(self):
             from rclpy.execution.deadlocks import note_call
+
             note_call('client.call', self, 'service')
 
     def _awaited_words(self) -> str:
@@ -96,6 +106,7 @@ class Client(Entity):
     def _note_lost_request(self) -> None:
         self._lost_noted = True
         from rclpy.impl.missing_servers import note_lost_request
+
         note_lost_request(self._impl, self._impl.service_name, 'service')
 
     def _check_request(self, request: Any) -> None:
@@ -150,6 +161,7 @@ class Client(Entity):
     def _count_wait(self) -> None:
         """Note a wait that has become long, once."""
         from rclpy.impl.missing_servers import LONG_NS, note_long_wait
+
         self._waited_ns += POLL_NS
         if self._waited_ns == LONG_NS and not self._impl.server_is_ready():
             note_long_wait(self._impl, self._impl.service_name, 'service')
@@ -170,10 +182,12 @@ class Client(Entity):
         """What holds the endpoint in the graph."""
         return handle_of(self._impl)
 
-    def configure_introspection(self, clock: Clock, service_event_qos_profile: QoSProfile,
-                                introspection_state: ServiceIntrospectionState) -> None:
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
         """Publish what is sent and received on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection
+
         self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
@@ -182,9 +196,16 @@ class Client(Entity):
         self._impl.destroy()
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Dict Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup',
-    'rclpy.clock': 'Clock', 'rclpy.context': 'Context', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.qos': 'QoSProfile', 'rclpy.service_introspection': 'ServiceIntrospectionState',
-    'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Dict Optional Type TypeVar',
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rclpy.clock': 'Clock',
+        'rclpy.context': 'Context',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'QoSProfile',
+        'rclpy.service_introspection': 'ServiceIntrospectionState',
+        'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
+    },
+)

@@ -1,4 +1,5 @@
 """Clocks. All of them tell simulated time; ROS time can be taken over by /clock (`use_sim_time`)."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -54,8 +55,10 @@ class JumpThreshold:
         if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
             return self.on_clock_change
         forward, backward = self.min_forward, self.min_backward
-        return bool((forward is not None and delta_ns >= forward.nanoseconds)
-                    or (backward is not None and delta_ns <= backward.nanoseconds))
+        return bool(
+            (forward is not None and delta_ns >= forward.nanoseconds)
+            or (backward is not None and delta_ns <= backward.nanoseconds)
+        )
 
 
 class TimeJump:
@@ -81,8 +84,14 @@ class TimeJump:
 class JumpHandle:
     """A registered pair of jump callbacks. Keep it: the callbacks end with it."""
 
-    def __init__(self, *, clock: Clock, threshold: JumpThreshold, pre_callback: Callable[[], object] | None,
-                 post_callback: Callable[[TimeJump], object] | None) -> None:
+    def __init__(
+        self,
+        *,
+        clock: Clock,
+        threshold: JumpThreshold,
+        pre_callback: Callable[[], object] | None,
+        post_callback: Callable[[TimeJump], object] | None,
+    ) -> None:
         if pre_callback is None and post_callback is None:
             raise ValueError('One of pre_callback or post_callback must be callable')
         if pre_callback is not None and not callable(pre_callback):
@@ -155,8 +164,13 @@ class Clock:
         now: int = self._sim.now_ns if override is None else override
         return now
 
-    def create_jump_callback(self, threshold: JumpThreshold, *, pre_callback: Callable[[], object] | None = None,
-                             post_callback: Callable[[TimeJump], object] | None = None) -> JumpHandle:
+    def create_jump_callback(
+        self,
+        threshold: JumpThreshold,
+        *,
+        pre_callback: Callable[[], object] | None = None,
+        post_callback: Callable[[TimeJump], object] | None = None,
+    ) -> JumpHandle:
         """Be told before and after time jumps."""
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback)
 
@@ -170,6 +184,7 @@ class Clock:
         :raises ValueError: when `until` belongs to another kind of clock.
         """
         from rclpy.utilities import get_default_context
+
         context = context or get_default_context()
         if not context._ok:
             raise NotInitializedException()
@@ -184,11 +199,14 @@ class Clock:
             task.wake()
 
         handle = self.create_jump_callback(
-            JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1)),
-            post_callback=jumped)
+            JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1)), post_callback=jumped
+        )
         with handle:
-            while context._ok and (self._override_ns is not None) is active and (
-                    self._now_ns() < until.nanoseconds or (active and not told)):
+            while (
+                context._ok
+                and (self._override_ns is not None) is active
+                and (self._now_ns() < until.nanoseconds or (active and not told))
+            ):
                 context.park(None if active else until.nanoseconds)
         return context._ok and self._now_ns() >= until.nanoseconds and (self._override_ns is not None) is active
 
@@ -241,7 +259,12 @@ class ROSClock(Clock):
                 handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Callable Optional', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.context': 'Context', 'rclpy.utilities': 'get_default_context',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Callable Optional',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.context': 'Context',
+        'rclpy.utilities': 'get_default_context',
+    },
+)

@@ -1,4 +1,5 @@
 """The kinds of clocks."""
+
 from __future__ import annotations
 
 from enum import IntEnum

@@ -1,4 +1,5 @@
 """The life of ROS 2 in a program: between init and shutdown."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
@@ -55,6 +56,7 @@ class Context:
         state.contexts.append(self)
         if initialize_logging:
             from rclpy.impl.logging_state import logging_state
+
             logging_state().configure(self._arguments)
 
     def ok(self) -> bool:
@@ -72,8 +74,10 @@ class Context:
             raise RuntimeError('Context must be initialized before it can be shutdown')
         self._ended_by_signal = False
         if not self._ok:
-            raise hinted(RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
-                         'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead')
+            raise hinted(
+                RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
+                'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead',
+            )
         self._end()
 
     def try_shutdown(self) -> None:
@@ -93,8 +97,9 @@ class Context:
         contexts = process_state().contexts
         if self in contexts:
             contexts.remove(self)
-        if not contexts:   # as rcl ends its logging then: a later node of the same name begins anew
+        if not contexts:  # as rcl ends its logging then: a later node of the same name begins anew
             from rclpy.impl.logging_state import logging_state
+
             logging_state().rosout.clear()
         callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
@@ -182,6 +187,7 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
 
 def _log(severity: int, words: str) -> None:
     from rclpy.impl.logging_state import logging_state
+
     logging_state().output(severity, 'rcl', words)
 
 
@@ -190,6 +196,8 @@ def _default_domain_id(text: str) -> int:
     words = text.strip()
     end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
     if words and not end:
-        raise hinted(RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'),
-                     f"the environment variable ROS_DOMAIN_ID is '{text}'; set it to a number from 0 to 101, or unset it")
+        raise hinted(
+            RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'),
+            f"the environment variable ROS_DOMAIN_ID is '{text}'; set it to a number from 0 to 101, or unset it",
+        )
     return int(words[:end] or 0)

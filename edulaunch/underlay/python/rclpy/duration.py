@@ -1,4 +1,5 @@
 """Lengths of time."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -60,6 +61,7 @@ class Duration:
     def to_msg(self) -> DurationMessage:
         """As builtin_interfaces/Duration."""
         from builtin_interfaces.msg import Duration as DurationMessage
+
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
         return DurationMessage(sec=seconds, nanosec=nanoseconds)
 
@@ -67,6 +69,7 @@ class Duration:
     def from_msg(cls, msg: Any) -> Duration:
         """From builtin_interfaces/Duration. Raises TypeError for anything else."""
         from builtin_interfaces.msg import Duration as DurationMessage
+
         if not isinstance(msg, DurationMessage):
             raise TypeError('Must pass a builtin_interfaces.msg.Duration object')
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
@@ -79,7 +82,12 @@ class Duration:
 Infinite = Duration(nanoseconds=_INT64[-1])
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Union', 'builtin_interfaces': '', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.constants': 'S_TO_NS',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Union',
+        'builtin_interfaces': '',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.constants': 'S_TO_NS',
+    },
+)

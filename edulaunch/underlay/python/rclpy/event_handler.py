@@ -1,4 +1,5 @@
 """Callbacks for what happens to an endpoint: incompatible quality of service, matches, deadlines, liveliness, losses."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -150,6 +151,7 @@ class _IncompatibleCount:
         self.total += 1
         self.change += 1
         from rclpy.qos_presets import QoSPolicyKind
+
         self.policy = int(QoSPolicyKind[policy])
 
     def take(self) -> Any:
@@ -184,9 +186,16 @@ class _EventCallbacks:
     _deadline_info: Any
     _warning: str
 
-    def __init__(self, *, deadline: EventCallback | None = None, liveliness: EventCallback | None = None,
-                 incompatible_qos: EventCallback | None = None, incompatible_type: EventCallback | None = None,
-                 matched: EventCallback | None = None, use_default_callbacks: bool = True) -> None:
+    def __init__(
+        self,
+        *,
+        deadline: EventCallback | None = None,
+        liveliness: EventCallback | None = None,
+        incompatible_qos: EventCallback | None = None,
+        incompatible_type: EventCallback | None = None,
+        matched: EventCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
         self.deadline = deadline
         self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos
@@ -198,10 +207,13 @@ class _EventCallbacks:
         """Watch an endpoint that was just made; partners that it found at once count too."""
         callback = self.incompatible_qos
         if callback is None and self.use_default_callbacks:
+
             def callback(info: Any) -> None:
                 from rclpy.qos_presets import qos_policy_name_from_kind
+
                 policy = qos_policy_name_from_kind(info.last_policy_kind)
                 node.get_logger().warning(self._warning.format(entity.topic, policy))
+
         if callback is not None:
             self._watch_incompatible(node, entity, impl, group, callback)
         if self.matched is not None:
@@ -261,8 +273,11 @@ def _incompatible_partners(impl: Any) -> list[str]:
         pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
     else:
         pairs = [(other, impl) for other in impl.graph.publishers.get(impl.topic_name, ())]
-    policies = [incompatible_policy(publisher.qos, subscription.qos) for publisher, subscription in pairs
-                if publisher.type_name == subscription.type_name]
+    policies = [
+        incompatible_policy(publisher.qos, subscription.qos)
+        for publisher, subscription in pairs
+        if publisher.type_name == subscription.type_name
+    ]
     return [policy for policy in policies if policy is not None]
 
 
@@ -277,8 +292,10 @@ class PublisherEventCallbacks(_EventCallbacks):
 
     _info_class = QoSOfferedIncompatibleQoSInfo
     _deadline_info = QoSOfferedDeadlineMissedInfo
-    _warning = ("New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
-                'Last incompatible policy: {}')
+    _warning = (
+        "New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
+        'Last incompatible policy: {}'
+    )
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
         watch_lease(impl, _missed(node, entity, group, callback, QoSLivelinessLostInfo).add)
@@ -296,20 +313,35 @@ class SubscriptionEventCallbacks(_EventCallbacks):
 
     _info_class = QoSRequestedIncompatibleQoSInfo
     _deadline_info = QoSRequestedDeadlineMissedInfo
-    _warning = ("New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
-                'Last incompatible policy: {}')
+    _warning = (
+        "New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
+        'Last incompatible policy: {}'
+    )
 
-    def __init__(self, *, deadline: EventCallback | None = None, incompatible_qos: EventCallback | None = None,
-                 liveliness: EventCallback | None = None, message_lost: EventCallback | None = None,
-                 incompatible_type: EventCallback | None = None, matched: EventCallback | None = None,
-                 use_default_callbacks: bool = True) -> None:
-        super().__init__(deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible_qos,
-                         incompatible_type=incompatible_type, matched=matched, use_default_callbacks=use_default_callbacks)
+    def __init__(
+        self,
+        *,
+        deadline: EventCallback | None = None,
+        incompatible_qos: EventCallback | None = None,
+        liveliness: EventCallback | None = None,
+        message_lost: EventCallback | None = None,
+        incompatible_type: EventCallback | None = None,
+        matched: EventCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        super().__init__(
+            deadline=deadline,
+            liveliness=liveliness,
+            incompatible_qos=incompatible_qos,
+            incompatible_type=incompatible_type,
+            matched=matched,
+            use_default_callbacks=use_default_callbacks,
+        )
         self.message_lost = message_lost
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
         if not impl.qos.lease_ns:
-            return   # Fast DDS does not follow the liveliness of publishers that need not show it
+            return  # Fast DDS does not follow the liveliness of publishers that need not show it
         watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
         handler = _added(node, entity, EventHandler(group, callback, watch.take))
         counted = impl.on_matched
@@ -323,7 +355,13 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         watch.look()
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.callback_groups': 'CallbackGroup', 'typing': 'List Optional', 'rclpy.waitable': 'NumberOfEntities',
-    'rclpy.logging': 'get_logger', 'rclpy.qos': 'qos_policy_name_from_kind',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rclpy.callback_groups': 'CallbackGroup',
+        'typing': 'List Optional',
+        'rclpy.waitable': 'NumberOfEntities',
+        'rclpy.logging': 'get_logger',
+        'rclpy.qos': 'qos_policy_name_from_kind',
+    },
+)

@@ -1,4 +1,5 @@
 """Exceptions that rclpy raises, with ROS 2 Jazzy's texts."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -8,11 +9,23 @@ from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.impl.hints import hinted
 
 __all__ = [
-    'InvalidHandle', 'InvalidNamespaceException', 'InvalidNodeNameException', 'InvalidParameterException',
-    'InvalidParameterTypeException', 'InvalidParameterValueException', 'InvalidServiceNameException',
-    'InvalidTopicNameException', 'NameValidationException', 'NoTypeSupportImportedException', 'NotInitializedException',
-    'ParameterAlreadyDeclaredException', 'ParameterException', 'ParameterImmutableException',
-    'ParameterNotDeclaredException', 'ParameterUninitializedException', 'ROSInterruptException',
+    'InvalidHandle',
+    'InvalidNamespaceException',
+    'InvalidNodeNameException',
+    'InvalidParameterException',
+    'InvalidParameterTypeException',
+    'InvalidParameterValueException',
+    'InvalidServiceNameException',
+    'InvalidTopicNameException',
+    'NameValidationException',
+    'NoTypeSupportImportedException',
+    'NotInitializedException',
+    'ParameterAlreadyDeclaredException',
+    'ParameterException',
+    'ParameterImmutableException',
+    'ParameterNotDeclaredException',
+    'ParameterUninitializedException',
+    'ROSInterruptException',
 ]
 
 
@@ -112,7 +125,8 @@ class InvalidParameterTypeException(ParameterException):
         super().__init__(
             f"Trying to set parameter '{desired_parameter.name}' to '{desired_parameter.value}' "
             f"of type '{desired_parameter.type_.name}', expecting type '{expected_type}'",
-            desired_parameter.name)
+            desired_parameter.name,
+        )
         hinted(self, _type_hint(desired_parameter, expected_type))
 
 

@@ -1,4 +1,5 @@
 """A callback that a program triggers by itself."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -21,8 +22,15 @@ class GuardCondition(Entity):
 
     category = GUARD
 
-    def __init__(self, callback: Callable[[], Any] | None, callback_group: CallbackGroup, context: Context | None = None, *,
-                 ready_list: ReadyList | None = None, number: int = 0) -> None:
+    def __init__(
+        self,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup,
+        context: Context | None = None,
+        *,
+        ready_list: ReadyList | None = None,
+        number: int = 0,
+    ) -> None:
         super().__init__(ready_list or ReadyList(), callback_group, number)
         self.callback = callback
         self.is_async = is_coroutine_function(callback)
@@ -47,6 +55,4 @@ class GuardCondition(Entity):
         self._destroyed = True
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.utilities': 'get_default_context',
-})
+__getattr__ = passed_on(__name__, {'rclpy.utilities': 'get_default_context'})

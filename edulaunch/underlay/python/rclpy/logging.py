@@ -1,4 +1,5 @@
 """Loggers and their levels."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -12,8 +13,16 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 __all__ = [
-    'LoggingSeverity', 'clear_config', 'get_logger', 'get_logger_effective_level', 'get_logger_level',
-    'get_logging_directory', 'get_logging_severity_from_string', 'initialize', 'set_logger_level', 'shutdown',
+    'LoggingSeverity',
+    'clear_config',
+    'get_logger',
+    'get_logger_effective_level',
+    'get_logger_level',
+    'get_logging_directory',
+    'get_logging_severity_from_string',
+    'initialize',
+    'set_logger_level',
+    'shutdown',
 ]
 
 
@@ -62,12 +71,14 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:
-        raise hinted(RuntimeError('Failed to get severity name'),
-                     'the names are UNSET, DEBUG, INFO, WARN, ERROR and FATAL') from None
+        raise hinted(
+            RuntimeError('Failed to get severity name'), 'the names are UNSET, DEBUG, INFO, WARN, ERROR and FATAL'
+        ) from None
 
 
 def get_logging_directory() -> Path:
     """Where log files would be written."""
     env: dict[str, str] = logging_state().process.env
     from pathlib import Path
+
     return Path(env.get('ROS_LOG_DIR') or (env.get('ROS_HOME') or env.get('HOME', '~') + '/.ros') + '/log')

@@ -1,4 +1,5 @@
 """The two services by which others read and change a node's log levels (`enable_logger_service`)."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -16,19 +17,24 @@ class LoggingService:
 
     def __init__(self, node: Node) -> None:
         from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
+
         name = node.get_name()
-        node.create_service(GetLoggerLevels, f'{name}/get_logger_levels', self._get_logger_levels,
-                            qos_profile=qos_profile_services_default)
-        node.create_service(SetLoggerLevels, f'{name}/set_logger_levels', self._set_logger_levels,
-                            qos_profile=qos_profile_services_default)
+        node.create_service(
+            GetLoggerLevels, f'{name}/get_logger_levels', self._get_logger_levels, qos_profile=qos_profile_services_default
+        )
+        node.create_service(
+            SetLoggerLevels, f'{name}/set_logger_levels', self._set_logger_levels, qos_profile=qos_profile_services_default
+        )
 
     def _get_logger_levels(self, request: Any, response: Any) -> Any:
         from rcl_interfaces.msg import LoggerLevel
+
         response.levels = [LoggerLevel(name=name, level=int(get_logger_level(name))) for name in request.names]
         return response
 
     def _set_logger_levels(self, request: Any, response: Any) -> Any:
         from rcl_interfaces.msg import SetLoggerLevelsResult
+
         results = []
         for level in request.levels:
             try:
@@ -40,6 +46,6 @@ class LoggingService:
         return response
 
 
-__getattr__ = passed_on(__name__, {
-    'rcl_interfaces.srv': 'GetLoggerLevels SetLoggerLevels', 'rcl_interfaces.msg': 'LoggerLevel SetLoggerLevelsResult',
-})
+__getattr__ = passed_on(
+    __name__, {'rcl_interfaces.srv': 'GetLoggerLevels SetLoggerLevels', 'rcl_interfaces.msg': 'LoggerLevel SetLoggerLevelsResult'}
+)

@@ -1,4 +1,5 @@
 """Nodes."""
+
 from __future__ import annotations
 
 from types import FunctionType
@@ -32,8 +33,11 @@ __all__ = ['Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
 
 
 _PRIVATE = {
-    '_logger': lambda core: core.logger, '_clock': lambda core: core.clock, '_context': lambda core: core.context,
-    '_default_callback_group': lambda core: core.default_callback_group, '_parameters': lambda core: core.parameters.values,
+    '_logger': lambda core: core.logger,
+    '_clock': lambda core: core.clock,
+    '_context': lambda core: core.context,
+    '_default_callback_group': lambda core: core.default_callback_group,
+    '_parameters': lambda core: core.parameters.values,
 }
 """What programs use of a node though it is not meant for them, where they have nothing of that name themselves."""
 
@@ -55,11 +59,21 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     _rclpy: NodeCore
 
-    def __init__(self, node_name: str, *, context: Context | None = None, cli_args: list[str] | None = None,
-                 namespace: str | None = None, use_global_arguments: bool = True, enable_rosout: bool = True,
-                 start_parameter_services: bool = True, parameter_overrides: list[Parameter] | None = None,
-                 allow_undeclared_parameters: bool = False, automatically_declare_parameters_from_overrides: bool = False,
-                 enable_logger_service: bool = False) -> None:
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Context | None = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
         context = context or get_default_context()
         if not context._ok:
             raise NotInitializedException('cannot create node')
@@ -81,15 +95,21 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.time_source.attach_clock(core.clock)
         if automatically_declare_parameters_from_overrides:
             from rcl_interfaces.msg import ParameterDescriptor
-            self.declare_parameters('', [(name, override.value, ParameterDescriptor())
-                                         for name, override in core.overrides.items()], ignore_override=True)
+
+            self.declare_parameters(
+                '',
+                [(name, override.value, ParameterDescriptor()) for name, override in core.overrides.items()],
+                ignore_override=True,
+            )
         core.time_source.declare_parameter()
         _start_services(self, start_parameter_services, enable_logger_service)
 
     def __getattr__(self, name: str) -> Any:
         if name == '_rclpy':
-            raise hinted(AttributeError(f"'{type(self).__name__}' object has no attribute '_default_callback_group'"),
-                         "call super().__init__('node_name') in __init__ before anything else of the node")
+            raise hinted(
+                AttributeError(f"'{type(self).__name__}' object has no attribute '_default_callback_group'"),
+                "call super().__init__('node_name') in __init__ before anything else of the node",
+            )
         private = _PRIVATE.get(name)
         if private is None:
             raise AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}', name=name, obj=self)
@@ -157,8 +177,10 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
 def _refuse_setting(name: str, made: property) -> property:
     def refuse(node: object, value: object) -> None:
-        raise hinted(AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter"),
-                     f'every node has its own `{name}`; choose another name, such as `self.{name}_`')
+        raise hinted(
+            AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter"),
+            f'every node has its own `{name}`; choose another name, such as `self.{name}_`',
+        )
 
     return made.setter(refuse)
 
@@ -179,51 +201,81 @@ _finish_node_class()
 def _start_services(node: Node, parameters: bool, logger: bool) -> None:
     if parameters:
         from rclpy.parameter_service import ParameterService
+
         ParameterService(node)
     if logger:
         from rclpy.logging_service import LoggingService
+
         LoggingService(node)
     from rclpy.type_description_service import TypeDescriptionService
+
     TypeDescriptionService(node)
 
 
 def _create_rosout(core: NodeCore) -> None:
     """The publisher of the node's log messages; the first node of a name keeps it."""
     from rcl_interfaces.msg import Log
+
     publisher = core.graph.create_publisher(core.entry, '/rosout', Log, engine_qos(qos_profile_rosout_default))
     rosout = logging_state().rosout
     present = rosout.get(core.logger_name)
     if present is None or present.destroyed:
         rosout[core.logger_name] = publisher
         return
-    logging_state().output(30, 'rcl.logging_rosout', (
-        f"Publisher already registered for node name: '{core.name}'. If this is due to multiple nodes with the same name then "
-        f"all logs for the logger named '{core.logger_name}' will go out over the existing publisher. As soon as any node with "
-        'that name is destructed it will unregister the publisher, preventing any further logs for that name from being '
-        'published on the rosout topic.'))
+    logging_state().output(
+        30,
+        'rcl.logging_rosout',
+        (
+            f"Publisher already registered for node name: '{core.name}'. If this is due to multiple nodes with the same name "
+            'then '
+            f"all logs for the logger named '{core.logger_name}' will go out over the existing publisher. As soon as any node "
+            'with '
+            'that name is destructed it will unregister the publisher, preventing any further logs for that name from being '
+            'published on the rosout topic.'
+        ),
+    )
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Callable Dict Iterator List Optional Sequence Tuple Type TypeVar Union', 'math': '',
-    'warnings': '', 'weakref': '',
-    'rcl_interfaces.msg': 'FloatingPointRange IntegerRange ListParametersResult ParameterMsg=Parameter ParameterDescriptor '
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Callable Dict Iterator List Optional Sequence Tuple Type TypeVar Union',
+        'math': '',
+        'warnings': '',
+        'weakref': '',
+        'rcl_interfaces.msg': 'FloatingPointRange IntegerRange ListParametersResult ParameterMsg=Parameter ParameterDescriptor '
         'ParameterEvent ParameterType ParameterValue SetParametersResult',
-    'rcl_interfaces.srv': 'ListParameters', 'rclpy.callback_groups': 'ReentrantCallbackGroup', 'rclpy.client': 'Client',
-    'rclpy.clock': 'Clock', 'rclpy.constants': 'S_TO_NS',
-    'rclpy.event_handler': 'PublisherEventCallbacks SubscriptionEventCallbacks',
-    'rclpy.exceptions': 'InvalidHandle InvalidParameterTypeException InvalidParameterValueException '
+        'rcl_interfaces.srv': 'ListParameters',
+        'rclpy.callback_groups': 'ReentrantCallbackGroup',
+        'rclpy.client': 'Client',
+        'rclpy.clock': 'Clock',
+        'rclpy.constants': 'S_TO_NS',
+        'rclpy.event_handler': 'PublisherEventCallbacks SubscriptionEventCallbacks',
+        'rclpy.exceptions': 'InvalidHandle InvalidParameterTypeException InvalidParameterValueException '
         'InvalidTopicNameException ParameterAlreadyDeclaredException ParameterImmutableException '
         'ParameterNotDeclaredException ParameterUninitializedException',
-    'rclpy.executors': 'Executor', 'rclpy.expand_topic_name': 'expand_topic_name', 'rclpy.guard_condition': 'GuardCondition',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.logging': 'get_logger',
-    'rclpy.logging_service': 'LoggingService', 'rclpy.parameter_service': 'ParameterService', 'rclpy.publisher': 'Publisher',
-    'rclpy.qos': 'QoSProfile qos_profile_parameter_events qos_profile_services_default',
-    'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.service': 'Service', 'rclpy.subscription': 'Subscription',
-    'rclpy.timer': 'Rate Timer', 'rclpy.topic_endpoint_info': 'TopicEndpointInfo',
-    'rclpy.type_description_service': 'TypeDescriptionService',
-    'rclpy.type_support': 'check_is_valid_msg_type check_is_valid_srv_type',
-    'rclpy.validate_full_topic_name': 'validate_full_topic_name', 'rclpy.validate_namespace': 'validate_namespace',
-    'rclpy.validate_node_name': 'validate_node_name', 'rclpy.validate_parameter_name': 'validate_parameter_name',
-    'rclpy.validate_topic_name': 'validate_topic_name', 'rclpy.waitable': 'Waitable',
-    'rclpy.impl.type_variables': 'MsgType SrvType SrvTypeRequest SrvTypeResponse',
-})
+        'rclpy.executors': 'Executor',
+        'rclpy.expand_topic_name': 'expand_topic_name',
+        'rclpy.guard_condition': 'GuardCondition',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.logging': 'get_logger',
+        'rclpy.logging_service': 'LoggingService',
+        'rclpy.parameter_service': 'ParameterService',
+        'rclpy.publisher': 'Publisher',
+        'rclpy.qos': 'QoSProfile qos_profile_parameter_events qos_profile_services_default',
+        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
+        'rclpy.service': 'Service',
+        'rclpy.subscription': 'Subscription',
+        'rclpy.timer': 'Rate Timer',
+        'rclpy.topic_endpoint_info': 'TopicEndpointInfo',
+        'rclpy.type_description_service': 'TypeDescriptionService',
+        'rclpy.type_support': 'check_is_valid_msg_type check_is_valid_srv_type',
+        'rclpy.validate_full_topic_name': 'validate_full_topic_name',
+        'rclpy.validate_namespace': 'validate_namespace',
+        'rclpy.validate_node_name': 'validate_node_name',
+        'rclpy.validate_parameter_name': 'validate_parameter_name',
+        'rclpy.validate_topic_name': 'validate_topic_name',
+        'rclpy.waitable': 'Waitable',
+        'rclpy.impl.type_variables': 'MsgType SrvType SrvTypeRequest SrvTypeResponse',
+    },
+)

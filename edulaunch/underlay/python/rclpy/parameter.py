@@ -1,4 +1,5 @@
 """Parameters: a name, a type, a value; and their message and YAML forms."""
+
 from __future__ import annotations
 
 from enum import Enum
@@ -13,8 +14,18 @@ if TYPE_CHECKING:
 
 PARAMETER_SEPARATOR_STRING = '.'
 
-_VALUE_FIELDS = ('', 'bool_value', 'integer_value', 'double_value', 'string_value', 'byte_array_value', 'bool_array_value',
-                 'integer_array_value', 'double_array_value', 'string_array_value')
+_VALUE_FIELDS = (
+    '',
+    'bool_value',
+    'integer_value',
+    'double_value',
+    'string_value',
+    'byte_array_value',
+    'bool_array_value',
+    'integer_array_value',
+    'double_array_value',
+    'string_array_value',
+)
 
 
 class ParameterType(Enum):
@@ -44,7 +55,7 @@ class ParameterType(Enum):
         return rules.value_fits(parameter_value, self.value)
 
 
-ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'   # its name in ROS 2, as errors and reprs show it
+ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  # its name in ROS 2, as errors and reprs show it
 
 
 class Parameter:
@@ -95,6 +106,7 @@ class Parameter:
     def get_parameter_value(self) -> ParameterValue:
         """As rcl_interfaces/ParameterValue: the value stands in the field of its type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
+
         number = self._type_.value
         message = ParameterValue()
         message.type = number
@@ -106,6 +118,7 @@ class Parameter:
     def to_parameter_msg(self) -> ParameterMsg:
         """As rcl_interfaces/Parameter."""
         from rcl_interfaces.msg import Parameter as ParameterMsg
+
         return ParameterMsg(name=self._name, value=self.get_parameter_value())
 
 
@@ -128,6 +141,7 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     :raises yaml.scanner.ScannerError: when the text has no YAML tokens (`@`), as in ROS 2.
     """
     import yaml
+
     try:
         value = yaml.safe_load(string_value)
     except yaml.parser.ParserError:
@@ -143,8 +157,9 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     return parameter.get_parameter_value()
 
 
-def parameter_dict_from_yaml_file(parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None,
-                                  namespace: str = '') -> dict[str, ParameterMsg]:
+def parameter_dict_from_yaml_file(
+    parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
+) -> dict[str, ParameterMsg]:
     """The parameters of a parameter file as messages, by name with `namespace.` before it.
 
     :param use_wildcard: whether entries under `/**` count.
@@ -152,6 +167,7 @@ def parameter_dict_from_yaml_file(parameter_file: str, use_wildcard: bool = Fals
     :raises RuntimeError: when the file lacks one of them, has no parameters, or is no parameter file.
     """
     import yaml
+
     with open(parameter_file, encoding='utf-8') as file:
         content = yaml.safe_load(file) or {}
     keys = ['/**'] if use_wildcard and '/**' in content else []
@@ -182,7 +198,12 @@ def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:
     return flat
 
 
-__getattr__ = passed_on(__name__, {
-    'array': '', 'typing': 'Any Dict List Optional Tuple TypeVar Union', 'yaml': '',
-    'rcl_interfaces.msg': 'ParameterMsg=Parameter ParameterDescriptor ParameterType ParameterValue SetParametersResult',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'array': '',
+        'typing': 'Any Dict List Optional Tuple TypeVar Union',
+        'yaml': '',
+        'rcl_interfaces.msg': 'ParameterMsg=Parameter ParameterDescriptor ParameterType ParameterValue SetParametersResult',
+    },
+)

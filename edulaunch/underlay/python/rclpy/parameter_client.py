@@ -1,4 +1,5 @@
 """Reading and changing the parameters of another node."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
@@ -29,15 +30,22 @@ class AsyncParameterClient:
     :param remote_node_name: the other node's name, relative to this node's namespace or absolute.
     """
 
-    def __init__(self, node: Node, remote_node_name: str, qos_profile: QoSProfile = qos_profile_services_default,
-                 callback_group: CallbackGroup | None = None) -> None:
+    def __init__(
+        self,
+        node: Node,
+        remote_node_name: str,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> None:
         from rcl_interfaces import srv
+
         self.remote_node_name = remote_node_name
         self.node = node
 
         def client(srv_type: Any, name: str) -> Any:
-            return node.create_client(srv_type, f'{remote_node_name}/{name}', qos_profile=qos_profile,
-                                      callback_group=callback_group)
+            return node.create_client(
+                srv_type, f'{remote_node_name}/{name}', qos_profile=qos_profile, callback_group=callback_group
+            )
 
         self._get = client(srv.GetParameters, 'get_parameters')
         self._list = client(srv.ListParameters, 'list_parameters')
@@ -70,8 +78,9 @@ class AsyncParameterClient:
             future.add_done_callback(callback)
         return future
 
-    def list_parameters(self, prefixes: list[str] | None = None, depth: int | None = None,
-                        callback: Done | None = None) -> Future:
+    def list_parameters(
+        self, prefixes: list[str] | None = None, depth: int | None = None, callback: Done | None = None
+    ) -> Future:
         """Ask for the names of the parameters under `prefixes`."""
         return self._call(self._list, callback, prefixes=prefixes or [], depth=depth or 0)
 
@@ -99,23 +108,38 @@ class AsyncParameterClient:
         """Take values back, where the other node allows that."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
-    def on_parameter_event(self, callback: Callable[[Any], object], qos_profile: QoSProfile = qos_profile_parameter_events, *,
-                           callback_group: CallbackGroup | None = None,
-                           event_callbacks: SubscriptionEventCallbacks | None = None,
-                           qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> Subscription:
+    def on_parameter_event(
+        self,
+        callback: Callable[[Any], object],
+        qos_profile: QoSProfile = qos_profile_parameter_events,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool = False,
+    ) -> Subscription:
         """Call `callback(event)` at each rcl_interfaces/ParameterEvent of any node; gives the subscription."""
         from rcl_interfaces.msg import ParameterEvent
+
         return self.node.create_subscription(
-            ParameterEvent, '/parameter_events', callback, qos_profile, callback_group=callback_group,
-            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
+            ParameterEvent,
+            '/parameter_events',
+            callback,
+            qos_profile,
+            callback_group=callback_group,
+            event_callbacks=event_callbacks,
+            qos_overriding_options=qos_overriding_options,
+            raw=raw,
+        )
 
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
         """Set the parameters that a file gives for the other node."""
         found = self._read(parameter_file, use_wildcard)
         return self.set_parameters(list(found.values()), callback)
 
-    def load_parameter_file_atomically(self, parameter_file: str, use_wildcard: bool = False,
-                                       callback: Done | None = None) -> Future:
+    def load_parameter_file_atomically(
+        self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
+    ) -> Future:
         """As :meth:`load_parameter_file`, all or none."""
         found = self._read(parameter_file, use_wildcard)
         return self.set_parameters_atomically(list(found.values()), callback)
@@ -136,11 +160,17 @@ def _messages(parameters: Sequence[Any]) -> list[Any]:
     return [parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter for parameter in parameters]
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.callback_groups': 'CallbackGroup',
-    'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
         'ListParameters SetParameters SetParametersAtomically',
-    'typing': 'List Optional Union', 'rclpy.node': 'Node', 'rcl_interfaces.msg': 'ParameterEvent ParameterMsg=Parameter',
-    'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.subscription': 'Subscription',
-    'rclpy.event_handler': 'SubscriptionEventCallbacks',
-})
+        'typing': 'List Optional Union',
+        'rclpy.node': 'Node',
+        'rcl_interfaces.msg': 'ParameterEvent ParameterMsg=Parameter',
+        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
+        'rclpy.subscription': 'Subscription',
+        'rclpy.event_handler': 'SubscriptionEventCallbacks',
+    },
+)

@@ -1,4 +1,5 @@
 """Being told when parameters of any node change."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
@@ -36,17 +37,31 @@ class ParameterEventHandler:
     Parameters are looked at in the order in which they got their first callback; of several callbacks the newest is called first.
     """
 
-    def __init__(self, node: Node, qos_profile: QoSProfile = qos_profile_parameter_events,
-                 callback_group: CallbackGroup | None = None, event_callbacks: SubscriptionEventCallbacks | None = None,
-                 qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> None:
+    def __init__(
+        self,
+        node: Node,
+        qos_profile: QoSProfile = qos_profile_parameter_events,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool = False,
+    ) -> None:
         from rcl_interfaces.msg import ParameterEvent
+
         self.node = node
         self.qos_profile = qos_profile
         self._parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
         self._event_callbacks: list[ParameterEventCallbackHandle] = []
         self.parameter_event_subscription = node.create_subscription(
-            ParameterEvent, '/parameter_events', self._on_event, qos_profile, callback_group=callback_group,
-            event_callbacks=event_callbacks, qos_overriding_options=qos_overriding_options, raw=raw)
+            ParameterEvent,
+            '/parameter_events',
+            self._on_event,
+            qos_profile,
+            callback_group=callback_group,
+            event_callbacks=event_callbacks,
+            qos_overriding_options=qos_overriding_options,
+            raw=raw,
+        )
 
     def destroy(self) -> None:
         """Listen no more."""
@@ -66,8 +81,10 @@ class ParameterEventHandler:
         """The rcl_interfaces/Parameter of that name among the new and changed ones of an event, or None."""
         if event.node != node_name:
             return None
-        return next((parameter for parameter in (*event.new_parameters, *event.changed_parameters)
-                     if parameter.name == parameter_name), None)
+        return next(
+            (parameter for parameter in (*event.new_parameters, *event.changed_parameters) if parameter.name == parameter_name),
+            None,
+        )
 
     @staticmethod
     def get_parameters_from_event(event: Any) -> Iterator[Any]:
@@ -85,8 +102,9 @@ class ParameterEventHandler:
         """Undo `add_parameter_event_callback`. Raises RuntimeError when it is not there."""
         _remove(self._event_callbacks, handle)
 
-    def add_parameter_callback(self, parameter_name: str, node_name: str,
-                               callback: Callable[[Any], None]) -> ParameterCallbackHandle:
+    def add_parameter_callback(
+        self, parameter_name: str, node_name: str, callback: Callable[[Any], None]
+    ) -> ParameterCallbackHandle:
         """Call `callback(parameter)` when that parameter of that node changes; a relative node name is resolved here."""
         handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
         self._parameter_callbacks.setdefault((parameter_name, handle.node_name), []).insert(0, handle)
@@ -111,9 +129,17 @@ def _remove(handles: list[Any], handle: Any) -> None:
     handles.remove(handle)
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.callback_groups': 'CallbackGroup', 'typing': 'Dict Iterable List Optional Tuple', 'rclpy.node': 'Node',
-    'rclpy.parameter': 'Parameter', 'rcl_interfaces.msg': 'ParameterEvent',
-    'rclpy.qos_overriding_options': 'QoSOverridingOptions', 'rclpy.event_handler': 'SubscriptionEventCallbacks',
-    'itertools': 'chain', 'collections': 'defaultdict',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rclpy.callback_groups': 'CallbackGroup',
+        'typing': 'Dict Iterable List Optional Tuple',
+        'rclpy.node': 'Node',
+        'rclpy.parameter': 'Parameter',
+        'rcl_interfaces.msg': 'ParameterEvent',
+        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
+        'rclpy.event_handler': 'SubscriptionEventCallbacks',
+        'itertools': 'chain',
+        'collections': 'defaultdict',
+    },
+)

@@ -1,4 +1,5 @@
 """The six services by which others read and change a node's parameters."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -19,14 +20,16 @@ class ParameterService:
 
     def __init__(self, node: Node) -> None:
         from rcl_interfaces import srv
+
         self._node = node
         for name, srv_type, callback in (
-                ('describe_parameters', srv.DescribeParameters, self._describe_parameters_callback),
-                ('get_parameters', srv.GetParameters, self._get_parameters_callback),
-                ('get_parameter_types', srv.GetParameterTypes, self._get_parameter_types_callback),
-                ('list_parameters', srv.ListParameters, self._list_parameters_callback),
-                ('set_parameters', srv.SetParameters, self._set_parameters_callback),
-                ('set_parameters_atomically', srv.SetParametersAtomically, self._set_parameters_atomically_callback)):
+            ('describe_parameters', srv.DescribeParameters, self._describe_parameters_callback),
+            ('get_parameters', srv.GetParameters, self._get_parameters_callback),
+            ('get_parameter_types', srv.GetParameterTypes, self._get_parameter_types_callback),
+            ('list_parameters', srv.ListParameters, self._list_parameters_callback),
+            ('set_parameters', srv.SetParameters, self._set_parameters_callback),
+            ('set_parameters_atomically', srv.SetParametersAtomically, self._set_parameters_atomically_callback),
+        ):
             node.create_service(srv_type, f'{node.get_name()}/{name}', callback, qos_profile=qos_profile_parameters)
 
     def _describe_parameters_callback(self, request: Any, response: Any) -> Any:
@@ -67,7 +70,8 @@ class ParameterService:
     def _set_parameters_atomically_callback(self, request: Any, response: Any) -> Any:
         try:
             response.result = self._node.set_parameters_atomically(
-                [Parameter.from_parameter_msg(message) for message in request.parameters])
+                [Parameter.from_parameter_msg(message) for message in request.parameters]
+            )
         except ParameterNotDeclaredException as error:
             response.result = _failure(error)
         return response
@@ -75,11 +79,15 @@ class ParameterService:
 
 def _failure(error: Exception) -> Any:
     from rcl_interfaces.msg import SetParametersResult
+
     return SetParametersResult(successful=False, reason=str(error))
 
 
-__getattr__ = passed_on(__name__, {
-    'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
         'ListParameters SetParameters SetParametersAtomically',
-    'rcl_interfaces.msg': 'ListParametersResult SetParametersResult',
-})
+        'rcl_interfaces.msg': 'ListParametersResult SetParametersResult',
+    },
+)

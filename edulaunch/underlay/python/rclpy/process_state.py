@@ -1,4 +1,5 @@
 """What would be global variables of rclpy: kept with the running process, so that simulations and programs never meet."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

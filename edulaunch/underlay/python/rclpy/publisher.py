@@ -1,4 +1,5 @@
 """Publishing messages."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -22,8 +23,9 @@ FOR_EVER = Duration(seconds=-1)
 class Publisher:
     """Made by `Node.create_publisher`. Messages are copied when they are published."""
 
-    def __init__(self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile,
-                 context: Context) -> None:
+    def __init__(
+        self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context
+    ) -> None:
         self.msg_type = msg_type
         self.topic = topic
         self.qos_profile = qos_profile
@@ -53,6 +55,7 @@ class Publisher:
             raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
+
             self._send(decode(self.msg_type, msg))
         else:
             self._send(self._to_wire(msg))
@@ -98,8 +101,10 @@ class Publisher:
         """
         check_endpoint(self._impl, self._context, 'Failed to wait for all acknowledgements: publisher')
         if not isinstance(timeout, Duration):
-            raise hinted(AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
-                         'the timeout is a Duration: wait_for_all_acked(Duration(seconds=1))')
+            raise hinted(
+                AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
+                'the timeout is a Duration: wait_for_all_acked(Duration(seconds=1))',
+            )
         return True
 
     def destroy(self) -> None:
@@ -113,9 +118,14 @@ class Publisher:
         raise InvalidHandle('cannot use Destroyable because destruction was requested')
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'List Optional Type TypeVar Union', 'rclpy.callback_groups': 'CallbackGroup',
-    'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.qos': 'QoSProfile',
-    'rclpy.impl.type_variables': 'MsgType',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'List Optional Type TypeVar Union',
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'QoSProfile',
+        'rclpy.impl.type_variables': 'MsgType',
+    },
+)

@@ -1,4 +1,5 @@
 """Quality of service: profiles and policies; and, by way of `qos_presets`, whether two profiles suit each other."""
+
 from __future__ import annotations
 
 from enum import IntEnum
@@ -91,13 +92,22 @@ QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
 _DEFAULTS: dict[str, Any] = {
-    'history': HistoryPolicy.KEEP_LAST, 'depth': 10, 'reliability': ReliabilityPolicy.RELIABLE,
-    'durability': DurabilityPolicy.VOLATILE, 'lifespan': Duration(), 'deadline': Duration(),
-    'liveliness': LivelinessPolicy.SYSTEM_DEFAULT, 'liveliness_lease_duration': Duration(),
+    'history': HistoryPolicy.KEEP_LAST,
+    'depth': 10,
+    'reliability': ReliabilityPolicy.RELIABLE,
+    'durability': DurabilityPolicy.VOLATILE,
+    'lifespan': Duration(),
+    'deadline': Duration(),
+    'liveliness': LivelinessPolicy.SYSTEM_DEFAULT,
+    'liveliness_lease_duration': Duration(),
     'avoid_ros_namespace_conventions': False,
 }
-_POLICIES = {'history': HistoryPolicy, 'reliability': ReliabilityPolicy, 'durability': DurabilityPolicy,
-             'liveliness': LivelinessPolicy}
+_POLICIES = {
+    'history': HistoryPolicy,
+    'reliability': ReliabilityPolicy,
+    'durability': DurabilityPolicy,
+    'liveliness': LivelinessPolicy,
+}
 _DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
 
 
@@ -133,8 +143,11 @@ class QoSProfile:
         for name, default in _DEFAULTS.items():
             setattr(self, name, kwargs.get(name, default))
         if kwargs.get('depth') == 0 and self.history == HistoryPolicy.KEEP_LAST:
-            warn("A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
-                 'This will be interpreted as SYSTEM_DEFAULT', stacklevel=student_level())
+            warn(
+                "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+                'This will be interpreted as SYSTEM_DEFAULT',
+                stacklevel=student_level(),
+            )
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
@@ -190,8 +203,11 @@ def engine_qos(profile: QoSProfile, side: str = 'publisher') -> QoS:
         engine.BEST_EFFORT if reliability is ReliabilityPolicy.BEST_EFFORT else engine.RELIABLE,
         engine.TRANSIENT_LOCAL if durability is DurabilityPolicy.TRANSIENT_LOCAL else engine.VOLATILE,
         engine.KEEP_ALL if history is HistoryPolicy.KEEP_ALL else engine.KEEP_LAST,
-        _finite_ns(deadline), _finite_ns(lifespan),
-        engine.MANUAL_BY_TOPIC if liveliness is LivelinessPolicy.MANUAL_BY_TOPIC else engine.AUTOMATIC, _finite_ns(lease))
+        _finite_ns(deadline),
+        _finite_ns(lifespan),
+        engine.MANUAL_BY_TOPIC if liveliness is LivelinessPolicy.MANUAL_BY_TOPIC else engine.AUTOMATIC,
+        _finite_ns(lease),
+    )
 
 
 _values_of = attrgetter(*QoSProfile.__slots__)
@@ -206,14 +222,20 @@ def profile_from_engine(qos: QoS) -> QoSProfile:
     """The profile of an endpoint of the graph, as graph queries show it: unlimited durations are infinite, and the history,
     which DDS does not tell others, is unknown.
     """
+
     def duration(nanoseconds: int) -> Duration:
         return Duration(nanoseconds=nanoseconds) if nanoseconds else DURATION_INFINITE
 
     return QoSProfile(
-        history=HistoryPolicy.UNKNOWN, depth=0, reliability=ReliabilityPolicy[qos.reliability.upper()],
-        durability=DurabilityPolicy[qos.durability.upper()], lifespan=duration(qos.lifespan_ns),
-        deadline=duration(qos.deadline_ns), liveliness=LivelinessPolicy[qos.liveliness.upper()],
-        liveliness_lease_duration=duration(qos.lease_ns))
+        history=HistoryPolicy.UNKNOWN,
+        depth=0,
+        reliability=ReliabilityPolicy[qos.reliability.upper()],
+        durability=DurabilityPolicy[qos.durability.upper()],
+        lifespan=duration(qos.lifespan_ns),
+        deadline=duration(qos.deadline_ns),
+        liveliness=LivelinessPolicy[qos.liveliness.upper()],
+        liveliness_lease_duration=duration(qos.lease_ns),
+    )
 
 
 def validate_qos(qos: QoSProfile | int) -> QoSProfile:
@@ -232,8 +254,13 @@ def validate_qos(qos: QoSProfile | int) -> QoSProfile:
 
 
 _SYSTEM = {'reliability': ReliabilityPolicy.SYSTEM_DEFAULT, 'durability': DurabilityPolicy.SYSTEM_DEFAULT}
-qos_profile_unknown = QoSProfile(history=HistoryPolicy.UNKNOWN, depth=0, reliability=ReliabilityPolicy.UNKNOWN,
-                                 durability=DurabilityPolicy.UNKNOWN, liveliness=LivelinessPolicy.UNKNOWN)
+qos_profile_unknown = QoSProfile(
+    history=HistoryPolicy.UNKNOWN,
+    depth=0,
+    reliability=ReliabilityPolicy.UNKNOWN,
+    durability=DurabilityPolicy.UNKNOWN,
+    liveliness=LivelinessPolicy.UNKNOWN,
+)
 qos_profile_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=10)
 qos_profile_system_default = QoSProfile(history=HistoryPolicy.SYSTEM_DEFAULT, depth=0, **_SYSTEM)
 qos_profile_sensor_data = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
@@ -241,16 +268,28 @@ qos_profile_services_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth
 qos_profile_parameters = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
 qos_profile_parameter_events = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
 qos_profile_best_available = QoSProfile(
-    history=HistoryPolicy.KEEP_LAST, depth=10, reliability=ReliabilityPolicy.BEST_AVAILABLE,
-    durability=DurabilityPolicy.BEST_AVAILABLE, liveliness=LivelinessPolicy.BEST_AVAILABLE)
-qos_profile_action_status_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1,
-                                               durability=DurabilityPolicy.TRANSIENT_LOCAL)
-qos_profile_rosout_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL,
-                                        lifespan=Duration(seconds=10))
+    history=HistoryPolicy.KEEP_LAST,
+    depth=10,
+    reliability=ReliabilityPolicy.BEST_AVAILABLE,
+    durability=DurabilityPolicy.BEST_AVAILABLE,
+    liveliness=LivelinessPolicy.BEST_AVAILABLE,
+)
+qos_profile_action_status_default = QoSProfile(
+    history=HistoryPolicy.KEEP_LAST, depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL
+)
+qos_profile_rosout_default = QoSProfile(
+    history=HistoryPolicy.KEEP_LAST, depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)
+)
 
 
-_LATE = ('QoSCheck', 'QoSCompatibility', 'QoSPolicyKind', 'QoSPresetProfiles', 'qos_check_compatible',
-         'qos_policy_name_from_kind')
+_LATE = (
+    'QoSCheck',
+    'QoSCompatibility',
+    'QoSPolicyKind',
+    'QoSPresetProfiles',
+    'qos_check_compatible',
+    'qos_policy_name_from_kind',
+)
 __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *_LATE]
 
 
@@ -259,4 +298,5 @@ def __getattr__(name: str) -> Any:
     if name not in _LATE:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from rclpy import qos_presets
+
     return getattr(qos_presets, name)

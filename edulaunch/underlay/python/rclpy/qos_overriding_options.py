@@ -1,4 +1,5 @@
 """Letting parameters override an endpoint's quality of service."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
@@ -30,8 +31,9 @@ class QoSOverridingOptions:
     :param entity_id: tells apart several endpoints of one topic in one node.
     """
 
-    def __init__(self, policy_kinds: Iterable[QoSPolicyKind], *, callback: QosCallbackType | None = None,
-                 entity_id: str | None = None) -> None:
+    def __init__(
+        self, policy_kinds: Iterable[QoSPolicyKind], *, callback: QosCallbackType | None = None, entity_id: str | None = None
+    ) -> None:
         self._policy_kinds = policy_kinds
         self._callback = callback
         self._entity_id = entity_id
@@ -52,11 +54,13 @@ class QoSOverridingOptions:
         return self._entity_id
 
     @classmethod
-    def with_default_policies(cls, *, callback: QosCallbackType | None = None,
-                              entity_id: str | None = None) -> QoSOverridingOptions:
+    def with_default_policies(
+        cls, *, callback: QosCallbackType | None = None, entity_id: str | None = None
+    ) -> QoSOverridingOptions:
         """Options for history, depth and reliability."""
-        return cls((QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), callback=callback,
-                   entity_id=entity_id)
+        return cls(
+            (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), callback=callback, entity_id=entity_id
+        )
 
 
 def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions) -> QoSProfile:
@@ -67,6 +71,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
     :raises RuntimeError: when a parameter names a value that its policy does not have.
     """
     from rcl_interfaces.msg import ParameterDescriptor
+
     suffix = f'_{options.entity_id}' if options.entity_id else ''
     whose = f'{side} `{topic_name}` with id `{options.entity_id}`'
     profile = QoSProfile(**{slot[1:]: getattr(qos, slot) for slot in QoSProfile.__slots__})
@@ -97,16 +102,22 @@ def _to_parameter(value: Any) -> Any:
 def _to_policy(policy: str, present: Any, parameter: Parameter) -> Any:
     if isinstance(present, QoSPolicyEnum):
         if parameter.value.upper() not in type(present).__members__:
-            raise hinted(RuntimeError(f'Unexpected QoS override for policy `{policy}`: `{parameter.value}`'),
-                         f'one of {", ".join(type(present).short_keys())} is expected')
+            raise hinted(
+                RuntimeError(f'Unexpected QoS override for policy `{policy}`: `{parameter.value}`'),
+                f'one of {", ".join(type(present).short_keys())} is expected',
+            )
         return type(present).get_from_short_key(parameter.value)
     return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'List Optional Type Union', 'rclpy.exceptions': 'ParameterAlreadyDeclaredException',
-    'rcl_interfaces.msg': 'ParameterDescriptor SetParametersResult QosCallbackResult=SetParametersResult',
-    'rclpy.publisher': 'Publisher',
-    'rclpy.qos': 'QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy',
-    'rclpy.subscription': 'Subscription',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'List Optional Type Union',
+        'rclpy.exceptions': 'ParameterAlreadyDeclaredException',
+        'rcl_interfaces.msg': 'ParameterDescriptor SetParametersResult QosCallbackResult=SetParametersResult',
+        'rclpy.publisher': 'Publisher',
+        'rclpy.qos': 'QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy',
+        'rclpy.subscription': 'Subscription',
+    },
+)

@@ -1,4 +1,5 @@
 """Presets by name, the numbers of policies, whether two profiles suit each other. Programs find it all in `rclpy.qos`."""
+
 from __future__ import annotations
 
 from enum import Enum, IntEnum
@@ -87,13 +88,30 @@ class QoSCheck(NamedTuple):
 # For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value that a
 # subscription asks for, the laxest that a publisher offers, and the sentence about each beside a side that leaves it open.
 _OPEN_POLICIES = (
-    ('reliability', 'reliability', ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT,
-     'Reliable subscription, but publisher is {}', 'Best effort publisher, but subscription is {}'),
-    ('durability', 'durabilty', DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE,
-     'Transient local subscription, but publisher is {}', 'Volatile publisher, but subscription is {}'),
-    ('liveliness', 'liveliness', LivelinessPolicy.MANUAL_BY_TOPIC, LivelinessPolicy.AUTOMATIC,
-     "Subscription's liveliness is manual by topic, but publisher's is {}",
-     "Publisher's liveliness is automatic, but subscription's is {}"),
+    (
+        'reliability',
+        'reliability',
+        ReliabilityPolicy.RELIABLE,
+        ReliabilityPolicy.BEST_EFFORT,
+        'Reliable subscription, but publisher is {}',
+        'Best effort publisher, but subscription is {}',
+    ),
+    (
+        'durability',
+        'durabilty',
+        DurabilityPolicy.TRANSIENT_LOCAL,
+        DurabilityPolicy.VOLATILE,
+        'Transient local subscription, but publisher is {}',
+        'Volatile publisher, but subscription is {}',
+    ),
+    (
+        'liveliness',
+        'liveliness',
+        LivelinessPolicy.MANUAL_BY_TOPIC,
+        LivelinessPolicy.AUTOMATIC,
+        "Subscription's liveliness is manual by topic, but publisher's is {}",
+        "Publisher's liveliness is automatic, but subscription's is {}",
+    ),
 )
 _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 

@@ -1,4 +1,5 @@
 """How an executor learns what there is to do: each entity that becomes ready puts itself on its node's list, once."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

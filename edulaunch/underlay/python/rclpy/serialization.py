@@ -1,4 +1,5 @@
 """Messages as bytes."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -25,22 +26,28 @@ def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
     """
     check_is_valid_msg_type(message_type)
     if not isinstance(serialized_message, bytes):
-        raise TypeError('incompatible function arguments: a serialized message must be bytes, '
-                        f'not {type(serialized_message).__name__}')
+        raise TypeError(
+            f'incompatible function arguments: a serialized message must be bytes, not {type(serialized_message).__name__}'
+        )
     try:
         return deserialize(serialized_message, message_type)
     except InterfaceError as error:
         package, kind, name = message_type.TYPE.split('/')
-        raise hinted(RMWError('failed to deserialize ROS message: Fast CDR exception deserializing message of type '
-                              f'{package}::{kind}::dds_::{name}_.'), str(error)) from None
+        raise hinted(
+            RMWError(
+                'failed to deserialize ROS message: Fast CDR exception deserializing message of type '
+                f'{package}::{kind}::dds_::{name}_.'
+            ),
+            str(error),
+        ) from None
 
 
 def _has_one_size(message_type: Any) -> bool:
     """Whether a type has neither texts nor sequences."""
-    return all(rule.type.array in ('', 'fixed') and (
-        _has_one_size(rule.message) if rule.message else rule.kind.python is not str) for rule in message_type._RULES.values())
+    return all(
+        rule.type.array in ('', 'fixed') and (_has_one_size(rule.message) if rule.message else rule.kind.python is not str)
+        for rule in message_type._RULES.values()
+    )
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.type_support': 'check_for_type_support',
-})
+__getattr__ = passed_on(__name__, {'rclpy.type_support': 'check_for_type_support'})

@@ -1,4 +1,5 @@
 """Answering service calls."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -23,8 +24,16 @@ class Service(Entity):
 
     category = SERVICE
 
-    def __init__(self, ready_list: ReadyList, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any],
-                 callback_group: CallbackGroup, qos_profile: QoSProfile, number: int) -> None:
+    def __init__(
+        self,
+        ready_list: ReadyList,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        number: int,
+    ) -> None:
         super().__init__(ready_list, callback_group, number)
         self.srv_type = srv_type
         self.srv_name = srv_name
@@ -65,9 +74,12 @@ class Service(Entity):
         response_type = self.srv_type.Response
         if not isinstance(response, response_type):
             from rclpy.impl.hints import hinted
+
             returned = 'None' if response is None else f'a {type(response).__name__}'
-            raise hinted(TypeError(), f"the callback of service '{self._impl.service_name}' must end with `return response`; "
-                                      f'it returned {returned}')
+            raise hinted(
+                TypeError(),
+                f"the callback of service '{self._impl.service_name}' must end with `return response`; it returned {returned}",
+            )
         self._impl.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)
@@ -88,10 +100,12 @@ class Service(Entity):
         """What holds the endpoint in the graph."""
         return handle_of(self._impl)
 
-    def configure_introspection(self, clock: Clock, service_event_qos_profile: QoSProfile,
-                                introspection_state: ServiceIntrospectionState) -> None:
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
         """Publish what is received and answered on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection
+
         self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
@@ -100,9 +114,16 @@ class Service(Entity):
         self._impl.destroy()
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Callable Optional Type TypeVar', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.clock': 'Clock',
-    'rclpy.exceptions': 'InvalidHandle', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.qos': 'QoSProfile', 'rclpy.service_introspection': 'ServiceIntrospectionState',
-    'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Callable Optional Type TypeVar',
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rclpy.clock': 'Clock',
+        'rclpy.exceptions': 'InvalidHandle',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'QoSProfile',
+        'rclpy.service_introspection': 'ServiceIntrospectionState',
+        'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
+    },
+)

@@ -1,4 +1,5 @@
 """Publishing what services and clients send and receive."""
+
 from __future__ import annotations
 
 from enum import IntEnum
@@ -34,7 +35,8 @@ class Introspection:
         self._contents = contents
         self._event_class = end.srv_type.Event
         self._publisher = impl.graph.create_publisher(
-            impl.node, f'{impl.service_name}/_service_event', self._event_class, engine_qos(qos))
+            impl.node, f'{impl.service_name}/_service_event', self._event_class, engine_qos(qos)
+        )
 
     @classmethod
     def configured(cls, end: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> Introspection | None:

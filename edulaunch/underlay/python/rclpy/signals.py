@@ -1,4 +1,5 @@
 """What Ctrl-C and a request to terminate do to ROS 2."""
+
 from __future__ import annotations
 
 import signal
@@ -9,7 +10,10 @@ from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import ProcessState, process_state
 
 __all__ = [
-    'SignalHandlerGuardCondition', 'SignalHandlerOptions', 'get_current_signal_handlers_options', 'install_signal_handlers',
+    'SignalHandlerGuardCondition',
+    'SignalHandlerOptions',
+    'get_current_signal_handlers_options',
+    'install_signal_handlers',
     'uninstall_signal_handlers',
 ]
 
@@ -91,6 +95,4 @@ class SignalHandlerGuardCondition:
         """Forget it."""
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.guard_condition': 'GuardCondition', 'rclpy._rclpy_pybind11': 'InvalidHandle',
-})
+__getattr__ = passed_on(__name__, {'rclpy.guard_condition': 'GuardCondition', 'rclpy._rclpy_pybind11': 'InvalidHandle'})

@@ -1,4 +1,5 @@
 """Receiving messages."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -29,8 +30,17 @@ class Subscription(Entity):
         MessageOnly = 0
         WithMessageInfo = 1
 
-    def __init__(self, ready_list: ReadyList, msg_type: Any, topic: str, callback: Callable[..., Any],
-                 callback_group: CallbackGroup, qos_profile: QoSProfile, raw: bool, number: int) -> None:
+    def __init__(
+        self,
+        ready_list: ReadyList,
+        msg_type: Any,
+        topic: str,
+        callback: Callable[..., Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        raw: bool,
+        number: int,
+    ) -> None:
         super().__init__(ready_list, callback_group, number)
         self.msg_type = msg_type
         self.topic = topic
@@ -81,11 +91,16 @@ class Subscription(Entity):
         self._simple = False
 
     def _info(self, taken: Taken) -> dict[str, Any]:
-        return {'source_timestamp': taken[1], 'received_timestamp': taken[1],
-                'publication_sequence_number': None, 'reception_sequence_number': None}
+        return {
+            'source_timestamp': taken[1],
+            'received_timestamp': taken[1],
+            'publication_sequence_number': None,
+            'reception_sequence_number': None,
+        }
 
     def _to_bytes(self, wire: Any) -> bytes:
         from edulaunch.interfaces.cdr import encode
+
         return encode(self.msg_type, wire)
 
     def get_publisher_count(self) -> int:
@@ -127,11 +142,16 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
     if _accepts(callback, 2):
         return Subscription.CallbackType.WithMessageInfo
     from rclpy.impl.hints import hinted
+
     raise hinted(
-        RuntimeError('Subscription.__init__(): callback should be either be callable with one argument'
-                     '(to get only the message) or two (to get message and message info)'),
-        'None was given; give the function itself, without brackets: self.heard, not self.heard()' if callback is None
-        else 'the callback of a subscription takes the message: def heard(self, msg)')
+        RuntimeError(
+            'Subscription.__init__(): callback should be either be callable with one argument'
+            '(to get only the message) or two (to get message and message info)'
+        ),
+        'None was given; give the function itself, without brackets: self.heard, not self.heard()'
+        if callback is None
+        else 'the callback of a subscription takes the message: def heard(self, msg)',
+    )
 
 
 _VARIADIC = 0x04
@@ -146,18 +166,26 @@ def _accepts(callback: Any, count: int) -> bool:
         least = code.co_argcount - len(function.__defaults__ or ())
         return least <= count and (count <= code.co_argcount or bool(code.co_flags & _VARIADIC))
     from inspect import signature
+
     try:
         signature(callback).bind(*[None] * count)
     except TypeError:
         return False
-    except ValueError:   # a built-in function that does not tell
+    except ValueError:  # a built-in function that does not tell
         return count == 1
     return True
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Callable List Optional Type TypeVar Union', 'inspect': '', 'rclpy.callback_groups': 'CallbackGroup',
-    'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks', 'rclpy.exceptions': 'InvalidHandle',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation', 'rclpy.qos': 'QoSProfile',
-    'rclpy.impl.type_variables': 'MsgType',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Callable List Optional Type TypeVar Union',
+        'inspect': '',
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks',
+        'rclpy.exceptions': 'InvalidHandle',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'QoSProfile',
+        'rclpy.impl.type_variables': 'MsgType',
+    },
+)

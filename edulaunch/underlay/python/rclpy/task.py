@@ -1,4 +1,5 @@
 """Futures, and the tasks in which executors run coroutines."""
+
 from __future__ import annotations
 
 import sys
@@ -84,6 +85,7 @@ class Future:
         if executor is None or not executor._cannot_serve(source):
             return
         from rclpy.execution.deadlocks import POLLS, note_future_wait
+
         turn, now = executor._turn_mark(), current_task().sim.now_ns
         last_turn, looks, last_ns = self._looks
         looks = looks + (now > last_ns) if turn == last_turn else 0
@@ -227,6 +229,7 @@ class Task(Future):
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
             from rclpy.execution.deadlocks import note_future_wait
             from rclpy.impl.student_place import coroutine_place
+
             note_future_wait('await', source, coroutine_place(self._running))
 
     def executing(self) -> bool:

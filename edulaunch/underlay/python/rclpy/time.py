@@ -1,4 +1,5 @@
 """Points in time."""
+
 from __future__ import annotations
 
 from functools import cache
@@ -118,6 +119,7 @@ class Time:
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
         """From builtin_interfaces/Time. Raises TypeError for anything else."""
         from builtin_interfaces.msg import Time as TimeMessage
+
         if not isinstance(msg, TimeMessage):
             raise TypeError('Must pass a builtin_interfaces.msg.Time object')
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)
@@ -132,6 +134,7 @@ def _message_of(wire: tuple[int, int]) -> Any:
 @cache
 def _time_message_class() -> Any:
     from builtin_interfaces.msg import Time as TimeMessage
+
     return TimeMessage
 
 
@@ -143,7 +146,11 @@ def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
     return time
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Optional Tuple Union', 'builtin_interfaces': '',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Optional Tuple Union',
+        'builtin_interfaces': '',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+    },
+)

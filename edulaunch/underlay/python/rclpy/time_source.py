@@ -1,4 +1,5 @@
 """`use_sim_time`: letting /clock rule a node's clock."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -71,6 +72,7 @@ class TimeSource:
         from rosgraph_msgs.msg import Clock
 
         from rclpy.qos import QoSProfile, ReliabilityPolicy
+
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._subscription = self._node.create_subscription(Clock, CLOCK_TOPIC, self._on_clock, profile)
 
@@ -81,17 +83,24 @@ class TimeSource:
 
     def _on_parameter_event(self, parameters: list[Parameter]) -> SetParametersResult:
         from rcl_interfaces.msg import SetParametersResult
+
         for parameter in parameters:
             if parameter.name == USE_SIM_TIME_NAME:
                 if parameter.type_ is not ParameterType.BOOL:
                     self._node.get_logger().error(f'{USE_SIM_TIME_NAME} parameter set to something besides a bool')
-                    return SetParametersResult(successful=False,
-                                               reason=f'{USE_SIM_TIME_NAME} parameter set to something besides a bool')
+                    return SetParametersResult(
+                        successful=False, reason=f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
+                    )
                 self._set_active(parameter.value)
         return SetParametersResult(successful=True)
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.clock_type': 'ClockType', 'typing': 'List Optional Set', 'rclpy.qos': 'QoSProfile ReliabilityPolicy',
-    'rcl_interfaces.msg': 'SetParametersResult',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rclpy.clock_type': 'ClockType',
+        'typing': 'List Optional Set',
+        'rclpy.qos': 'QoSProfile ReliabilityPolicy',
+        'rcl_interfaces.msg': 'SetParametersResult',
+    },
+)

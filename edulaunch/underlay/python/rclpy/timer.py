@@ -1,4 +1,5 @@
 """Timers, and rates made from them."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from rclpy.executors import Executor
 
 
-
 class Timer(Entity):
     """Calls back on an exact grid of nanoseconds: the first time one period after its creation.
 
@@ -30,9 +30,18 @@ class Timer(Entity):
 
     category = TIMER
 
-    def __init__(self, callback: Callable[[], Any] | None, callback_group: CallbackGroup, timer_period_ns: int, clock: Clock, *,
-                 context: Context | None = None, autostart: bool = True, ready_list: ReadyList | None = None,
-                 number: int = 0) -> None:
+    def __init__(
+        self,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup,
+        timer_period_ns: int,
+        clock: Clock,
+        *,
+        context: Context | None = None,
+        autostart: bool = True,
+        ready_list: ReadyList | None = None,
+        number: int = 0,
+    ) -> None:
         super().__init__(ready_list or ReadyList(), callback_group, number)
         self.callback = callback
         self.is_async = is_coroutine_function(callback)
@@ -196,6 +205,7 @@ class Rate:
         executor = self._timer._ready_list.executor
         if executor is not None and executor._cannot_serve(self._timer):
             from rclpy.execution.deadlocks import note_rate
+
             note_rate(self._timer)
         while self._called == called and self._context._ok and not self._is_destroyed:
             self._context.park()
@@ -211,8 +221,14 @@ class Rate:
             raise ROSInterruptException()
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Callable Optional Union', 'rclpy.callback_groups': 'CallbackGroup', 'rclpy.clock': 'Clock',
-    'rclpy.context': 'Context', 'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.utilities': 'get_default_context',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Callable Optional Union',
+        'rclpy.callback_groups': 'CallbackGroup',
+        'rclpy.clock': 'Clock',
+        'rclpy.context': 'Context',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.utilities': 'get_default_context',
+    },
+)

@@ -1,4 +1,5 @@
 """What graph queries tell about one publisher or subscription."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -49,9 +50,13 @@ def _profile(value: Any) -> QoSProfile:
 
 
 _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
-    'node_name': (str, _text), 'node_namespace': (str, _text), 'topic_type': (str, _text),
-    'topic_type_hash': (TypeHash, _type_hash), 'endpoint_type': (lambda: TopicEndpointTypeEnum.INVALID, _side),
-    'endpoint_gid': (list, _bytes), 'qos_profile': (lambda: qos_profile_unknown, _profile),
+    'node_name': (str, _text),
+    'node_namespace': (str, _text),
+    'topic_type': (str, _text),
+    'topic_type_hash': (TypeHash, _type_hash),
+    'endpoint_type': (lambda: TopicEndpointTypeEnum.INVALID, _side),
+    'endpoint_gid': (list, _bytes),
+    'qos_profile': (lambda: qos_profile_unknown, _profile),
 }
 """What there is to know of an endpoint: how a value comes about that is not given, and how one is checked."""
 
@@ -80,16 +85,25 @@ class TopicEndpointInfo:
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, TopicEndpointInfo) and all(
-            getattr(self, slot) == getattr(other, slot) for slot in self.__slots__)
+            getattr(self, slot) == getattr(other, slot) for slot in self.__slots__
+        )
 
     __hash__ = None  # type: ignore[assignment]
 
     def __str__(self) -> str:
         gid = '.'.join(format(byte, '02x') for byte in self.endpoint_gid)
-        return '\n'.join((
-            f'Node name: {self.node_name}', f'Node namespace: {self.node_namespace}', f'Topic type: {self.topic_type}',
-            f'Topic type hash: {self.topic_type_hash}', f'Endpoint type: {self.endpoint_type.name}', f'GID: {gid}',
-            'QoS profile:', *_profile_lines(self.qos_profile)))
+        return '\n'.join(
+            (
+                f'Node name: {self.node_name}',
+                f'Node namespace: {self.node_namespace}',
+                f'Topic type: {self.topic_type}',
+                f'Topic type hash: {self.topic_type_hash}',
+                f'Endpoint type: {self.endpoint_type.name}',
+                f'GID: {gid}',
+                'QoS profile:',
+                *_profile_lines(self.qos_profile),
+            )
+        )
 
 
 def _profile_lines(profile: QoSProfile) -> list[str]:
@@ -99,10 +113,14 @@ def _profile_lines(profile: QoSProfile) -> list[str]:
         return 'Infinite' if value.nanoseconds == (1 << 63) - 1 else f'{value.nanoseconds} nanoseconds'
 
     return [
-        f'  Reliability: {profile.reliability.name}', f'  History (Depth): {profile.history.name}{depth}',
-        f'  Durability: {profile.durability.name}', f'  Lifespan: {duration(profile.lifespan)}',
-        f'  Deadline: {duration(profile.deadline)}', f'  Liveliness: {profile.liveliness.name}',
-        f'  Liveliness lease duration: {duration(profile.liveliness_lease_duration)}']
+        f'  Reliability: {profile.reliability.name}',
+        f'  History (Depth): {profile.history.name}{depth}',
+        f'  Durability: {profile.durability.name}',
+        f'  Lifespan: {duration(profile.lifespan)}',
+        f'  Deadline: {duration(profile.deadline)}',
+        f'  Liveliness: {profile.liveliness.name}',
+        f'  Liveliness lease duration: {duration(profile.liveliness_lease_duration)}',
+    ]
 
 
 def _property(name: str, check: Callable[[Any], Any]) -> property:
@@ -125,9 +143,14 @@ for _name, (_, _check) in _FIELDS.items():
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
     """The info of an endpoint of the graph."""
     return TopicEndpointInfo(
-        node_name=endpoint.node.name, node_namespace=endpoint.node.namespace, topic_type=endpoint.type_name,
-        topic_type_hash=_hash_of(endpoint.type_name), endpoint_type=TopicEndpointTypeEnum[endpoint.kind.upper()],
-        endpoint_gid=list(endpoint.index.to_bytes(16, 'big')), qos_profile=profile_from_engine(endpoint.qos))
+        node_name=endpoint.node.name,
+        node_namespace=endpoint.node.namespace,
+        topic_type=endpoint.type_name,
+        topic_type_hash=_hash_of(endpoint.type_name),
+        endpoint_type=TopicEndpointTypeEnum[endpoint.kind.upper()],
+        endpoint_gid=list(endpoint.index.to_bytes(16, 'big')),
+        qos_profile=profile_from_engine(endpoint.qos),
+    )
 
 
 def _hash_of(type_name: str) -> TypeHash:
@@ -135,6 +158,7 @@ def _hash_of(type_name: str) -> TypeHash:
     from edulaunch.errors import InterfaceError
     from edulaunch.interfaces import current_registry
     from edulaunch.interfaces.description import type_hash
+
     try:
         text = type_hash(type_name, current_registry().spec)
     except InterfaceError:
@@ -142,6 +166,4 @@ def _hash_of(type_name: str) -> TypeHash:
     return TypeHash(1, bytes.fromhex(text.partition('_')[2]))
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.qos': 'QoSPresetProfiles',
-})
+__getattr__ = passed_on(__name__, {'rclpy.qos': 'QoSPresetProfiles'})

@@ -1,4 +1,5 @@
 """Which names tools leave out."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import is_hidden

@@ -1,4 +1,5 @@
 """The service by which others learn what the types look like that a node uses."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -19,10 +20,14 @@ class TypeDescriptionService:
 
     def __init__(self, node: Node) -> None:
         from rcl_interfaces.msg import ParameterDescriptor
+
         self._node = node
         descriptor = ParameterDescriptor(
-            name=START_TYPE_DESCRIPTION_SERVICE_PARAM, type=ParameterType.BOOL.value, read_only=True,
-            description='If enabled, start the ~/get_type_description service.')
+            name=START_TYPE_DESCRIPTION_SERVICE_PARAM,
+            type=ParameterType.BOOL.value,
+            read_only=True,
+            description='If enabled, start the ~/get_type_description service.',
+        )
         if not node.has_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM):
             node.declare_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM, True, descriptor)
         try:
@@ -31,12 +36,18 @@ class TypeDescriptionService:
             enabled = False
         if enabled:
             from type_description_interfaces.srv import GetTypeDescription
-            node.create_service(GetTypeDescription, f'{node.get_name()}/get_type_description', self._answer,
-                                qos_profile=qos_profile_services_default)
+
+            node.create_service(
+                GetTypeDescription,
+                f'{node.get_name()}/get_type_description',
+                self._answer,
+                qos_profile=qos_profile_services_default,
+            )
 
     def _answer(self, request: Any, response: Any) -> Any:
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.description import type_description, type_hash
+
         known = {end.type_name for end in self._node._rclpy.entry.endpoints}
         if request.type_name not in known:
             response.failure_reason = f"Type '{request.type_name}' is not currently in use by this node"
@@ -44,8 +55,9 @@ class TypeDescriptionService:
         spec_of = current_registry().spec
         actual = type_hash(request.type_name, spec_of)
         if request.type_hash and request.type_hash != actual:
-            response.failure_reason = (f'Type {request.type_name} exists, but with hash {actual} and not the requested '
-                                       f'{request.type_hash}')
+            response.failure_reason = (
+                f'Type {request.type_name} exists, but with hash {actual} and not the requested {request.type_hash}'
+            )
             return response
         description = type_description(request.type_name, spec_of)
         target = response.type_description
@@ -57,6 +69,7 @@ class TypeDescriptionService:
 
 def _individual(description: dict[str, Any]) -> Any:
     from type_description_interfaces.msg import Field, FieldType, IndividualTypeDescription
+
     fields = []
     for field in description['fields']:
         kind = dict(field['type'])
@@ -64,7 +77,13 @@ def _individual(description: dict[str, Any]) -> Any:
     return IndividualTypeDescription(type_name=description['type_name'], fields=fields)
 
 
-__getattr__ = passed_on(__name__, {
-    'type_description_interfaces.srv': 'GetTypeDescription', 'rclpy.parameter': 'Parameter',
-    'rcl_interfaces.msg': 'ParameterDescriptor', 'rclpy.service': 'Service', 'rclpy.type_support': 'check_is_valid_srv_type',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'type_description_interfaces.srv': 'GetTypeDescription',
+        'rclpy.parameter': 'Parameter',
+        'rcl_interfaces.msg': 'ParameterDescriptor',
+        'rclpy.service': 'Service',
+        'rclpy.type_support': 'check_is_valid_srv_type',
+    },
+)

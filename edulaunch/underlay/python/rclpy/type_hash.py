@@ -1,4 +1,5 @@
 """The hash of a type."""
+
 from __future__ import annotations
 
 HASH_SIZE = 32

@@ -1,4 +1,5 @@
 """Whether a class is a message, a service or an action."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -12,7 +13,8 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
     if not isinstance(getattr(msg_or_srv_type, 'TYPE', None), str):
         raise AttributeError(
             f"type object '{type(msg_or_srv_type).__name__}' has no attribute '_TYPE_SUPPORT' This might be a ROS 1 message type "
-            'but it should be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.')
+            'but it should be a ROS 2 message type. Make sure to source your ROS 2 workspace after your ROS 1 workspace.'
+        )
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
@@ -51,8 +53,12 @@ def check_is_valid_action_type(action_type: Any) -> None:
 def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
     """ROS 2's empty error for something else than a `Service.Request` or the like, with a hint."""
     wanted = f'{interface.__name__}.{part}'
-    return hinted(TypeError(), f'an object is needed, not a class: write {wanted}() with its brackets' if isinstance(given, type)
-                  else f'an object of {wanted} is needed, not of {type(given).__name__}')
+    return hinted(
+        TypeError(),
+        f'an object is needed, not a class: write {wanted}() with its brackets'
+        if isinstance(given, type)
+        else f'an object of {wanted} is needed, not of {type(given).__name__}',
+    )
 
 
 def _has(cls: Any, name: str) -> bool:
@@ -63,6 +69,4 @@ def _has(cls: Any, name: str) -> bool:
     return False
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.exceptions': 'NoTypeSupportImportedException',
-})
+__getattr__ = passed_on(__name__, {'rclpy.exceptions': 'NoTypeSupportImportedException'})

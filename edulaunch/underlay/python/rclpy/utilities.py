@@ -1,4 +1,5 @@
 """The default context, and what belongs to a whole program."""
+
 from __future__ import annotations
 
 from rclpy.constants import S_TO_NS

@@ -1,4 +1,5 @@
 """The rules for expanded topic and service names."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import full_topic_name_problem

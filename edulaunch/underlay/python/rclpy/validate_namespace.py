@@ -1,4 +1,5 @@
 """The rules for namespaces."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import namespace_problem

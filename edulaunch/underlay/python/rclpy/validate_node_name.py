@@ -1,4 +1,5 @@
 """The rules for node names."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import node_name_problem

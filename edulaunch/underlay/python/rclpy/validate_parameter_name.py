@@ -1,4 +1,5 @@
 """The rules for parameter names."""
+
 from __future__ import annotations
 
 from rclpy.exceptions import InvalidParameterException

@@ -1,4 +1,5 @@
 """The rules for topic and service names as programs write them."""
+
 from __future__ import annotations
 
 from edulaunch.graph.names import topic_name_problem

@@ -1,4 +1,5 @@
 """Waiting for one message of a topic."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -13,8 +14,9 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 
-def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSProfile | int = 1,
-                     time_to_wait: float = -1) -> tuple[bool, Any]:
+def wait_for_message(
+    msg_type: Any, node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
+) -> tuple[bool, Any]:
     """Wait for the next message of a topic; the node need not be spun.
 
     :param time_to_wait: simulated seconds, or -1 for ever.
@@ -24,12 +26,15 @@ def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSP
     core = node._rclpy
     check_is_valid_msg_type(msg_type)
     task = current_task()
-    impl = core.graph.create_subscription(core.entry, core.resolve(topic, 'topic'), msg_type,
-                                          engine_qos(validate_qos(qos_profile), 'subscription'), task.wake)
+    impl = core.graph.create_subscription(
+        core.entry, core.resolve(topic, 'topic'), msg_type, engine_qos(validate_qos(qos_profile), 'subscription'), task.wake
+    )
     if not core.context._ok:
         impl.destroy()
-        raise RCLError('failed to initialize wait set: the given context is not valid, '
-                       'either rcl_init() was not called or rcl_shutdown() was called.')
+        raise RCLError(
+            'failed to initialize wait set: the given context is not valid, '
+            'either rcl_init() was not called or rcl_shutdown() was called.'
+        )
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
         while not impl.queue and core.context._ok and (deadline is None or task.sim.now_ns < deadline):
@@ -40,7 +45,12 @@ def wait_for_message(msg_type: Any, node: Node, topic: str, *, qos_profile: QoSP
     return (False, None) if taken is None else (True, msg_type.from_wire(taken[0]))
 
 
-__getattr__ = passed_on(__name__, {
-    'rclpy.node': 'Node', 'rclpy.signals': 'SignalHandlerGuardCondition', 'typing': 'Union',
-    'rclpy.utilities': 'timeout_sec_to_nsec',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'rclpy.node': 'Node',
+        'rclpy.signals': 'SignalHandlerGuardCondition',
+        'typing': 'Union',
+        'rclpy.utilities': 'timeout_sec_to_nsec',
+    },
+)

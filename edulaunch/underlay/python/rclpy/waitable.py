@@ -1,4 +1,5 @@
 """Things of one's own that an executor can wait for."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -16,8 +17,15 @@ class NumberOfEntities:
 
     __slots__ = ('num_subscriptions', 'num_guard_conditions', 'num_timers', 'num_clients', 'num_services', 'num_events')
 
-    def __init__(self, num_subs: int = 0, num_gcs: int = 0, num_timers: int = 0, num_clients: int = 0, num_services: int = 0,
-                 num_events: int = 0) -> None:
+    def __init__(
+        self,
+        num_subs: int = 0,
+        num_gcs: int = 0,
+        num_timers: int = 0,
+        num_clients: int = 0,
+        num_services: int = 0,
+        num_events: int = 0,
+    ) -> None:
         self.num_subscriptions = num_subs
         self.num_guard_conditions = num_gcs
         self.num_timers = num_timers

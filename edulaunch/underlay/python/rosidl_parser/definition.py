@@ -1,4 +1,5 @@
 """The types of fields, as `SLOT_TYPES` of a message class has them."""
+
 from edulaunch.interfaces.slot_types import (
     Array,
     BasicType,
@@ -11,5 +12,14 @@ from edulaunch.interfaces.slot_types import (
     UnboundedWString,
 )
 
-__all__ = ['Array', 'BasicType', 'BoundedSequence', 'BoundedString', 'BoundedWString', 'NamespacedType', 'UnboundedSequence',
-           'UnboundedString', 'UnboundedWString']
+__all__ = [
+    'Array',
+    'BasicType',
+    'BoundedSequence',
+    'BoundedString',
+    'BoundedWString',
+    'NamespacedType',
+    'UnboundedSequence',
+    'UnboundedString',
+    'UnboundedWString',
+]

@@ -1,4 +1,5 @@
 """Interfaces by name, and messages as dictionaries, YAML and CSV, as ROS 2's `rosidl_runtime_py`."""
+
 from __future__ import annotations
 
 from rosidl_runtime_py.convert import message_to_csv, message_to_ordereddict, message_to_yaml
@@ -12,5 +13,15 @@ from rosidl_runtime_py.get_interfaces import (
 )
 from rosidl_runtime_py.set_message import set_message_fields
 
-__all__ = ['get_action_interfaces', 'get_interface_packages', 'get_interface_path', 'get_interfaces', 'get_message_interfaces',
-           'get_service_interfaces', 'message_to_csv', 'message_to_ordereddict', 'message_to_yaml', 'set_message_fields']
+__all__ = [
+    'get_action_interfaces',
+    'get_interface_packages',
+    'get_interface_path',
+    'get_interfaces',
+    'get_message_interfaces',
+    'get_service_interfaces',
+    'message_to_csv',
+    'message_to_ordereddict',
+    'message_to_yaml',
+    'set_message_fields',
+]

@@ -1,4 +1,5 @@
 """Messages as plain data and as text."""
+
 from __future__ import annotations
 
 from collections import OrderedDict
@@ -7,8 +8,9 @@ from typing import Any
 from edulaunch.interfaces.message_text import Shortening, message_csv, message_dict, message_yaml
 
 
-def message_to_ordereddict(msg: Any, *, truncate_length: int | None = None, no_arr: bool = False,
-                           no_str: bool = False) -> OrderedDict[str, Any]:
+def message_to_ordereddict(
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
+) -> OrderedDict[str, Any]:
     """The message as dictionaries, lists, numbers and strings, fields in their order.
 
     :param truncate_length: how many items of an array and characters of a string are kept; the rest becomes `...`.
@@ -18,8 +20,9 @@ def message_to_ordereddict(msg: Any, *, truncate_length: int | None = None, no_a
     return ordered
 
 
-def message_to_yaml(msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
-                    flow_style: bool = False) -> str:
+def message_to_yaml(
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False, flow_style: bool = False
+) -> str:
     """The message as YAML, as `ros2 topic echo` prints it; arguments as of :func:`message_to_ordereddict`.
 
     :param flow_style: whether it is one line in braces.

@@ -1,4 +1,5 @@
 """What interfaces there are and where their files lie."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -55,6 +56,8 @@ def _of_kinds(package_names: Iterable[str], kinds: tuple[str, ...]) -> dict[str,
     for package in wanted:
         if not registry.has(package):
             raise LookupError(f"Unknown package '{package}'")
-    found = {package: [f'{kind}/{name}' for kind in kinds for name in registry.names(package, kind)]
-             for package in wanted or registry.packages()}
+    found = {
+        package: [f'{kind}/{name}' for kind in kinds for name in registry.names(package, kind)]
+        for package in wanted or registry.packages()
+    }
     return {package: names for package, names in found.items() if names}

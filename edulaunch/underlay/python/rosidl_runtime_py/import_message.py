@@ -1,4 +1,5 @@
 """Interface classes by their type in a definition."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """Messages filled from dictionaries."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -7,8 +8,9 @@ from typing import Any
 HEADER, TIME = 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'
 
 
-def set_message_fields(msg: Any, values: Mapping[str, Any], expand_header_auto: bool = False,
-                       expand_time_now: bool = False) -> list[Any]:
+def set_message_fields(
+    msg: Any, values: Mapping[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False
+) -> list[Any]:
     """Set the fields that `values` names. Each value is converted to its field's type: 3 and '3' become 3.0 in a float field.
 
     :param msg: the message, changed in place.
@@ -27,7 +29,7 @@ def set_message_fields(msg: Any, values: Mapping[str, Any], expand_header_auto: 
     for name, value in values.items():
         field_type = fields.get(name)
         if field_type is None:
-            setattr(msg, name, value)   # a constant or a misspelling: the message's own error
+            setattr(msg, name, value)  # a constant or a misspelling: the message's own error
         elif expand_header_auto and field_type.text in (HEADER, 'std_msgs/Header') and value == 'auto':
             stamps.append(_setter(getattr(msg, name), 'stamp'))
         elif expand_time_now and field_type.base == TIME and not field_type.array and value == 'now':
@@ -73,4 +75,5 @@ def _converted(present: Any, field_type: Any, value: Any) -> Any:
 
 def _array(present: Any, value: Any) -> Any:
     import numpy
+
     return numpy.array(value, dtype=present.dtype)

@@ -1,4 +1,5 @@
 """Interface classes by their full names."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -20,8 +21,10 @@ def get_interface(identifier: str) -> Any:
     """
     parts = identifier.split('/')
     if len(parts) != 3 or not all(parts):
-        raise ValueError(f"Expected the full name of a message, service or action, got '{identifier}'"
-                         "\n  help: write package, kind and type, such as 'std_msgs/msg/String'")
+        raise ValueError(
+            f"Expected the full name of a message, service or action, got '{identifier}'"
+            "\n  help: write package, kind and type, such as 'std_msgs/msg/String'"
+        )
     package, kind, name = parts
     registry = current_registry()
     if not registry.has(package, kind):
@@ -42,10 +45,13 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
     :raises ValueError: when the name has another form.
     """
     from rosidl_parser.definition import NamespacedType
+
     parts = identifier.split('/')
     if len(parts) != 3 or not all(parts):
-        raise ValueError(f"Expected the full name of an interface, got '{identifier}'"
-                         "\n  help: write package, kind and type, such as 'std_msgs/msg/String'")
+        raise ValueError(
+            f"Expected the full name of an interface, got '{identifier}'"
+            "\n  help: write package, kind and type, such as 'std_msgs/msg/String'"
+        )
     return NamespacedType((parts[0], parts[1]), parts[2])
 
 

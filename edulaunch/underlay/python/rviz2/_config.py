@@ -1,4 +1,5 @@
 """The part of an RViz config file that decides what RViz listens to."""
+
 from __future__ import annotations
 
 from typing import Any, NamedTuple
@@ -20,6 +21,7 @@ def read_view(path: str) -> View:
     :raises ValueError: it is not an RViz config.
     """
     import yaml
+
     with open(path, encoding='utf-8') as stream:
         try:
             data = yaml.safe_load(stream)
@@ -34,7 +36,8 @@ def read_view(path: str) -> View:
         fixed_frame=str(_mapping(manager.get('Global Options')).get('Fixed Frame', 'map')),
         displays=tuple(str(display.get('Name', display.get('Class', '?'))) for display in displays),
         shows_tf=any(display.get('Class') == 'rviz_default_plugins/TF' for display in displays),
-        view_type=str(view.get('Class', 'rviz_default_plugins/Orbit')).rpartition('/')[2])
+        view_type=str(view.get('Class', 'rviz_default_plugins/Orbit')).rpartition('/')[2],
+    )
 
 
 def _flat(displays: Any) -> list[dict[str, Any]]:

@@ -1,4 +1,5 @@
 """The program rviz2."""
+
 from __future__ import annotations
 
 import os
@@ -45,6 +46,7 @@ class Rviz(CppNode):
 def main() -> None:
     """Entry point. Options as rviz2's; those about the window are accepted and change nothing."""
     import argparse
+
     parser = argparse.ArgumentParser(prog='rviz2')
     parser.add_argument('-d', '--display-config', help='config file (.rviz) to load')
     parser.add_argument('-f', '--fixed-frame', help="fixed frame, in place of the config file's")

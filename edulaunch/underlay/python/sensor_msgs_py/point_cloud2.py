@@ -1,4 +1,5 @@
 """Point clouds as numpy arrays: `read_points` and its kin take a `sensor_msgs/msg/PointCloud2` apart, `create_cloud` makes it."""
+
 from __future__ import annotations
 
 import array
@@ -11,14 +12,25 @@ import numpy as np
 from sensor_msgs.msg import PointCloud2, PointField
 
 _DATATYPES: dict[int, Any] = {
-    PointField.INT8: np.dtype(np.int8), PointField.UINT8: np.dtype(np.uint8), PointField.INT16: np.dtype(np.int16),
-    PointField.UINT16: np.dtype(np.uint16), PointField.INT32: np.dtype(np.int32), PointField.UINT32: np.dtype(np.uint32),
-    PointField.FLOAT32: np.dtype(np.float32), PointField.FLOAT64: np.dtype(np.float64)}
+    PointField.INT8: np.dtype(np.int8),
+    PointField.UINT8: np.dtype(np.uint8),
+    PointField.INT16: np.dtype(np.int16),
+    PointField.UINT16: np.dtype(np.uint16),
+    PointField.INT32: np.dtype(np.int32),
+    PointField.UINT32: np.dtype(np.uint32),
+    PointField.FLOAT32: np.dtype(np.float32),
+    PointField.FLOAT64: np.dtype(np.float64),
+}
 DUMMY_FIELD_PREFIX = 'unnamed_field'
 
 
-def read_points(cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False, uvs: Iterable[Any] | None = None,
-                reshape_organized_cloud: bool = False) -> Any:
+def read_points(
+    cloud: Any,
+    field_names: list[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[Any] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> Any:
     """The points as a structured array, one entry for each field.
 
     :param field_names: which fields; None for all of them, in the order of the message.
@@ -51,18 +63,25 @@ def _has_nan(points: Any) -> Any:
     return found
 
 
-def read_points_numpy(cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False,
-                      uvs: Iterable[Any] | None = None, reshape_organized_cloud: bool = False) -> Any:
+def read_points_numpy(
+    cloud: Any,
+    field_names: list[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[Any] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> Any:
     """The points as a plain array with a column for each field, which must all have one type."""
-    assert all(field.datatype == cloud.fields[0].datatype for field in cloud.fields
-               if field_names is None or field.name in field_names), \
-        'All fields need to have the same datatype. Use `read_points()` otherwise.'
+    assert all(
+        field.datatype == cloud.fields[0].datatype for field in cloud.fields if field_names is None or field.name in field_names
+    ), 'All fields need to have the same datatype. Use `read_points()` otherwise.'
     from numpy.lib.recfunctions import structured_to_unstructured
+
     return structured_to_unstructured(read_points(cloud, field_names, skip_nans, uvs, reshape_organized_cloud))
 
 
-def read_points_list(cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False,
-                     uvs: Iterable[Any] | None = None) -> list[Any]:
+def read_points_list(
+    cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False, uvs: Iterable[Any] | None = None
+) -> list[Any]:
     """The points as named tuples."""
     points = read_points(cloud, field_names, skip_nans, uvs)
     kind = namedtuple('Point', points.dtype.names)  # type: ignore[misc]
@@ -96,14 +115,23 @@ def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | No
     values = points if isinstance(points, np.ndarray) else np.array([tuple(point) for point in points], dtype=kind)
     if values.dtype.names is None:
         from numpy.lib.recfunctions import unstructured_to_structured
+
         packed = np.dtype([(name, kind.fields[name][0]) for name in kind.names])
         values = unstructured_to_structured(values, dtype=packed)
     made = np.zeros(values.shape, dtype=kind)
     for name in kind.names:
         made[name] = values[name]
     height, width = made.shape if made.ndim == 2 else (1, made.shape[0])
-    cloud = PointCloud2(header=header, height=height, width=width, is_dense=False, is_bigendian=sys.byteorder != 'little',
-                        fields=fields, point_step=kind.itemsize, row_step=kind.itemsize * width)
+    cloud = PointCloud2(
+        header=header,
+        height=height,
+        width=width,
+        is_dense=False,
+        is_bigendian=sys.byteorder != 'little',
+        fields=fields,
+        point_step=kind.itemsize,
+        row_step=kind.itemsize * width,
+    )
     cloud.data = array.array('B', made.tobytes())
     return cloud
 

@@ -44,9 +44,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
     As upstream, it sets the translation of the transform that was passed in to zero.
     """
-    transform.transform.translation.x = transform.transform.translation.y = (
-        transform.transform.translation.z
-    ) = 0.0
+    transform.transform.translation.x = transform.transform.translation.y = transform.transform.translation.z = 0.0
     result = Vector3Stamped(header=transform.header)
     result.vector.x, result.vector.y, result.vector.z = quaternions.rotate(
         _rotation(transform.transform.rotation), (vector3.vector.x, vector3.vector.y, vector3.vector.z)

@@ -115,11 +115,7 @@ class BufferCore:
         """
         try:
             return lookup_velocity(
-                self._tf,
-                tracking_frame,
-                observation_frame,
-                nanoseconds(time),
-                nanoseconds(averaging_interval, 'duration'),
+                self._tf, tracking_frame, observation_frame, nanoseconds(time), nanoseconds(averaging_interval, 'duration')
             )
         except TransformFailure as failure:
             raise exception_of(failure) from None
@@ -140,17 +136,13 @@ class BufferCore:
         """A graphviz graph of all frames; with a time it shows ages."""
         return self._tf.all_frames_as_dot(0 if time is None else nanoseconds(time))
 
-    def _chain(
-        self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
-    ) -> list[str]:
+    def _chain(self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str) -> list[str]:
         """The frames between source and target.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
         try:
-            return self._tf.chain(
-                target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
-            )
+            return self._tf.chain(target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame)
         except TransformFailure as failure:
             raise exception_of(failure) from None
 

@@ -48,9 +48,7 @@ class Buffer(BufferCore, BufferInterface):
 
             self.srv = node.create_service(FrameGraph, 'tf2_frames', self._answer_frames)
         self.clock = Clock() if node is None else node.get_clock()
-        threshold = JumpThreshold(
-            min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True
-        )
+        threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1), on_clock_change=True)
         self.jump_handle = self.clock.create_jump_callback(threshold, post_callback=self.time_jump_callback)
 
     def _answer_frames(self, request: Any, response: Any) -> Any:
@@ -88,9 +86,7 @@ class Buffer(BufferCore, BufferInterface):
         for callback in list(self._new_data_callbacks):
             callback()
 
-    def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
-    ) -> TransformStamped:
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> TransformStamped:
         """The transform that maps coordinates given in the source frame into the target frame.
 
         :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames
@@ -103,7 +99,8 @@ class Buffer(BufferCore, BufferInterface):
             self.can_transform(target_frame, source_frame, time, timeout)
         try:  # lookup_transform_core, written out: nodes that follow something call this all the time
             stamp_ns, pose = self._tf.lookup(
-                target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time))
+                target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time)
+            )
         except TransformFailure as failure:
             raise exception_of(failure) from None
         return message(target_frame, source_frame, stamp_ns, pose)
@@ -119,20 +116,11 @@ class Buffer(BufferCore, BufferInterface):
     ) -> TransformStamped:
         """The transform between frames at two different times, over a frame that does not move meanwhile."""
         if timeout is not NO_WAIT:
-            self.can_transform_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
-            )
-        return self.lookup_transform_full_core(
-            target_frame, target_time, source_frame, source_time, fixed_frame
-        )
+            self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
+        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 
     def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Any,
-        timeout: Duration = NO_WAIT,
-        return_debug_tuple: bool = False,
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT, return_debug_tuple: bool = False
     ) -> Any:
         """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
@@ -150,10 +138,7 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Any:
         """:meth:`can_transform` for :meth:`lookup_transform_full`."""
         answer = self._wait_for(
-            lambda: self.can_transform_full_core(
-                target_frame, target_time, source_frame, source_time, fixed_frame
-            ),
-            timeout,
+            lambda: self.can_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame), timeout
         )
         return answer if return_debug_tuple else answer[0]
 
@@ -188,13 +173,9 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Future:
         """:meth:`wait_for_transform_async` for :meth:`lookup_transform_full`."""
         times = (target_frame, target_time, source_frame, source_time, fixed_frame)
-        return self._future(
-            lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times)
-        )
+        return self._future(lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times))
 
-    async def lookup_transform_async(
-        self, target_frame: str, source_frame: str, time: Any
-    ) -> TransformStamped:
+    async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
         """:meth:`lookup_transform` for coroutines: awaits the transform."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
@@ -203,12 +184,8 @@ class Buffer(BufferCore, BufferInterface):
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
         """:meth:`lookup_transform_full` for coroutines."""
-        await self.wait_for_transform_full_async(
-            target_frame, target_time, source_frame, source_time, fixed_frame
-        )
-        return self.lookup_transform_full_core(
-            target_frame, target_time, source_frame, source_time, fixed_frame
-        )
+        await self.wait_for_transform_full_async(target_frame, target_time, source_frame, source_time, fixed_frame)
+        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 
     def _future(self, check: Callable[[], tuple[int, str]], lookup: Callable[[], TransformStamped]) -> Future:
         from rclpy.task import Future
@@ -236,9 +213,20 @@ def fills_directly(buffer: Any) -> bool:
     return type(buffer).set_transform is Buffer.set_transform and 'set_transform' not in vars(buffer)
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Callable List Optional Tuple Union', 'copy': 'deepcopy', 'rclpy': '',
-    'tf2_py': '', 'tf2_ros': '', 'rclpy.clock': 'Clock JumpThreshold TimeJump', 'rclpy.duration': 'Duration',
-    'rclpy.node': 'Node', 'rclpy.task': 'Future', 'geometry_msgs.msg': 'TransformStamped',
-    'tf2_msgs.srv': 'FrameGraph', 'tf2_ros.buffer_interface': 'BufferInterface',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Callable List Optional Tuple Union',
+        'copy': 'deepcopy',
+        'rclpy': '',
+        'tf2_py': '',
+        'tf2_ros': '',
+        'rclpy.clock': 'Clock JumpThreshold TimeJump',
+        'rclpy.duration': 'Duration',
+        'rclpy.node': 'Node',
+        'rclpy.task': 'Future',
+        'geometry_msgs.msg': 'TransformStamped',
+        'tf2_msgs.srv': 'FrameGraph',
+        'tf2_ros.buffer_interface': 'BufferInterface',
+    },
+)

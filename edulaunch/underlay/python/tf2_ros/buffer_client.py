@@ -44,18 +44,14 @@ class BufferClient(BufferInterface):
     :param timeout_padding: how much longer than the lookup's own timeout to wait for the answer.
     """
 
-    def __init__(
-        self, node: Node, ns: str, *, check_frequency: float = 10.0, timeout_padding: Duration = PADDING
-    ) -> None:
+    def __init__(self, node: Node, ns: str, *, check_frequency: float = 10.0, timeout_padding: Duration = PADDING) -> None:
         super().__init__()
         self.node = node
         self.action_client = ActionClient(node, LookupTransform, action_name=ns)
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
-    def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
-    ) -> Any:
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """As :meth:`tf2_ros.Buffer.lookup_transform`.
 
         :raises TimeoutException: there is no server, or it did not answer in time.
@@ -90,9 +86,7 @@ class BufferClient(BufferInterface):
         )
         return self._ask(goal)
 
-    def can_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
-    ) -> bool:
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> bool:
         """Whether :meth:`lookup_transform` succeeds."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
@@ -111,9 +105,7 @@ class BufferClient(BufferInterface):
     ) -> bool:
         """Whether :meth:`lookup_transform_full` succeeds."""
         try:
-            self.lookup_transform_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
-            )
+            self.lookup_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         except TransformException:
             return False
         return True
@@ -151,9 +143,7 @@ def _time_message(time: Any) -> Any:
         return time.to_msg()
     if hasattr(time, 'sec') and hasattr(time, 'nanosec'):
         warnings.warn(
-            'Passing a builtin_interfaces Time message is deprecated; pass an rclpy.time.Time',
-            UserWarning,
-            stacklevel=3,
+            'Passing a builtin_interfaces Time message is deprecated; pass an rclpy.time.Time', UserWarning, stacklevel=3
         )
         return time
     raise TypeError('Must pass a rclpy.time.Time object')

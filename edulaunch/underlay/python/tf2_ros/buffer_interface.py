@@ -39,9 +39,7 @@ class BufferInterface:
     def __init__(self) -> None:
         self.registration = TransformRegistration()
 
-    def transform(
-        self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None
-    ) -> Any:
+    def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None) -> Any:
         """The object in another frame, at the time of its own stamp (0: the latest).
 
         :raises TypeException: nobody registered the object's type.
@@ -49,9 +47,7 @@ class BufferInterface:
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
-        result = do_transform(
-            object_stamped, self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
-        )
+        result = do_transform(object_stamped, self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout))
         return convert(result, new_type) if new_type else result
 
     def transform_full(
@@ -68,15 +64,11 @@ class BufferInterface:
         header = object_stamped.header
         result = do_transform(
             object_stamped,
-            self.lookup_transform_full(
-                target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
-            ),
+            self.lookup_transform_full(target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout),
         )
         return convert(result, new_type) if new_type else result
 
-    def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
-    ) -> Any:
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
@@ -92,9 +84,7 @@ class BufferInterface:
         """For subclasses."""
         raise NotImplementedException
 
-    def can_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
-    ) -> Any:
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """For subclasses."""
         raise NotImplementedException
 
@@ -134,9 +124,17 @@ def convert(a: Any, b_type: Any) -> Any:
     return direct(a)
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Callable Optional Union', 'copy': 'deepcopy', 'rclpy': '', 'tf2_py': '', 'rclpy.duration': 'Duration',
-    'rclpy.time': 'Time',
-    'geometry_msgs.msg': 'PointStamped PoseStamped PoseWithCovarianceStamped TransformStamped Vector3Stamped',
-    'sensor_msgs.msg': 'PointCloud2', 'std_msgs.msg': 'Header',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Callable Optional Union',
+        'copy': 'deepcopy',
+        'rclpy': '',
+        'tf2_py': '',
+        'rclpy.duration': 'Duration',
+        'rclpy.time': 'Time',
+        'geometry_msgs.msg': 'PointStamped PoseStamped PoseWithCovarianceStamped TransformStamped Vector3Stamped',
+        'sensor_msgs.msg': 'PointCloud2',
+        'std_msgs.msg': 'Header',
+    },
+)

@@ -11,13 +11,7 @@ from rclpy.action import ActionServer, CancelResponse
 from rclpy.duration import Duration
 from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TF2Error
-from tf2_py import (
-    ConnectivityException,
-    ExtrapolationException,
-    InvalidArgumentException,
-    LookupException,
-    TransformException,
-)
+from tf2_py import ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException, TransformException
 
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
@@ -101,9 +95,7 @@ class BufferServer(CppNode):
                     goal.target_frame, goal.target_time, goal.source_frame, goal.source_time, goal.fixed_frame
                 )
             else:
-                result.transform = self.buffer.lookup_transform_core(
-                    goal.target_frame, goal.source_frame, goal.source_time
-                )
+                result.transform = self.buffer.lookup_transform_core(goal.target_frame, goal.source_frame, goal.source_time)
         except TransformException as error:
             result.error.error = next(code for kind, code in CODES if isinstance(error, kind))
             result.error.error_string = str(error)

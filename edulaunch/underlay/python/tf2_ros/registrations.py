@@ -12,12 +12,7 @@ from typing import Any
 from edulaunch.processes.current import current_process
 
 Key = Any
-_provided: dict[str, dict[Key, Callable[..., Any]]] = {
-    'transform': {},
-    'to_msg': {},
-    'from_msg': {},
-    'convert': {},
-}
+_provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg': {}, 'from_msg': {}, 'convert': {}}
 
 
 class TypeException(Exception):

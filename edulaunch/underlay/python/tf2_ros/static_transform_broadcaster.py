@@ -27,9 +27,7 @@ class StaticTransformBroadcaster:
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         if qos is None:
-            qos = QoSProfile(
-                depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
-            )
+            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
         self.pub_tf = node.create_publisher(TFMessage, '/tf_static', qos)
         self._sent: dict[str, TransformStamped] = {}
 
@@ -40,7 +38,13 @@ class StaticTransformBroadcaster:
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'List Optional Union', 'geometry_msgs.msg': 'TransformStamped', 'rclpy.node': 'Node',
-    'rclpy.qos': 'DurabilityPolicy HistoryPolicy QoSProfile', 'tf2_msgs.msg': 'TFMessage',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'List Optional Union',
+        'geometry_msgs.msg': 'TransformStamped',
+        'rclpy.node': 'Node',
+        'rclpy.qos': 'DurabilityPolicy HistoryPolicy QoSProfile',
+        'tf2_msgs.msg': 'TFMessage',
+    },
+)

@@ -20,15 +20,7 @@ from rclpy.utilities import remove_ros_args
 from tf2_ros.static_transform_arguments import USAGE, ArgumentError, Request, parse
 from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
-NUMBERS = (
-    'translation.x',
-    'translation.y',
-    'translation.z',
-    'rotation.x',
-    'rotation.y',
-    'rotation.z',
-    'rotation.w',
-)
+NUMBERS = ('translation.x', 'translation.y', 'translation.z', 'rotation.x', 'rotation.y', 'rotation.z', 'rotation.w')
 
 
 class StaticTransformPublisher(CppNode):
@@ -48,8 +40,7 @@ class StaticTransformPublisher(CppNode):
         message = self._declared()
         if message.header.frame_id == message.child_frame_id:
             self.get_logger().error(
-                f"cannot publish static transform from '{message.header.frame_id}' to "
-                f"'{message.child_frame_id}', exiting"
+                f"cannot publish static transform from '{message.header.frame_id}' to '{message.child_frame_id}', exiting"
             )
             raise CppError('child_frame_id cannot equal frame_id')
         message.header.stamp = self.get_clock().now().to_msg()
@@ -63,9 +54,7 @@ class StaticTransformPublisher(CppNode):
         for name in NUMBERS:
             part, axis = name.split('.')
             default = 1.0 if name == 'rotation.w' else 0.0
-            setattr(
-                getattr(message.transform, part), axis, self.declare_parameter(name, default, read_only).value
-            )
+            setattr(getattr(message.transform, part), axis, self.declare_parameter(name, default, read_only).value)
         message.header.frame_id = self.declare_parameter('frame_id', '/frame', read_only).value
         message.child_frame_id = self.declare_parameter('child_frame_id', '/child', read_only).value
         return message

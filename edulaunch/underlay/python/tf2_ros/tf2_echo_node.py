@@ -41,13 +41,10 @@ class Echo(CppNode):
     def look(self) -> None:
         """One cycle: the pose, or why there is none."""
         if not self.found:
-            possible, reason = self.buffer.can_transform(
-                self.source, self.target, Time(), return_debug_tuple=True
-            )
+            possible, reason = self.buffer.can_transform(self.source, self.target, Time(), return_debug_tuple=True)
             if not possible:
                 self.get_logger().info(
-                    f'Waiting for transform {self.source} ->  {self.target}: {reason}',
-                    throttle_duration_sec=1.0,
+                    f'Waiting for transform {self.source} ->  {self.target}: {reason}', throttle_duration_sec=1.0
                 )
                 return
             self.found = True

@@ -87,17 +87,11 @@ class Monitor(CppNode):
     def _measure(self, first: str, second: str) -> bool:
         possible, reason = self.buffer.can_transform(first, second, Time(), return_debug_tuple=True)
         if not possible:
-            self.get_logger().info(
-                f'Waiting for transform {first} ->  {second}: {reason}', throttle_duration_sec=1.0
-            )
+            self.get_logger().info(f'Waiting for transform {first} ->  {second}: {reason}', throttle_duration_sec=1.0)
             return False
         try:
             self.chain = self.chain or self.buffer._chain(
-                target_frame=second,
-                target_time=Time(),
-                source_frame=first,
-                source_time=Time(),
-                fixed_frame=second,
+                target_frame=second, target_time=Time(), source_frame=first, source_time=Time(), fixed_frame=second
             )
             stamp = self.buffer.lookup_transform(first, second, Time()).header.stamp
         except TransformException as error:
@@ -132,8 +126,7 @@ class Monitor(CppNode):
         if self.arrivals:
             rate = len(self.arrivals) / max(1e-8, (self.arrivals[-1] - self.arrivals[0]) * 1e-9)
             sys.stdout.write(
-                f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {self.all_messages} '
-                f'Max Delay: {self.all_messages.worst:g}\n'
+                f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {self.all_messages} Max Delay: {self.all_messages.worst:g}\n'
             )
 
 

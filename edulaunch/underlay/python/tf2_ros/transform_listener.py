@@ -43,9 +43,7 @@ class TransformListener:
         if qos is None:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
         if static_qos is None:
-            static_qos = QoSProfile(
-                depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
-            )
+            static_qos = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
         self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
@@ -88,9 +86,7 @@ class TransformListener:
                 executor.spin()
             executor.remove_node(node)
 
-        threading = current_process().loader.import_(
-            'threading'
-        )  # threads of this process, in simulated time
+        threading = current_process().loader.import_('threading')  # threads of this process, in simulated time
         self.dedicated_listener_thread = threading.Thread(target=run)
         self.dedicated_listener_thread.start()
 
@@ -126,7 +122,14 @@ def _receiver(set_transform: Any) -> Any:
     return receive
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Optional Union', 'rclpy.executors': 'SingleThreadedExecutor', 'rclpy.node': 'Node',
-    'rclpy.qos': 'ReliabilityPolicy', 'tf2_ros': '', 'tf2_ros.buffer': 'Buffer',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Optional Union',
+        'rclpy.executors': 'SingleThreadedExecutor',
+        'rclpy.node': 'Node',
+        'rclpy.qos': 'ReliabilityPolicy',
+        'tf2_ros': '',
+        'tf2_ros.buffer': 'Buffer',
+    },
+)

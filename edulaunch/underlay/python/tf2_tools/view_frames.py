@@ -68,8 +68,7 @@ def draw(node: Node, data: dict[Any, dict[str, Any]], name: str) -> None:
     dot = shutil.which('dot')
     if dot is None:
         node.get_logger().warning(
-            f'{name}.pdf was not written: the program dot (graphviz) is not installed. '
-            f'The graph as text is in {name}.gv'
+            f'{name}.pdf was not written: the program dot (graphviz) is not installed. The graph as text is in {name}.gv'
         )
         return
     subprocess.run([dot, '-Tpdf', f'{name}.gv', '-o', f'{name}.pdf'], check=True)

@@ -20,12 +20,7 @@ from tf_transformations.affine import (
     scale_matrix,
 )
 from tf_transformations.arcball import Arcball, arcball_constrain_to_axis, arcball_map_to_sphere, arcball_nearest_axis
-from tf_transformations.eulers import (
-    euler_from_matrix,
-    euler_from_quaternion,
-    euler_matrix,
-    quaternion_from_euler,
-)
+from tf_transformations.eulers import euler_from_matrix, euler_from_quaternion, euler_matrix, quaternion_from_euler
 from tf_transformations.matrices import (
     concatenate_matrices,
     identity_matrix,

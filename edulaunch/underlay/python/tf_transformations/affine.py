@@ -89,9 +89,13 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Any, Any]:
     return atan2(sine, (numpy.trace(turn) - 1.0) / 2.0), axis, point / point[3]
 
 
-def compose_matrix(scale: Sequence[float] | None = None, shear: Sequence[float] | None = None,
-                   angles: Sequence[float] | None = None, translate: Sequence[float] | None = None,
-                   perspective: Sequence[float] | None = None) -> Any:
+def compose_matrix(
+    scale: Sequence[float] | None = None,
+    shear: Sequence[float] | None = None,
+    angles: Sequence[float] | None = None,
+    translate: Sequence[float] | None = None,
+    perspective: Sequence[float] | None = None,
+) -> Any:
     """The matrix that scales, shears (xy, xz, yz), turns (roll, pitch, yaw) and shifts, in this order."""
     import numpy
 

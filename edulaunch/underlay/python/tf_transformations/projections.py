@@ -14,8 +14,13 @@ from tf_transformations.quaternions import unit_vector
 EPSILON = 1e-8
 
 
-def projection_matrix(point: Sequence[float], normal: Sequence[float], direction: Sequence[float] | None = None,
-                      perspective: Sequence[float] | None = None, pseudo: bool = False) -> Any:
+def projection_matrix(
+    point: Sequence[float],
+    normal: Sequence[float],
+    direction: Sequence[float] | None = None,
+    perspective: Sequence[float] | None = None,
+    pseudo: bool = False,
+) -> Any:
     """The projection onto a plane: along a direction, else from a perspective point, else at a right angle.
 
     :param pseudo: keep the order of distances from the perspective point.
@@ -55,8 +60,7 @@ def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Any, Any,
     return numpy.append(given[:3, 3], 1.0), normal, direction, None, False
 
 
-def clip_matrix(left: float, right: float, bottom: float, top: float, near: float, far: float,
-                perspective: bool = False) -> Any:
+def clip_matrix(left: float, right: float, bottom: float, top: float, near: float, far: float, perspective: bool = False) -> Any:
     """What maps a box (or, with perspective, a frustum seen along +z) to the cube from -1 to 1 on each axis.
 
     :raises ValueError: when an upper limit is not above its lower one, or the frustum begins at the eye or behind it.

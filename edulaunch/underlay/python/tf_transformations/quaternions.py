@@ -38,8 +38,9 @@ def quaternion_about_axis(angle: float, axis: Sequence[float]) -> Quaternion:
     return (float(x * scale), float(y * scale), float(z * scale), cos(angle / 2.0))
 
 
-def quaternion_slerp(quat0: Sequence[float], quat1: Sequence[float], fraction: float,
-                     spin: int = 0, shortestpath: bool = True) -> Quaternion:
+def quaternion_slerp(
+    quat0: Sequence[float], quat1: Sequence[float], fraction: float, spin: int = 0, shortestpath: bool = True
+) -> Quaternion:
     """The rotation a fraction (0 to 1) of the way from one to the other.
 
     :param spin: so many half turns more on the way.

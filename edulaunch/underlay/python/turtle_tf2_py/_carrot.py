@@ -1,4 +1,5 @@
 """A frame that hangs at a turtle, like a carrot before a donkey."""
+
 from __future__ import annotations
 
 from geometry_msgs.msg import TransformStamped

@@ -1,4 +1,5 @@
 """How the programs of this package run: spin one node until Ctrl-C or shutdown."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

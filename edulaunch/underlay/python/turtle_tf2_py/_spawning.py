@@ -1,4 +1,5 @@
 """A node that first needs another turtle: the once-a-second steps to get one."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """The program dynamic_frame_tf2_broadcaster: a carrot that jumps from side to side of turtle1."""
+
 from __future__ import annotations
 
 from math import cos, pi, sin

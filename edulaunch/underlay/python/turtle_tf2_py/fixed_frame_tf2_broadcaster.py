@@ -1,4 +1,5 @@
 """The program fixed_frame_tf2_broadcaster: a carrot two metres to the left of turtle1."""
+
 from __future__ import annotations
 
 from turtle_tf2_py._carrot import CarrotPublisher

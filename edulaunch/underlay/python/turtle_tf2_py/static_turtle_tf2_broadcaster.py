@@ -1,4 +1,5 @@
 """The program static_turtle_tf2_broadcaster: a frame that never moves, from seven command line arguments."""
+
 from __future__ import annotations
 
 import sys
@@ -12,8 +13,10 @@ from tf2_ros import StaticTransformBroadcaster
 from turtle_tf2_py._programs import spin
 from turtle_tf2_py._quaternion import quaternion_from_euler
 
-USAGE = ('Invalid number of parameters. Usage: \n'
-         '$ ros2 run turtle_tf2_py static_turtle_tf2_broadcaster child_frame_name x y z roll pitch yaw')
+USAGE = (
+    'Invalid number of parameters. Usage: \n'
+    '$ ros2 run turtle_tf2_py static_turtle_tf2_broadcaster child_frame_name x y z roll pitch yaw'
+)
 
 
 class StaticFramePublisher(Node):

@@ -1,4 +1,5 @@
 """The program turtle_tf2_broadcaster: says where a turtle is, as the transform world -> turtle."""
+
 from __future__ import annotations
 
 from math import cos, sin

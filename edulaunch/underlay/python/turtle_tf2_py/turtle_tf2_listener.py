@@ -1,4 +1,5 @@
 """The program turtle_tf2_listener: spawns turtle2 and drives it after a frame."""
+
 from __future__ import annotations
 
 from math import atan2, hypot

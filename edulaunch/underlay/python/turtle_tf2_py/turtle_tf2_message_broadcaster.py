@@ -1,4 +1,5 @@
 """The program turtle_tf2_message_broadcaster: turtle3 drives a circle and sends stamped points."""
+
 from __future__ import annotations
 
 from typing import Any

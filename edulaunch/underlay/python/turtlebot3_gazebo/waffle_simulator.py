@@ -1,4 +1,5 @@
 """The program waffle_simulator: the robot's side of Gazebo (drives on /cmd_vel, reports /odom and tf)."""
+
 from __future__ import annotations
 
 import sys
@@ -49,7 +50,9 @@ class WaffleSimulator(CppNode):
             other = 'Twist' if type_name == 'TwistStamped' else 'TwistStamped'
             self.get_logger().warning(
                 f'Following a geometry_msgs/msg/{type_name} on cmd_vel; a real TurtleBot3 set up like this '
-                f'one expects geometry_msgs/msg/{other}', once=True)
+                f'one expects geometry_msgs/msg/{other}',
+                once=True,
+            )
         self._robot.command(twist.linear.x, twist.angular.z, self.get_clock().now().nanoseconds)
 
     def _on_timer(self) -> None:

@@ -1,4 +1,5 @@
 """The action server <turtle>/rotate_absolute."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -25,8 +26,13 @@ class RotateAbsoluteServer:
         self._result: Any = None
         self._results: dict[Any, Future] = {}  # by goal: done when the goal has ended
         self._server = ActionServer(
-            node, RotateAbsolute, f'{turtle.name}/rotate_absolute', self._execute,
-            handle_accepted_callback=self._on_accepted, cancel_callback=_accept_cancel)
+            node,
+            RotateAbsolute,
+            f'{turtle.name}/rotate_absolute',
+            self._execute,
+            handle_accepted_callback=self._on_accepted,
+            cancel_callback=_accept_cancel,
+        )
 
     def destroy(self) -> None:
         """Take the action off the graph."""
@@ -59,8 +65,7 @@ class RotateAbsoluteServer:
 
     def _on_accepted(self, goal: Any) -> None:
         if self.goal is not None:
-            self._log.warning(
-                'Rotation goal received before a previous goal finished. Aborting previous goal')
+            self._log.warning('Rotation goal received before a previous goal finished. Aborting previous goal')
             self.abort()
         self.goal = goal
         self._result = RotateAbsolute.Result()

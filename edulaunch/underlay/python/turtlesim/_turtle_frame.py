@@ -1,4 +1,5 @@
 """turtlesim's node: its parameters, its services, and the turtles' updates."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -39,10 +40,12 @@ class TurtleFrame:
     def _declare_parameters(self) -> None:
         channel = IntegerRange(from_value=0, to_value=255, step=1)
         for name, color, value in BACKGROUND:
-            self.node.declare_parameter(name, value, ParameterDescriptor(
-                description=f'{color} channel of the background color', integer_range=[channel]))
-        self.node.declare_parameter('holonomic', False, ParameterDescriptor(
-            description='If true, then turtles will be holonomic'))
+            self.node.declare_parameter(
+                name, value, ParameterDescriptor(description=f'{color} channel of the background color', integer_range=[channel])
+            )
+        self.node.declare_parameter(
+            'holonomic', False, ParameterDescriptor(description='If true, then turtles will be holonomic')
+        )
 
     def update(self) -> None:
         """One tick of all turtles. The first only notes that time has begun: not while the clock reads 0."""

@@ -1,4 +1,5 @@
 """One turtle's topics, services and action."""
+
 from __future__ import annotations
 
 from struct import Struct
@@ -76,8 +77,7 @@ class TurtlePorts:
         self._publish_pose(pose)
         self._publish_color(turtle.color)
         if self._debug:
-            self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} '
-                            f'theta: {turtle.theta:f}')
+            self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
 
     def _on_command(self, twist: tuple[float, ...]) -> None:
         """Follow a command, given as the wire of a Twist: of three objects nothing else would be used."""

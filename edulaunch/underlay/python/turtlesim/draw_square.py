@@ -1,4 +1,5 @@
 """The program draw_square: drives turtle1 round a square, for ever."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The program mimic: repeats one turtle's motion as commands for another."""
+
 from __future__ import annotations
 
 import sys

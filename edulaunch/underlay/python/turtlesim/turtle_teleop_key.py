@@ -1,4 +1,5 @@
 """The program turtle_teleop_key: drives a turtle with the keys that arrive on standard input."""
+
 from __future__ import annotations
 
 import sys
@@ -15,11 +16,14 @@ KEY_PERIOD_S = 0.5  # given text is typed at this rate, so that a command has ti
 ESCAPE = '\x1b'
 # linear and angular of the arrows up, down, right, left
 ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}
-HEADINGS = {
-    'g': 0.0, 't': 0.7854, 'r': 1.5708, 'e': 2.3562, 'd': 3.1416, 'c': -2.3562, 'v': -1.5708, 'b': -0.7854}
-WELCOME = ('Reading from keyboard', '-' * 27, 'Use arrow keys to move the turtle.',
-           "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
-           "'Q' to quit.")
+HEADINGS = {'g': 0.0, 't': 0.7854, 'r': 1.5708, 'e': 2.3562, 'd': 3.1416, 'c': -2.3562, 'v': -1.5708, 'b': -0.7854}
+WELCOME = (
+    'Reading from keyboard',
+    '-' * 27,
+    'Use arrow keys to move the turtle.',
+    "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
+    "'Q' to quit.",
+)
 
 
 class TeleopTurtle(CppNode):

@@ -1,4 +1,5 @@
 """The program turtlesim_node: a window's worth of turtles, updated every 16 ms."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """Actions: what a launch file can ask for."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,4 +1,5 @@
 """Ending a process that does not want to end."""
+
 from __future__ import annotations
 
 import signal
@@ -21,14 +22,12 @@ Timeout = list[Substitution]
 
 
 def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
-    """Two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds.
-    """
-    kill_after = PythonExpression(
-        ['float(', *action.sigterm_timeout, ') + float(', *action.sigkill_timeout, ')']
-    )
+    """Two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds."""
+    kill_after = PythonExpression(['float(', *action.sigterm_timeout, ') + float(', *action.sigkill_timeout, ')'])
     return [
         _timer(action, logger, action.sigterm_timeout, signal.SIGINT, signal.SIGTERM),
-        _timer(action, logger, [kill_after], signal.SIGTERM, signal.SIGKILL)]
+        _timer(action, logger, [kill_after], signal.SIGTERM, signal.SIGKILL),
+    ]
 
 
 def request_signal(action: ExecuteLocal, signum: signal.Signals) -> EmitEvent:
@@ -36,9 +35,7 @@ def request_signal(action: ExecuteLocal, signum: signal.Signals) -> EmitEvent:
     return EmitEvent(event=SignalProcess(signal_number=signum, process_matcher=matches_action(action)))
 
 
-def _timer(
-    action: ExecuteLocal, logger: Any, timeout: Timeout, sent: signal.Signals, next_signal: signal.Signals
-) -> TimerAction:
+def _timer(action: ExecuteLocal, logger: Any, timeout: Timeout, sent: signal.Signals, next_signal: signal.Signals) -> TimerAction:
     def complain(context: LaunchContext) -> None:
         seconds = perform_substitutions(context, timeout)
         logger.error(
@@ -47,7 +44,5 @@ def _timer(
         )
 
     return TimerAction(
-        period=timeout,
-        actions=[OpaqueFunction(function=complain), request_signal(action, next_signal)],
-        cancel_on_shutdown=False,
+        period=timeout, actions=[OpaqueFunction(function=complain), request_signal(action, next_signal)], cancel_on_shutdown=False
     )

@@ -1,4 +1,5 @@
 """The output of a program as lines."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

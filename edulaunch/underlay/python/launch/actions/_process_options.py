@@ -1,4 +1,5 @@
 """What an action wants of its process, besides the command line."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -27,8 +28,13 @@ class ProcessOptions(NamedTuple):
     @property
     def are_plain(self) -> bool:
         """Whether no substitution is left."""
-        return (self.respawn is False and self.respawn_delay is None and self.respawn_max_retries == -1
-                and self.shell.__class__ is bool and self.emulate_tty.__class__ is bool)
+        return (
+            self.respawn is False
+            and self.respawn_delay is None
+            and self.respawn_max_retries == -1
+            and self.shell.__class__ is bool
+            and self.emulate_tty.__class__ is bool
+        )
 
     def performed(self, context: LaunchContext) -> ProcessOptions:
         """The same with all substitutions evaluated.
@@ -40,7 +46,8 @@ class ProcessOptions(NamedTuple):
             emulate_tty=_performed(context, self.emulate_tty, bool),
             respawn=perform_typed_substitution(context, self.respawn, bool),
             respawn_delay=_performed(context, self.respawn_delay, float),
-            respawn_max_retries=_performed(context, self.respawn_max_retries, int))
+            respawn_max_retries=_performed(context, self.respawn_max_retries, int),
+        )
 
 
 def _performed(context: LaunchContext, value: Any, data_type: type) -> Any:

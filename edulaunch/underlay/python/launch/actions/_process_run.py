@@ -1,4 +1,5 @@
 """One run of a program, from launch's side: what it prints and how it ends arrive on launch's own loop."""
+
 from __future__ import annotations
 
 import asyncio
@@ -19,8 +20,7 @@ class ProcessRun:
     :raises OSError: when the program cannot be started.
     """
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, spec: ProcessSpec,
-                 on_output: Callable[[str, str], object]) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, spec: ProcessSpec, on_output: Callable[[str, str], object]) -> None:
         self._loop = loop
         self._on_output = on_output
         self._pending: list[tuple[str, str]] = []
@@ -50,7 +50,7 @@ class ProcessRun:
         start = 0
         for position, (stream, _) in enumerate(pending):
             if position + 1 == len(pending) or pending[position + 1][0] != stream:
-                self._on_output(stream, ''.join([text for _, text in pending[start:position + 1]]))
+                self._on_output(stream, ''.join([text for _, text in pending[start : position + 1]]))
                 start = position + 1
 
     def _end(self, returncode: int) -> None:

@@ -1,4 +1,5 @@
 """What happens to a process after its action was executed: start, output, signals, respawn, end."""
+
 from __future__ import annotations
 
 import signal
@@ -46,8 +47,9 @@ class ProcessWatch(BaseEventHandler):
     :ivar return_code: of the last run, None before its end.
     """
 
-    def __init__(self, action: ExecuteLocal, details: dict[str, Any], options: ProcessOptions, output: Any,
-                 loop: asyncio.AbstractEventLoop) -> None:
+    def __init__(
+        self, action: ExecuteLocal, details: dict[str, Any], options: ProcessOptions, output: Any, loop: asyncio.AbstractEventLoop
+    ) -> None:
         super().__init__(matcher=self._concerns)
         self._event_keys = (RunningProcessEvent, action), (Shutdown, None), (ProcessTargetedEvent, None)
         self._action = action
@@ -89,7 +91,7 @@ class ProcessWatch(BaseEventHandler):
     def _line_printer(self, logger: Any) -> Callable[[str], object]:
         info, template, action = logger.info, self._options.output_format, self._action
         if template == DEFAULT_OUTPUT_FORMAT:
-            prefix = f"[{self._details['name']}] "
+            prefix = f'[{self._details["name"]}] '
             return lambda line: info(prefix + line)
         return lambda line: info(template.format(line=line, this=action))
 
@@ -112,13 +114,16 @@ class ProcessWatch(BaseEventHandler):
     def _begin(self, context: LaunchContext) -> None:
         details = self._details
         if self._options.log_cmd:
-            self._logger.info(f"process details: cmd='{self._shown_command()}', cwd='{details['cwd']}', "
-                              f"custom_env?={details['env'] is not None}")
+            self._logger.info(
+                f"process details: cmd='{self._shown_command()}', cwd='{details['cwd']}', "
+                f'custom_env?={details["env"] is not None}'
+            )
         emulate_tty = _wants_terminal(context, self._options)
         try:
             self._run = self._start(context, emulate_tty)
         except Exception as error:
             from ._start_failure import start_failure
+
             self._logger.error(f'exception occurred while executing process:\n{start_failure(error, self._action, details)}')
             self._finish()
             return
@@ -140,12 +145,15 @@ class ProcessWatch(BaseEventHandler):
         if returncode == 0:
             self._logger.info(f'process has finished cleanly [pid {pid}]')
         else:
-            self._logger.error(
-                f"process has died [pid {pid}, exit code {returncode}, cmd '{self._shown_command()}'].")
+            self._logger.error(f"process has died [pid {pid}, exit code {returncode}, cmd '{self._shown_command()}'].")
         context.emit_event_sync(ProcessExited(returncode=returncode, **self._details))
         options = self._options
-        if context.is_shutdown or self._is_asked_to_end or not options.respawn or (
-                0 <= options.respawn_max_retries <= self._retries):
+        if (
+            context.is_shutdown
+            or self._is_asked_to_end
+            or not options.respawn
+            or (0 <= options.respawn_max_retries <= self._retries)
+        ):
             self._finish()
             return
         self._retries += 1
@@ -171,12 +179,19 @@ class ProcessWatch(BaseEventHandler):
         from edulaunch.processes import ProcessSpec
 
         from ._process_run import ProcessRun
+
         details = self._details
         details['cmd'] = self._action.process_description.final_cmd
         spec = ProcessSpec(
-            argv=tuple(details['cmd']), name=details['name'], cwd=details['cwd'], env=details['env'],
-            shell=self._options.shell, emulate_tty=emulate_tty, origin=self._action.origin,
-            **self._action._process_spec_details())
+            argv=tuple(details['cmd']),
+            name=details['name'],
+            cwd=details['cwd'],
+            env=details['env'],
+            shell=self._options.shell,
+            emulate_tty=emulate_tty,
+            origin=self._action.origin,
+            **self._action._process_spec_details(),
+        )
 
         def on_output(stream: str, text: str) -> None:
             self._unshown += 1
@@ -223,9 +238,7 @@ class ProcessWatch(BaseEventHandler):
             raise RuntimeError('Signal event received before subprocess transport available.')
         name = self._details['name']
         if self._run.complete.done():
-            self._logger.debug(
-                f"signal '{event.signal_name}' not sent to '{name}' because it is already closing"
-            )
+            self._logger.debug(f"signal '{event.signal_name}' not sent to '{name}' because it is already closing")
             return
         self._logger.info(f"sending signal '{event.signal_name}' to process[{name}]")
         self._run.send_signal(event.signal)
@@ -238,6 +251,7 @@ class ProcessWatch(BaseEventHandler):
             self._ends_on_start = send_sigint
             return None
         from ._escalation import escalation_timers, request_signal
+
         self._is_asked_to_end = True
         if self._respawn is not None:
             self._respawn.cancel()

@@ -1,4 +1,5 @@
 """What to say of a program that could not be started."""
+
 from __future__ import annotations
 
 import os

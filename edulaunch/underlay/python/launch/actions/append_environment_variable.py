@@ -1,4 +1,5 @@
 """Adding to an environment variable."""
+
 from __future__ import annotations
 
 import os
@@ -26,16 +27,20 @@ class AppendEnvironmentVariable(Action):
 
     parse = parsed_as_action('append_env')
 
-    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType,
-                 prepend: bool | SomeSubstitutionsType = False,
-                 separator: SomeSubstitutionsType = os.pathsep, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeSubstitutionsType,
+        prepend: bool | SomeSubstitutionsType = False,
+        separator: SomeSubstitutionsType = os.pathsep,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
         self.__name = normalize_to_list_of_substitutions(name)
         self.__value = normalize_to_list_of_substitutions(value)
         as_text = isinstance(prepend, str) or is_substitution(prepend)
-        self.__prepend: Any = (
-            normalize_to_list_of_substitutions(prepend) if as_text  # type: ignore[arg-type]
-            else normalize_typed_substitution(prepend, bool))
+        given: Any = prepend
+        self.__prepend: Any = normalize_to_list_of_substitutions(given) if as_text else normalize_typed_substitution(given, bool)
         self.__separator = normalize_to_list_of_substitutions(separator)
 
     @property
@@ -65,8 +70,6 @@ class AppendEnvironmentVariable(Action):
         value = perform_substitutions(context, self.__value)
         if name in context.environment:
             old = context.environment[name]
-            parts = (
-                [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
-            )
+            parts = [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
             value = perform_substitutions(context, self.__separator).join(parts)
         context.environment[name] = value

@@ -1,4 +1,5 @@
 """Declaring a launch argument."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -33,16 +34,21 @@ class DeclareLaunchArgument(Action):
     _search_role: ClassVar[str] = 'argument'
     parse = parsed_as_action('arg')
 
-    def __init__(self, name: str, *, default_value: SomeSubstitutionsType | None = None,
-                 description: str | None = None, choices: Iterable[str] | None = None, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        name: str,
+        *,
+        default_value: SomeSubstitutionsType | None = None,
+        description: str | None = None,
+        choices: Iterable[str] | None = None,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
         self.__name = name
         self.__choices = None if choices is None else list(choices)
         if self.__choices is not None:
             _check_choices(self.__choices, default_value)
-        self.__default_value = (
-            None if default_value is None else normalize_to_list_of_substitutions(default_value)
-        )
+        self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
         self.__description = _describe(description, self.__choices)
         self._conditionally_included = False
 
@@ -76,20 +82,22 @@ class DeclareLaunchArgument(Action):
         if self.__name not in values:
             if self.__default_value is None:
                 self.__log_error(
-                    f'Required launch argument "{self.__name}" (description: "{self.__description}") '
-                    'was not provided'
+                    f'Required launch argument "{self.__name}" (description: "{self.__description}") was not provided'
                 )
                 raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
             values[self.__name] = perform_substitutions(context, self.__default_value)
         if self.__choices is not None and values[self.__name] not in self.__choices:
-            message = (f'Argument "{self.__name}" provided value "{values[self.__name]}" is not valid. '
-                       f'Valid options are: {self.__choices}')
+            message = (
+                f'Argument "{self.__name}" provided value "{values[self.__name]}" is not valid. '
+                f'Valid options are: {self.__choices}'
+            )
             self.__log_error(message)
             raise RuntimeError(message)
 
     @staticmethod
     def __log_error(message: str) -> None:
         from ..logging import get_logger
+
         get_logger(__name__).error(message)
 
 
@@ -97,9 +105,7 @@ def _check_choices(choices: list[str], default_value: object) -> None:
     if not choices:
         raise RuntimeError('Provided choices arg is empty. Use None to ignore the choice list.')
     if isinstance(default_value, str) and default_value not in choices:
-        raise RuntimeError(
-            f'Provided default_value "{default_value}" is not in provided choices "{choices}".'
-        )
+        raise RuntimeError(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
 
 
 def _describe(description: str | None, choices: list[str] | None) -> str:

@@ -1,4 +1,5 @@
 """Emitting an event."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

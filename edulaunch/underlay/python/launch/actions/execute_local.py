@@ -1,4 +1,5 @@
 """Running a program and watching it."""
+
 from __future__ import annotations
 
 from functools import lru_cache
@@ -45,21 +46,32 @@ class ExecuteLocal(Action):
         `respawn_max_retries` times (negative: without limit), until the launch is shut down.
     """
 
-    def __init__(self, *, process_description: Executable, shell: bool = False,
-                 sigterm_timeout: SomeSubstitutionsType = SIGTERM_TIMEOUT,
-                 sigkill_timeout: SomeSubstitutionsType = SIGKILL_TIMEOUT,
-                 emulate_tty: bool = False, output: Any = 'log', output_format: str = DEFAULT_OUTPUT_FORMAT,
-                 cached_output: bool = False, log_cmd: bool = False, on_exit: Any = None,
-                 respawn: bool | SomeSubstitutionsType = False, respawn_delay: float | None = None,
-                 respawn_max_retries: int = -1, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        *,
+        process_description: Executable,
+        shell: bool = False,
+        sigterm_timeout: SomeSubstitutionsType = SIGTERM_TIMEOUT,
+        sigkill_timeout: SomeSubstitutionsType = SIGKILL_TIMEOUT,
+        emulate_tty: bool = False,
+        output: Any = 'log',
+        output_format: str = DEFAULT_OUTPUT_FORMAT,
+        cached_output: bool = False,
+        log_cmd: bool = False,
+        on_exit: Any = None,
+        respawn: bool | SomeSubstitutionsType = False,
+        respawn_delay: float | None = None,
+        respawn_max_retries: int = -1,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
         self.__process_description = process_description
         self.__sigterm_timeout: list[Substitution] = (
-            [SIGTERM_TIMEOUT] if sigterm_timeout is SIGTERM_TIMEOUT
-            else normalize_to_list_of_substitutions(sigterm_timeout))
+            [SIGTERM_TIMEOUT] if sigterm_timeout is SIGTERM_TIMEOUT else normalize_to_list_of_substitutions(sigterm_timeout)
+        )
         self.__sigkill_timeout: list[Substitution] = (
-            [SIGKILL_TIMEOUT] if sigkill_timeout is SIGKILL_TIMEOUT
-            else normalize_to_list_of_substitutions(sigkill_timeout))
+            [SIGKILL_TIMEOUT] if sigkill_timeout is SIGKILL_TIMEOUT else normalize_to_list_of_substitutions(sigkill_timeout)
+        )
         self.__output: Any = environment().get('OVERRIDE_LAUNCH_PROCESS_OUTPUT', output)
         if not isinstance(self.__output, (str, dict)):
             self.__output = normalize_to_list_of_substitutions(self.__output)
@@ -67,8 +79,8 @@ class ExecuteLocal(Action):
         if respawn is not False:
             respawn = normalize_typed_substitution(respawn, bool)
         self.__options = ProcessOptions(
-            shell, emulate_tty, output_format, cached_output, log_cmd, respawn, respawn_delay,
-            respawn_max_retries)
+            shell, emulate_tty, output_format, cached_output, log_cmd, respawn, respawn_delay, respawn_max_retries
+        )
 
     __process_details: dict[str, Any] | None = None
     __watch: ProcessWatch | None = None
@@ -150,8 +162,9 @@ class ExecuteLocal(Action):
 
     def __cached_text(self, stream: str) -> str:
         if not self.__options.cached_output:
-            raise RuntimeError(f'cached output must be true to be able to get {stream}, '
-                               f"proc '{self.__process_description.final_name}'")
+            raise RuntimeError(
+                f"cached output must be true to be able to get {stream}, proc '{self.__process_description.final_name}'"
+            )
         return '' if self.__watch is None else self.__watch.text_of(stream)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -163,8 +176,12 @@ class ExecuteLocal(Action):
         description = self.__process_description
         description.prepare(context, self)
         self.__process_details = {
-            'action': self, 'name': description.final_name, 'cmd': description._command,
-            'cwd': description.final_cwd, 'env': description.final_env}
+            'action': self,
+            'name': description.final_name,
+            'cmd': description._command,
+            'cwd': description.final_cwd,
+            'env': description.final_env,
+        }
         if not self.__options.are_plain:
             self.__options = self.__options.performed(context)
 
@@ -180,8 +197,9 @@ class ExecuteLocal(Action):
         :raises RuntimeError: when this action was executed before.
         """
         if self.__executed:
-            raise RuntimeError(f"ExecuteLocal action '{self.__process_description.final_name}': "
-                               f'executed more than once: {self.describe()}')
+            raise RuntimeError(
+                f"ExecuteLocal action '{self.__process_description.final_name}': executed more than once: {self.describe()}"
+            )
         self.__executed = True
         self.prepare(context)
         if not context.is_shutdown:
@@ -209,4 +227,5 @@ class ExecuteLocal(Action):
 def _watch_type() -> type[ProcessWatch]:
     """Imported when the first process is scheduled; the statement itself takes time, too."""
     from ._process_watch import ProcessWatch
+
     return ProcessWatch

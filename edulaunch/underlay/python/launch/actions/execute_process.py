@@ -1,4 +1,5 @@
 """Running a command."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -39,9 +40,7 @@ class ExecuteProcess(ExecuteLocal):
         additional_env: Variables | None = None,
         **kwargs: Any,
     ) -> None:
-        executable = Executable(
-            cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env
-        )
+        executable = Executable(cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
         super().__init__(process_description=executable, **kwargs)
 
     @property

@@ -1,4 +1,5 @@
 """Several actions with a scope of their own."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
@@ -44,9 +45,7 @@ class GroupAction(Action):
         self.__actions = actions
         self.__scoped = scoped
         self.__forwarding = forwarding
-        self.__launch_configurations = (
-            dict(launch_configurations) if launch_configurations is not None else {}
-        )
+        self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
         self.__actions_to_return: list[LaunchDescriptionEntity] | None = None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -62,8 +61,12 @@ class GroupAction(Action):
         if self.__forwarding:
             begin: list[LaunchDescriptionEntity] = [PushLaunchConfigurations(), PushEnvironment(), *sets]
         else:
-            begin = [PushLaunchConfigurations(), PushEnvironment(), ResetEnvironment(),
-                     ResetLaunchConfigurations(self.__launch_configurations)]
+            begin = [
+                PushLaunchConfigurations(),
+                PushEnvironment(),
+                ResetEnvironment(),
+                ResetLaunchConfigurations(self.__launch_configurations),
+            ]
         return [*begin, *actions, PopEnvironment(), PopLaunchConfigurations()]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:

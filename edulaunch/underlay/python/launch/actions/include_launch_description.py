@@ -1,4 +1,5 @@
 """Including another launch file."""
+
 from __future__ import annotations
 
 import os
@@ -41,12 +42,19 @@ class IncludeLaunchDescription(Action):
     _search_role: ClassVar[str] = 'include'
     parse = parsed_as_action('include')
 
-    def __init__(self, launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType, *,
-                 launch_arguments: LaunchArguments | None = None, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType,
+        *,
+        launch_arguments: LaunchArguments | None = None,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
         self.__source = (
-            launch_description_source if isinstance(launch_description_source, LaunchDescriptionSource)
-            else AnyLaunchDescriptionSource(launch_description_source))
+            launch_description_source
+            if isinstance(launch_description_source, LaunchDescriptionSource)
+            else AnyLaunchDescriptionSource(launch_description_source)
+        )
         self.__launch_arguments = () if launch_arguments is None else tuple(launch_arguments)
 
     @property
@@ -71,14 +79,14 @@ class IncludeLaunchDescription(Action):
     def _try_get_arguments_names_without_context(self) -> list[str]:
         """The names of the launch arguments, as far as they are known without a running launch."""
         from ..launch_context import LaunchContext
+
         try:
             return self.__argument_names(LaunchContext())
         except Exception:
             return []
 
     def __argument_names(self, context: LaunchContext) -> list[str]:
-        return [perform_substitutions(context, normalize_to_list_of_substitutions(name))
-                for name, _ in self.__launch_arguments]
+        return [perform_substitutions(context, normalize_to_list_of_substitutions(name)) for name, _ in self.__launch_arguments]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         """Load it; first set the arguments, then visit it. A file of a package like Gazebo's, which is not here, is left out.
@@ -93,9 +101,7 @@ class IncludeLaunchDescription(Action):
             raise
         location = os.path.abspath(self.__source.location)
         note_include(location)
-        context.extend_locals({
-            'current_launch_file_path': location,
-            'current_launch_file_directory': os.path.dirname(location)})
+        context.extend_locals({'current_launch_file_path': location, 'current_launch_file_directory': os.path.dirname(location)})
         try:
             self.__check_required_arguments(description, context)
         except AttributeError as error:
@@ -122,4 +128,5 @@ class IncludeLaunchDescription(Action):
             if argument.name not in given:
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
-                    f"(description: '{argument.description}'), given: [{', '.join(given)}]")
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                )

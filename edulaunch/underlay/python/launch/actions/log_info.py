@@ -1,4 +1,5 @@
 """Writing a line to the log."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -31,4 +32,5 @@ class LogInfo(Action):
     def execute(self, context: LaunchContext) -> None:
         """Write it."""
         from ..logging import get_logger
+
         get_logger('launch.user').info(perform_substitutions(context, self.__msg))

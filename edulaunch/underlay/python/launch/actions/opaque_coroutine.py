@@ -1,4 +1,5 @@
 """Running a coroutine while the launch runs."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -37,11 +38,10 @@ class OpaqueCoroutine(Action):
         **left_over_kwargs: Any,
     ) -> None:
         import inspect
+
         super().__init__(**left_over_kwargs)
         if not inspect.iscoroutinefunction(coroutine):
-            raise TypeError(
-                f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'"
-            )
+            raise TypeError(f"OpaqueCoroutine expected a coroutine function for 'coroutine', got '{type(coroutine)}'")
         ensure_argument_type(args, (collections.abc.Iterable, type(None)), 'args', 'OpaqueCoroutine')
         ensure_argument_type(kwargs, (dict, type(None)), 'kwargs', 'OpaqueCoroutine')
         ensure_argument_type(ignore_context, bool, 'ignore_context', 'OpaqueCoroutine')
@@ -58,9 +58,7 @@ class OpaqueCoroutine(Action):
     def execute(self, context: LaunchContext) -> None:
         """Start the task."""
         first = [] if self.__ignore_context else [context]
-        self.__future = context.asyncio_loop.create_task(
-            self.__coroutine(*first, *self.__args, **self.__kwargs)
-        )
+        self.__future = context.asyncio_loop.create_task(self.__coroutine(*first, *self.__args, **self.__kwargs))
         context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:

@@ -1,4 +1,5 @@
 """Running a Python function at launch time."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -24,9 +25,14 @@ class OpaqueFunction(Action):
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """
 
-    def __init__(self, *, function: Callable[..., Iterable[LaunchDescriptionEntity] | None],
-                 args: Iterable[Any] | None = None, kwargs: dict[str, Any] | None = None,
-                 **left_over_kwargs: Any) -> None:
+    def __init__(
+        self,
+        *,
+        function: Callable[..., Iterable[LaunchDescriptionEntity] | None],
+        args: Iterable[Any] | None = None,
+        kwargs: dict[str, Any] | None = None,
+        **left_over_kwargs: Any,
+    ) -> None:
         super().__init__(**left_over_kwargs)
         if not callable(function):
             raise TypeError(f"OpaqueFunction expected a callable for 'function', got '{type(function)}'")
@@ -40,7 +46,5 @@ class OpaqueFunction(Action):
         """Call it."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
-            iter(
-                entities
-            )  # A single entity is the usual mistake; found here, the error knows this action's line.
+            iter(entities)  # A single entity is the usual mistake; found here, the error knows this action's line.
         return entities

@@ -1,4 +1,5 @@
 """Restoring the environment."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

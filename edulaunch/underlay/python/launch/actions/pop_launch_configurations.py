@@ -1,4 +1,5 @@
 """Restoring all launch configurations."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Saving the environment."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

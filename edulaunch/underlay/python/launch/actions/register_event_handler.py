@@ -1,4 +1,5 @@
 """Reacting to events from now on."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

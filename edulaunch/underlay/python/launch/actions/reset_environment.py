@@ -1,4 +1,5 @@
 """Resetting the environment."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Forgetting all launch configurations."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -25,14 +26,10 @@ class ResetLaunchConfigurations(Action):
     parse = parsed_as_action('reset')
 
     def __init__(
-        self,
-        launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
-        **kwargs: Any,
+        self, launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None, **kwargs: Any
     ) -> None:
         super().__init__(**kwargs)
-        self.__launch_configurations = (
-            dict(launch_configurations) if launch_configurations is not None else {}
-        )
+        self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
 
     @property
     def launch_configurations(self) -> dict[SomeSubstitutionsType, SomeSubstitutionsType]:
@@ -42,8 +39,10 @@ class ResetLaunchConfigurations(Action):
     def execute(self, context: LaunchContext) -> None:
         """Forget, then set."""
         kept = {
-            perform_substitutions(context, normalize_to_list_of_substitutions(name)):
-            perform_substitutions(context, normalize_to_list_of_substitutions(value))
-            for name, value in self.__launch_configurations.items()}
+            perform_substitutions(context, normalize_to_list_of_substitutions(name)): perform_substitutions(
+                context, normalize_to_list_of_substitutions(value)
+            )
+            for name, value in self.__launch_configurations.items()
+        }
         context.launch_configurations.clear()
         context.launch_configurations.update(kept)

@@ -1,4 +1,5 @@
 """Setting an environment variable."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

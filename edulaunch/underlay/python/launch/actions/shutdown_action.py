@@ -1,4 +1,5 @@
 """Ending the launch."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -35,7 +36,5 @@ class Shutdown(EmitEvent):
         if isinstance(event, ProcessExited):
             from ..logging import get_logger
 
-            get_logger('launch').info(
-                f'process[{event.process_name}] was required: shutting down launched system'
-            )
+            get_logger('launch').info(f'process[{event.process_name}] was required: shutting down launched system')
         context.emit_event_sync(ShutdownEvent(reason=perform_substitutions(context, self.__reason)))

@@ -1,4 +1,5 @@
 """Waiting before actions are executed."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -37,14 +38,21 @@ class TimerAction(Action):
 
     parse = parsed_as_action('timer')
 
-    def __init__(self, *, period: float | SomeSubstitutionsType, actions: Iterable[LaunchDescriptionEntity],
-                 cancel_on_shutdown: bool | SomeSubstitutionsType = True, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        *,
+        period: float | SomeSubstitutionsType,
+        actions: Iterable[LaunchDescriptionEntity],
+        cancel_on_shutdown: bool | SomeSubstitutionsType = True,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(**kwargs)
         ensure_argument_type(period, (*SomeSubstitutionsType_types_tuple, float), 'period', 'TimerAction')
         ensure_argument_type(actions, collections.abc.Iterable, 'actions', 'TimerAction')
         if isinstance(period, str):
-            warnings.warn("The parameter 'period' must be a float or substitution, "
-                          'passing a string literal is deprecated', stacklevel=2)
+            warnings.warn(
+                "The parameter 'period' must be a float or substitution, passing a string literal is deprecated", stacklevel=2
+            )
             period = float(period)
         self.__period = normalize_typed_substitution(period, float)
         self.__actions = actions
@@ -85,6 +93,7 @@ class TimerAction(Action):
 
     async def _wait_to_fire_event(self, context: LaunchContext) -> None:
         import asyncio
+
         assert self._canceled_future is not None and self._completed_future is not None
         try:
             period = perform_typed_substitution(context, self.__period, float)
@@ -123,8 +132,9 @@ class _TimerEventHandler(EventHandler):
     _event_keys = ((TimerEvent, None),)
 
     def __init__(self) -> None:
-        super().__init__(matcher=lambda event: isinstance(event, TimerEvent),
-                         entities=OpaqueFunction(function=_handle_timer_event))
+        super().__init__(
+            matcher=lambda event: isinstance(event, TimerEvent), entities=OpaqueFunction(function=_handle_timer_event)
+        )
 
 
 def _handle_timer_event(context: LaunchContext) -> Iterable[LaunchDescriptionEntity]:

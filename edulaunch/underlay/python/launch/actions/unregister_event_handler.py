@@ -1,4 +1,5 @@
 """Reacting to events no longer."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,5 @@
 """Removing an environment variable."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,5 @@
 """Forgetting a launch configuration."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,5 @@
 """Conditions, which decide at launch time whether an action is executed."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

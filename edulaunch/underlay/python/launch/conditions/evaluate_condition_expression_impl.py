@@ -1,4 +1,5 @@
 """True or false from a text, as `IfCondition` understands it."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -30,6 +31,5 @@ def evaluate_condition_expression(context: LaunchContext, expression: Iterable[S
     valid = ', '.join(VALID_TRUE_EXPRESSIONS + VALID_FALSE_EXPRESSIONS)
     expanded_from = ' + '.join(repr(substitution) for substitution in expression)
     raise InvalidConditionExpressionError(
-        f"invalid condition expression, expected one of [{valid}] but got '{text}', "
-        f"expanded from '{expanded_from}'"
+        f"invalid condition expression, expected one of [{valid}] but got '{text}', expanded from '{expanded_from}'"
     )

@@ -1,4 +1,5 @@
 """A condition that is true for `true` and `1`."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

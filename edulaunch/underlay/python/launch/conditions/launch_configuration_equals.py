@@ -1,4 +1,5 @@
 """A condition on the text of one launch configuration."""
+
 from __future__ import annotations
 
 import warnings
@@ -24,11 +25,11 @@ class LaunchConfigurationEquals(Condition):
             "The 'LaunchConfigurationEquals' and 'LaunchConfigurationNotEquals' Conditions are deprecated. "
             "Use the 'EqualsSubstitution' and 'NotEqualsSubstitution' substitutions instead! E.g.:\n"
             f"  IfCondition(EqualsSubstitution(LaunchConfiguration('{launch_configuration_name}'), ...))",
-            UserWarning, stacklevel=2)
-        self.__name = launch_configuration_name
-        self.__expected = (
-            None if expected_value is None else normalize_to_list_of_substitutions(expected_value)
+            UserWarning,
+            stacklevel=2,
         )
+        self.__name = launch_configuration_name
+        self.__expected = None if expected_value is None else normalize_to_list_of_substitutions(expected_value)
         super().__init__(predicate=self._predicate_func)
 
     _sign = 'is'

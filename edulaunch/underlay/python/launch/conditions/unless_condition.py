@@ -1,4 +1,5 @@
 """The opposite of `IfCondition`."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """What actions execute, described apart from the actions."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {'Executable': 'executable'}

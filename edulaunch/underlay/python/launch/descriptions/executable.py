@@ -1,4 +1,5 @@
 """A command line with everything that belongs to it."""
+
 from __future__ import annotations
 
 import os
@@ -39,10 +40,17 @@ class Executable:
     :param arguments: further words of the command line.
     """
 
-    def __init__(self, *, cmd: Iterable[SomeSubstitutionsType], prefix: SomeSubstitutionsType | None = None,
-                 name: SomeSubstitutionsType | None = None, cwd: SomeSubstitutionsType | None = None,
-                 env: Variables | None = None, additional_env: Variables | None = None,
-                 arguments: Iterable[SomeSubstitutionsType] | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        cmd: Iterable[SomeSubstitutionsType],
+        prefix: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        cwd: SomeSubstitutionsType | None = None,
+        env: Variables | None = None,
+        additional_env: Variables | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
+    ) -> None:
         self.__words: list[Word] = []
         self._add_words(cmd)
         self.__arguments = None if arguments is None else list(arguments)
@@ -80,7 +88,8 @@ class Executable:
         """Add words at the end of the command line. Texts become substitutions only when somebody looks."""
         self.__words += [
             word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)
-            for word in words]
+            for word in words
+        ]
 
     @property
     def cwd(self) -> Substitutions | None:
@@ -133,14 +142,12 @@ class Executable:
         cmd = [word if isinstance(word, str) else _performed(context, word) for word in self.__words]
         prefix = self.__prefix_words(context, cmd[0])
         self._command = [*prefix, *cmd] if prefix else cmd
-        name = (os.path.basename(self._command[0]) if self.__name is None
-                else perform_substitutions(context, self.__name))
+        name = os.path.basename(self._command[0]) if self.__name is None else perform_substitutions(context, self.__name)
         counter = process_counter(context)
         counter[0] += 1
         self.__final_name = f'{name}-{counter[0]}'
         self.__final_cwd = None if self.__cwd is None else perform_substitutions(context, self.__cwd)
-        self.__final_env = (
-            dict(context.environment) if self.__env is None else _perform_variables(context, self.__env))
+        self.__final_env = dict(context.environment) if self.__env is None else _perform_variables(context, self.__env)
         if self.__additional_env is not None:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
@@ -161,12 +168,10 @@ def _performed(context: LaunchContext, word: Substitution | Substitutions) -> st
 
 
 def _normalize_variables(variables: Variables) -> list[tuple[Substitutions, Substitutions]]:
-    return [(normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value))
-            for key, value in variables.items()]
+    return [
+        (normalize_to_list_of_substitutions(key), normalize_to_list_of_substitutions(value)) for key, value in variables.items()
+    ]
 
 
-def _perform_variables(context: LaunchContext,
-                       variables: Iterable[tuple[Substitutions, Substitutions]]) -> dict[str, str]:
-    return {
-        perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables
-    }
+def _perform_variables(context: LaunchContext, variables: Iterable[tuple[Substitutions, Substitutions]]) -> dict[str, str]:
+    return {perform_substitutions(context, key): perform_substitutions(context, value) for key, value in variables}

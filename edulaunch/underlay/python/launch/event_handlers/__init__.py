@@ -1,4 +1,5 @@
 """Handlers for the usual events."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

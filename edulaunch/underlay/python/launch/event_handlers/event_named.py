@@ -1,4 +1,5 @@
 """A matcher by name."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

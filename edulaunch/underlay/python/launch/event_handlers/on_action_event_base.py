@@ -1,4 +1,5 @@
 """Reacting to events of actions."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -30,16 +31,11 @@ class OnActionEventBase(BaseEventHandler):
     :raises TypeError: for an `action_matcher` or an item of `on_event` of another type.
     """
 
-    def __init__(self, *, action_matcher: ActionMatcher, on_event: Reaction, target_event_cls: type,
-                 target_action_cls: type, **kwargs: Any) -> None:
-        if not (
-            action_matcher is None
-            or callable(action_matcher)
-            or isinstance(action_matcher, target_action_cls)
-        ):
-            raise TypeError(
-                f"action_matcher must be an '{target_action_cls.__name__}' instance or a callable"
-            )
+    def __init__(
+        self, *, action_matcher: ActionMatcher, on_event: Reaction, target_event_cls: type, target_action_cls: type, **kwargs: Any
+    ) -> None:
+        if not (action_matcher is None or callable(action_matcher) or isinstance(action_matcher, target_action_cls)):
+            raise TypeError(f"action_matcher must be an '{target_action_cls.__name__}' instance or a callable")
         self.__target_action_cls = target_action_cls
         self.__target_event_cls = target_event_cls
         self.__action_matcher = action_matcher
@@ -95,6 +91,7 @@ def _checked(entities: Any) -> list[LaunchDescriptionEntity]:
     listed = list(entities)
     for entity in listed:
         if not isinstance(entity, LaunchDescriptionEntity):
-            raise TypeError("expected all items in 'on_event' iterable to be of type "
-                            f"'LaunchDescriptionEntity' but got '{type(entity)}'")
+            raise TypeError(
+                f"expected all items in 'on_event' iterable to be of type 'LaunchDescriptionEntity' but got '{type(entity)}'"
+            )
     return listed

@@ -1,4 +1,5 @@
 """Reacting to the end of an action."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -17,9 +18,7 @@ class OnExecutionComplete(OnActionEventBase):
     :param on_completion: an entity, several, or a callable (event, context) that may return entities.
     """
 
-    def __init__(
-        self, *, target_action: ActionMatcher = None, on_completion: Reaction, **kwargs: Any
-    ) -> None:
+    def __init__(self, *, target_action: ActionMatcher = None, on_completion: Reaction, **kwargs: Any) -> None:
         from ..action import Action
 
         super().__init__(

@@ -1,4 +1,5 @@
 """Executing descriptions that were given to the launch service."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -13,8 +14,7 @@ if TYPE_CHECKING:
 
 
 class OnIncludeLaunchDescription(BaseEventHandler):
-    """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these.
-    """
+    """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these."""
 
     _event_keys = ((IncludeLaunchDescription, None),)
 

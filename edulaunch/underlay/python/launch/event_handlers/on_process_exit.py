@@ -1,4 +1,5 @@
 """Reacting to the end of a process."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -19,5 +20,11 @@ class OnProcessExit(OnActionEventBase):
 
     def __init__(self, *, target_action: ActionMatcher = None, on_exit: Reaction, **kwargs: Any) -> None:
         from ..actions.execute_local import ExecuteLocal
-        super().__init__(action_matcher=target_action, on_event=on_exit, target_event_cls=ProcessExited,
-                         target_action_cls=ExecuteLocal, **kwargs)
+
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
+        )

@@ -1,4 +1,5 @@
 """Reacting to what processes print."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -23,14 +24,27 @@ class OnProcessIO(OnActionEventBase):
     :param on_stdin, on_stdout, on_stderr: each called with the event; may return entities.
     """
 
-    def __init__(self, *, target_action: ActionMatcher = None, on_stdin: OnText | None = None,
-                 on_stdout: OnText | None = None, on_stderr: OnText | None = None, **kwargs: Any) -> None:
+    def __init__(
+        self,
+        *,
+        target_action: ActionMatcher = None,
+        on_stdin: OnText | None = None,
+        on_stdout: OnText | None = None,
+        on_stderr: OnText | None = None,
+        **kwargs: Any,
+    ) -> None:
         from ..actions.execute_local import ExecuteLocal
+
         self.__on_stdin = on_stdin
         self.__on_stdout = on_stdout
         self.__on_stderr = on_stderr
-        super().__init__(action_matcher=target_action, on_event=self.__on_io, target_event_cls=ProcessIO,
-                         target_action_cls=ExecuteLocal, **kwargs)
+        super().__init__(
+            action_matcher=target_action,
+            on_event=self.__on_io,
+            target_event_cls=ProcessIO,
+            target_action_cls=ExecuteLocal,
+            **kwargs,
+        )
 
     def __on_io(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
         assert isinstance(event, ProcessIO)

@@ -1,4 +1,5 @@
 """Reacting to the start of a process."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -19,5 +20,11 @@ class OnProcessStart(OnActionEventBase):
 
     def __init__(self, *, target_action: ActionMatcher = None, on_start: Reaction, **kwargs: Any) -> None:
         from ..actions.execute_process import ExecuteProcess
-        super().__init__(action_matcher=target_action, on_event=on_start, target_event_cls=ProcessStarted,
-                         target_action_cls=ExecuteProcess, **kwargs)
+
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_start,
+            target_event_cls=ProcessStarted,
+            target_action_cls=ExecuteProcess,
+            **kwargs,
+        )

@@ -1,4 +1,5 @@
 """Reacting to the end of the launch."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -31,7 +32,8 @@ class OnShutdown(BaseEventHandler):
         """The entities, or what the callable returns."""
         super().handle(event, context)
         answer: SomeEntitiesType | None = (
-            self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown)
+            self.__on_shutdown(event, context) if callable(self.__on_shutdown) else self.__on_shutdown
+        )
         return answer
 
     @property

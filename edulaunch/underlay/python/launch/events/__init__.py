@@ -1,4 +1,5 @@
 """What can happen in a running launch."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

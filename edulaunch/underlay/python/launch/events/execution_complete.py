@@ -1,4 +1,5 @@
 """An action has been executed."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

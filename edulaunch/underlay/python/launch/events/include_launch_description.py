@@ -1,4 +1,5 @@
 """A launch description is to be executed."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Which actions an event is meant for."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

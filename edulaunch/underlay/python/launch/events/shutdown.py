@@ -1,4 +1,5 @@
 """The launch is to end."""
+
 from __future__ import annotations
 
 from ..event import Event

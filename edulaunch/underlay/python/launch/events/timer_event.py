@@ -1,4 +1,5 @@
 """A timer has run out."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Launch files in formats other than Python: what XML and YAML have in common, and how to extend both."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

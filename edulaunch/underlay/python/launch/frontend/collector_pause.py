@@ -1,4 +1,5 @@
 """Parsing without the cyclic garbage collector."""
+
 from __future__ import annotations
 
 import gc

@@ -1,4 +1,5 @@
 """What a parse function sees of one element of a launch file, whatever the format."""
+
 from __future__ import annotations
 
 import typing
@@ -49,8 +50,7 @@ class Entity(ABC):
         return f"'{self.type_name}'"
 
     @abstractmethod
-    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False,
-                 can_be_str: bool = True) -> Any:
+    def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
         """The attribute `name`.
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.

@@ -1,4 +1,5 @@
 """Which element of a launch file, and which `$(...)`, is made by what."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -17,20 +18,21 @@ substitution_parse_methods: dict[str, ParseMethod] = dict(BUILT_IN_SUBSTITUTIONS
 """Name of `$(name ...)` -> function (list of arguments) -> (class, keyword arguments)."""
 
 
-def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod],
-                  exposed_type: str) -> Callable[[Exposed], Exposed]:
+def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_type: str) -> Callable[[Exposed], Exposed]:
     """The decorator behind :func:`expose_action` and :func:`expose_substitution`.
 
     It takes a class with a `parse` method, or the parse function itself, and gives it back unchanged.
 
     :raises RuntimeError: for anything else, and when the name is taken by other code.
     """
+
     def expose(exposed: Exposed) -> Exposed:
         parse = _parse_method_of(exposed, name, exposed_type)
         if name in parse_methods_map and not _same_code(parse_methods_map[name], parse):
             raise RuntimeError(f'Two {exposed_type} parsing methods exposed with the same name: [{name}]')
         parse_methods_map[name] = parse
         return exposed
+
     return expose
 
 
@@ -52,8 +54,7 @@ def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
         return parse
     if callable(exposed):
         return exposed  # type: ignore[no-any-return]
-    raise RuntimeError(
-        f'Exposed {exposed_type} parser for {name} is not a callable or a class containing a parse method')
+    raise RuntimeError(f'Exposed {exposed_type} parser for {name} is not a callable or a class containing a parse method')
 
 
 def _same_code(known: ParseMethod, new: ParseMethod) -> bool:

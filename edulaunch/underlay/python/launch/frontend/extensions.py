@@ -2,6 +2,7 @@
 
 Looking entry points up costs more than parsing a launch file, so this waits until something unknown is met.
 """
+
 from __future__ import annotations
 
 import warnings
@@ -15,6 +16,7 @@ PARSER_GROUP = 'launch.frontend.parser'
 def entry_points_of(group: str) -> Iterator[Any]:
     """The entry points of a group, of all installed packages."""
     import importlib.metadata
+
     found: Any = importlib.metadata.entry_points()
     return iter(found.select(group=group) if hasattr(found, 'select') else found.get(group, ()))
 

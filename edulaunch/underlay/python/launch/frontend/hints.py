@@ -3,6 +3,7 @@
 The errors keep ROS's types and texts. What we add hangs on them as attributes, for whoever shows them:
 `edulaunch_file`, `edulaunch_line`, `edulaunch_tag`, and `edulaunch_help` with all of it in one line.
 """
+
 from __future__ import annotations
 
 from collections.abc import Collection
@@ -18,25 +19,52 @@ Error = TypeVar('Error', bound=BaseException)
 
 _HOMES = {
     # elements that stand inside others: (where, and what does it for everything that follows)
-    'param': (('node',), 'set_parameter'), 'remap': (('node',), 'set_remap'), 'env': (('node', 'executable'), 'set_env'),
-    'choice': (('arg',), None), 'keep': (('group', 'reset'), None), 'extra_arg': (('composable_node',), None),
-    'composable_node': (('node_container', 'load_composable_node'), None)}
+    'param': (('node',), 'set_parameter'),
+    'remap': (('node',), 'set_remap'),
+    'env': (('node', 'executable'), 'set_env'),
+    'choice': (('arg',), None),
+    'keep': (('group', 'reset'), None),
+    'extra_arg': (('composable_node',), None),
+    'composable_node': (('node_container', 'load_composable_node'), None),
+}
 ROS_1_ELEMENTS = {'rosparam': 'param', 'test': 'node', 'machine': None}
 INSTEAD = {
     # (element, what people write there): what it is called; many are names of ROS 1 or of the Python classes
-    ('node', 'type'): 'exec', ('node', 'ns'): 'namespace', ('node', 'required'): 'on_exit',
-    ('node', 'executable'): 'exec', ('node', 'package'): 'pkg', ('node', 'parameters'): 'param',
-    ('node', 'arguments'): 'args', ('node', 'remappings'): 'remap',
+    ('node', 'type'): 'exec',
+    ('node', 'ns'): 'namespace',
+    ('node', 'required'): 'on_exit',
+    ('node', 'executable'): 'exec',
+    ('node', 'package'): 'pkg',
+    ('node', 'parameters'): 'param',
+    ('node', 'arguments'): 'args',
+    ('node', 'remappings'): 'remap',
     ('group', 'ns'): '<push_ros_namespace namespace="..."/>',
     ('include', 'ns'): '<push_ros_namespace namespace="..."/> in a <group>',
-    ('arg', 'doc'): 'description', ('arg', 'value'): 'default', ('push_ros_namespace', 'ns'): 'namespace',
-    ('include', 'param'): 'arg', ('include', 'path'): 'file', ('let', 'default'): 'value', ('param', 'file'): 'from',
-    ('remap', 'name'): 'from', ('remap', 'value'): 'to', ('set_remap', 'src'): 'from', ('set_remap', 'dst'): 'to',
-    ('timer', 'delay'): 'period', ('timer', 'actions'): 'children', ('log', 'msg'): 'message', ('log', 'text'): 'message',
-    ('executable', 'command'): 'cmd', ('set_parameters_from_file', 'file'): 'filename',
+    ('arg', 'doc'): 'description',
+    ('arg', 'value'): 'default',
+    ('push_ros_namespace', 'ns'): 'namespace',
+    ('include', 'param'): 'arg',
+    ('include', 'path'): 'file',
+    ('let', 'default'): 'value',
+    ('param', 'file'): 'from',
+    ('remap', 'name'): 'from',
+    ('remap', 'value'): 'to',
+    ('set_remap', 'src'): 'from',
+    ('set_remap', 'dst'): 'to',
+    ('timer', 'delay'): 'period',
+    ('timer', 'actions'): 'children',
+    ('log', 'msg'): 'message',
+    ('log', 'text'): 'message',
+    ('executable', 'command'): 'cmd',
+    ('set_parameters_from_file', 'file'): 'filename',
 }
-ROS_1_CALLS = {'arg': '$(var ...)', 'find': '$(find-pkg-share ...)', 'optenv': '$(env NAME DEFAULT)',
-               'any': '$(or ... ...)', 'all': '$(and ... ...)'}
+ROS_1_CALLS = {
+    'arg': '$(var ...)',
+    'find': '$(find-pkg-share ...)',
+    'optenv': '$(env NAME DEFAULT)',
+    'any': '$(or ... ...)',
+    'all': '$(and ... ...)',
+}
 
 
 def hinted(error: Error, hint: str | None) -> Error:
@@ -78,7 +106,8 @@ def about_element(entity: Entity) -> str:
         places, for_all = _HOMES[name]
         inside = ' or '.join(entity.shown.replace(name, place) for place in places)
         return f'{entity.shown} stands inside {inside}' + (
-            f'; for everything that follows there is {entity.shown.replace(name, for_all)}' if for_all else '')
+            f'; for everything that follows there is {entity.shown.replace(name, for_all)}' if for_all else ''
+        )
     near = _nearest(name, action_parse_methods)
     meant = entity.shown.replace(name, near) if near else None
     return f'{entity.shown} is no launch element' + (f'; did you mean {meant}?' if meant else '')
@@ -116,6 +145,7 @@ def nearest_given(name: str, entity: Entity, names: Any) -> str | None:
 
 def _nearest(name: str, names: Any) -> str | None:
     from edulaunch.packages.nearest import nearest
+
     return nearest(name, names)
 
 

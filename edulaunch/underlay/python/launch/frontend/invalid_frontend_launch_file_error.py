@@ -1,4 +1,5 @@
 """A launch file in a frontend's format that cannot be read."""
+
 from __future__ import annotations
 
 from ..invalid_launch_file_error import InvalidLaunchFileError

@@ -1,4 +1,5 @@
 """Parse functions that are imported when first called, so that a launch file pays only for what it uses."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

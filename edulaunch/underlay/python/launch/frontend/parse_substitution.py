@@ -1,4 +1,5 @@
 """From the text of an attribute to substitutions."""
+
 from __future__ import annotations
 
 import re
@@ -69,8 +70,11 @@ _shared = lru_cache(maxsize=4096)(_built)
 @lru_cache(maxsize=4096)
 def _is_built_in(template: Template) -> bool:
     """Whether all calls are of built-in substitutions, whose names nothing else can take."""
-    return all(piece.name in BUILT_IN_SUBSTITUTIONS and all(map(_is_built_in, piece.arguments))
-               for piece in template if isinstance(piece, Call))
+    return all(
+        piece.name in BUILT_IN_SUBSTITUTIONS and all(map(_is_built_in, piece.arguments))
+        for piece in template
+        if isinstance(piece, Call)
+    )
 
 
 def _piece(piece: str | Call) -> Substitution:

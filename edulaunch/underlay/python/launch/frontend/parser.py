@@ -1,4 +1,5 @@
 """Reading a launch file in any format other than Python."""
+
 from __future__ import annotations
 
 import os
@@ -56,6 +57,7 @@ class Parser:
 
     def _parse_root(self, entity: Entity) -> LaunchDescription:
         from ..launch_description import LaunchDescription
+
         if entity.type_name != 'launch':
             error = RuntimeError("Expected 'launch' as root tag")
             hints.at(error, entity, f"the outermost element is {entity.shown}, not 'launch'")
@@ -118,8 +120,7 @@ class Parser:
         return cls._load_stream(file)
 
     @classmethod
-    def load_with(cls, file: str | os.PathLike[str] | TextIO,
-                  root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
+    def load_with(cls, file: str | os.PathLike[str] | TextIO, root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
         """For subclasses, to write their :meth:`load` with. (edulaunch only.)
 
         :param root_of: makes the root element from the text of the file; its errors are told where they are.

@@ -2,6 +2,7 @@
 
 Upstream parses with lark, so these errors carry the names and first lines of lark's; what follows is ours.
 """
+
 from __future__ import annotations
 
 CONTEXT_WIDTH = 40
@@ -42,8 +43,7 @@ class UnexpectedCharacters(UnexpectedInput):
         """Names the character and its place, and shows both."""
         found = text[self.pos_in_stream]
         place = f'at line {self.line} col {self.column}'
-        return (f"No terminal matches '{found}' in the current parser context, {place}\n\n"
-                f'{_pointing_at(text, self.pos_in_stream)}')
+        return f"No terminal matches '{found}' in the current parser context, {place}\n\n{_pointing_at(text, self.pos_in_stream)}"
 
 
 class UnexpectedEOF(UnexpectedInput):
@@ -68,6 +68,6 @@ class VisitError(SubstitutionSyntaxError):
 
 
 def _pointing_at(text: str, position: int) -> str:
-    before = text[max(position - CONTEXT_WIDTH, 0):position].rsplit('\n', 1)[-1]
-    after = text[position:position + CONTEXT_WIDTH].split('\n', 1)[0]
+    before = text[max(position - CONTEXT_WIDTH, 0) : position].rsplit('\n', 1)[-1]
+    after = text[position : position + CONTEXT_WIDTH].split('\n', 1)[0]
     return f'{before}{after}\n{" " * len(before.expandtabs())}^\n'

@@ -9,6 +9,7 @@ r"""The grammar of `$(...)`: from a text to literal pieces and calls.
 
 Exactly one space stands before an argument and none before the closing parenthesis, as upstream.
 """
+
 from __future__ import annotations
 
 import re
@@ -106,7 +107,7 @@ class _Reader:
 
     def argument(self) -> Template:
         """One argument, bare or in quotes."""
-        quote = self.text[self.position:self.position + 1]
+        quote = self.text[self.position : self.position + 1]
         if quote not in ("'", '"'):
             pieces = self.pieces(_BARE)
             if not pieces:

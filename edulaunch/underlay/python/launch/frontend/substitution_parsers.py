@@ -2,6 +2,7 @@
 
 An argument is a list of substitutions. Wrong numbers raise upstream's errors, of upstream's (two) types.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -15,10 +16,12 @@ Keywords = Callable[[list[Argument]], dict[str, Any]]
 
 def _takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
     """Keyword arguments by position, from `minimum` up to all of `names`; else `error` with `text`."""
+
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):
             raise error(text)
         return dict(zip(names, arguments, strict=False))
+
     return keywords
 
 
@@ -56,43 +59,55 @@ _LEFT_RIGHT = _takes('and substitution expects 2 arguments', 2, 'left', 'right')
 _LOG_DIR = _makes('LaunchLogDir', 'launch_log_dir', _takes(_NOTHING.format('launch_log_dir'), 0))
 
 BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
-    'var': _makes('LaunchConfiguration', 'launch_configuration',
-                  _takes('var substitution expects 1 or 2 arguments', 1, 'variable_name', 'default')),
-    'env': _makes('EnvironmentVariable', 'environment_variable',
-                  _takes('env substitution expects 1 or 2 arguments', 1, 'name', 'default_value')),
+    'var': _makes(
+        'LaunchConfiguration',
+        'launch_configuration',
+        _takes('var substitution expects 1 or 2 arguments', 1, 'variable_name', 'default'),
+    ),
+    'env': _makes(
+        'EnvironmentVariable',
+        'environment_variable',
+        _takes('env substitution expects 1 or 2 arguments', 1, 'name', 'default_value'),
+    ),
     'eval': _makes('PythonExpression', 'python_expression', _takes_expression),
-    'command': _makes('Command', 'command',
-                      _takes('command substitution expects 1 or 2 arguments', 1, 'command', 'on_stderr')),
-    'find-exec': _makes('FindExecutable', 'find_executable',
-                        _takes('find-exec substitution expects 1 argument', 1, 'name', error=AttributeError)),
+    'command': _makes('Command', 'command', _takes('command substitution expects 1 or 2 arguments', 1, 'command', 'on_stderr')),
+    'find-exec': _makes(
+        'FindExecutable', 'find_executable', _takes('find-exec substitution expects 1 argument', 1, 'name', error=AttributeError)
+    ),
     'dirname': _makes('ThisLaunchFileDir', 'this_launch_file_dir', _takes(_NOTHING.format('dirname'), 0)),
     'filename': _makes('ThisLaunchFile', 'this_launch_file', _takes(_NOTHING.format('filename'), 0)),
     'launch_log_dir': _LOG_DIR,
     'log_dir': _LOG_DIR,
     'anon': _makes('AnonName', 'anon_name', _takes('anon substitution expects 1 argument', 1, 'name')),
-    'not': _makes('NotSubstitution', 'boolean_substitution',
-                  _takes('not substitution expects 1 argument', 1, 'value')),
+    'not': _makes('NotSubstitution', 'boolean_substitution', _takes('not substitution expects 1 argument', 1, 'value')),
     'and': _makes('AndSubstitution', 'boolean_substitution', _LEFT_RIGHT),
     'or': _makes('OrSubstitution', 'boolean_substitution', _LEFT_RIGHT),
     'any': _makes('AnySubstitution', 'boolean_substitution', _takes_all),
     'all': _makes('AllSubstitution', 'boolean_substitution', _takes_all),
     'equals': _makes('EqualsSubstitution', 'equals_substitution', _LEFT_RIGHT),
     'not-equals': _makes('NotEqualsSubstitution', 'not_equals_substitution', _LEFT_RIGHT),
-    'if': _makes('IfElseSubstitution', 'if_else_substitution',
-                 _takes('if substitution expects 2 or 3 arguments', 2,
-                        'condition', 'if_value', 'else_value')),
-    'file-content': _makes('FileContent', 'file_content',
-                           _takes('file-content substitution expects 1 argument', 1, 'path',
-                                  error=AttributeError)),
-    'find-pkg-share': _makes_ros('FindPackageShare', 'find_package',
-                                 _takes('find-pkg-share substitution expects 1 argument', 1, 'package',
-                                        error=AttributeError)),
-    'find-pkg-prefix': _makes_ros('FindPackagePrefix', 'find_package',
-                                  _takes('find-pkg-prefix substitution expects 1 argument', 1, 'package',
-                                         error=AttributeError)),
-    'exec-in-pkg': _makes_ros('ExecutableInPackage', 'executable_in_package',
-                              _takes('exec-in-pkg substitution expects 2 arguments', 2,
-                                     'executable', 'package', error=AttributeError)),
-    'param': _makes_ros('Parameter', 'parameter',
-                        _takes('param substitution expects 1 or 2 arguments', 1, 'name', 'default')),
+    'if': _makes(
+        'IfElseSubstitution',
+        'if_else_substitution',
+        _takes('if substitution expects 2 or 3 arguments', 2, 'condition', 'if_value', 'else_value'),
+    ),
+    'file-content': _makes(
+        'FileContent', 'file_content', _takes('file-content substitution expects 1 argument', 1, 'path', error=AttributeError)
+    ),
+    'find-pkg-share': _makes_ros(
+        'FindPackageShare',
+        'find_package',
+        _takes('find-pkg-share substitution expects 1 argument', 1, 'package', error=AttributeError),
+    ),
+    'find-pkg-prefix': _makes_ros(
+        'FindPackagePrefix',
+        'find_package',
+        _takes('find-pkg-prefix substitution expects 1 argument', 1, 'package', error=AttributeError),
+    ),
+    'exec-in-pkg': _makes_ros(
+        'ExecutableInPackage',
+        'executable_in_package',
+        _takes('exec-in-pkg substitution expects 2 arguments', 2, 'executable', 'package', error=AttributeError),
+    ),
+    'param': _makes_ros('Parameter', 'parameter', _takes('param substitution expects 1 or 2 arguments', 1, 'name', 'default')),
 }

@@ -1,4 +1,5 @@
 """What the formats need to know about data types."""
+
 from __future__ import annotations
 
 from typing import Any

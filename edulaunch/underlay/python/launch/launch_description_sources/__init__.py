@@ -1,4 +1,5 @@
 """Launch files of the different formats."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,4 +1,5 @@
 """A launch file of any format."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

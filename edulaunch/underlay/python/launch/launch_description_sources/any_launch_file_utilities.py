@@ -1,4 +1,5 @@
 """Loading launch files of any format."""
+
 from __future__ import annotations
 
 import os
@@ -20,8 +21,7 @@ def get_launch_description_from_any_launch_file(launch_file_path: str) -> Launch
     :raises InvalidLaunchFileError: when nobody can read it, with what each loader said.
     """
     extension = os.path.splitext(launch_file_path)[1].lower().lstrip('.')
-    loaders: list[Callable[[str], LaunchDescription]] = [
-        _load_with_frontends, get_launch_description_from_python_launch_file]
+    loaders: list[Callable[[str], LaunchDescription]] = [_load_with_frontends, get_launch_description_from_python_launch_file]
     if extension == 'py':
         loaders.reverse()
     errors: list[Exception] = []
@@ -35,4 +35,5 @@ def get_launch_description_from_any_launch_file(launch_file_path: str) -> Launch
 
 def _load_with_frontends(path: str) -> LaunchDescription:
     from .frontend_launch_file_utilities import get_launch_description_from_frontend_launch_file
+
     return get_launch_description_from_frontend_launch_file(path)

@@ -1,4 +1,5 @@
 """A launch file in a format with a parser."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """Loading launch files written in XML, YAML or any other format with a parser."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -13,7 +14,8 @@ __all__ = ['InvalidFrontendLaunchFileError', 'get_launch_description_from_fronte
 
 
 def get_launch_description_from_frontend_launch_file(
-        frontend_launch_file_path: str, *, parser: type[Parser] | None = None) -> LaunchDescription:
+    frontend_launch_file_path: str, *, parser: type[Parser] | None = None
+) -> LaunchDescription:
     """The description in the file.
 
     :param parser: of its format; without one all are tried, those first that know the file's extension.

@@ -13,6 +13,7 @@ As upstream: `launch_config` decides formats, level and places; `get_logger(name
   `launch_config.log_dir` makes the folder.
 * Times in log lines are simulated.
 """
+
 from __future__ import annotations
 
 import logging
@@ -75,8 +76,9 @@ def get_logger(name: str | None = None) -> logging.Logger:
     return logger
 
 
-def get_output_loggers(process_name: str, output_config: OutputConfig, main_log_file_name: str = 'launch.log',
-                       ) -> tuple[logging.Logger, logging.Logger]:
+def get_output_loggers(
+    process_name: str, output_config: OutputConfig, main_log_file_name: str = 'launch.log'
+) -> tuple[logging.Logger, logging.Logger]:
     """The loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
 
     :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr'

@@ -1,4 +1,5 @@
 """Formats, level and places of launch's log lines."""
+
 from __future__ import annotations
 
 import logging
@@ -11,10 +12,7 @@ from .._engine import environment, running_process
 from . import handlers
 from ._log_dir import _get_logging_directory, _make_unique_log_dir, _renew_latest_log_dir
 
-ALIASES = {
-    'default': '[{levelname}] [{name}]: {msg}',
-    'default_with_timestamp': '{created:.7f} [{levelname}] [{name}]: {msg}',
-}
+ALIASES = {'default': '[{levelname}] [{name}]: {msg}', 'default_with_timestamp': '{created:.7f} [{levelname}] [{name}]: {msg}'}
 
 
 class LaunchConfig:
@@ -49,8 +47,7 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it.
-        """
+        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it."""
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
             _renew_latest_log_dir(log_dir=self._log_dir)
@@ -60,8 +57,9 @@ class LaunchConfig:
     def log_dir(self, new_log_dir: str | None) -> None:
         if self.file_handlers:
             warnings.warn(
-                f'Loggers have been already configured to output to log files below {self._log_dir}. '
-                'Proceed at your own risk.', stacklevel=2)
+                f'Loggers have been already configured to output to log files below {self._log_dir}. Proceed at your own risk.',
+                stacklevel=2,
+            )
         self._log_dir = None if new_log_dir is None else _make_unique_log_dir(base_path=new_log_dir)
 
     @property
@@ -79,9 +77,7 @@ class LaunchConfig:
         :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
         :raises ValueError: when a style is given for one of the two names.
         """
-        formatter = _formatter(
-            'screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES
-        )
+        formatter = _formatter('screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES)
         if formatter is not None:
             self._screen_formatter = formatter
             if self.screen_handler is not None:
@@ -127,8 +123,9 @@ def _file_handler(path: str) -> Any:
     return handlers.FileHandler(path, encoding='utf-8')
 
 
-def _formatter(what: str, variable: str, text: str | None, style: str | None,
-               aliases: dict[str, str]) -> logging.Formatter | None:
+def _formatter(
+    what: str, variable: str, text: str | None, style: str | None, aliases: dict[str, str]
+) -> logging.Formatter | None:
     override = environment().get(variable)
     if override:
         text, style = override.encode('latin1').decode('unicode_escape'), '{'

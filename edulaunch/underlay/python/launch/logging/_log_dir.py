@@ -1,4 +1,5 @@
 """The folder of one launch's log files."""
+
 from __future__ import annotations
 
 import os
@@ -21,6 +22,7 @@ def _make_unique_log_dir(*, base_path: str) -> str:
     """
     from socket import gethostname
     from time import gmtime, strftime
+
     process = running_process()
     seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)
     date = strftime('%Y-%m-%d-%H-%M-%S', gmtime(seconds))

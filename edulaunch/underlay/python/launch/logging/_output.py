@@ -1,4 +1,5 @@
 """Where the output of a program goes."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -33,7 +34,5 @@ def normalize_output_configuration(config: OutputConfig) -> dict[str, set[str]]:
         places[source] = {destinations} if isinstance(destinations, str) else set(destinations)
         for destination in sorted(places[source]):
             if destination not in DESTINATIONS:
-                raise ValueError(
-                    f'{destination} is not a valid output destination i.e. "screen", "log" or "own_log"'
-                )
+                raise ValueError(f'{destination} is not a valid output destination i.e. "screen", "log" or "own_log"')
     return places

@@ -1,4 +1,5 @@
 """The loggers of one process."""
+
 from __future__ import annotations
 
 import logging
@@ -61,9 +62,7 @@ class LoggingState:
             return known
         if '.' in name:
             return self._manager.getLogger(name)
-        logger = self._manager.loggerDict[name] = LaunchLogger(
-            name
-        )  # without the locks and searches of the manager
+        logger = self._manager.loggerDict[name] = LaunchLogger(name)  # without the locks and searches of the manager
         logger.parent = self.root
         logger.manager = self._manager
         return logger

@@ -2,6 +2,7 @@
 
 `Handler`, `StreamHandler`, `FileHandler`, `NullHandler`, and under their own names all handlers of `logging.handlers`.
 """
+
 from __future__ import annotations
 
 import logging

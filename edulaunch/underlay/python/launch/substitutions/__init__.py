@@ -1,4 +1,5 @@
 """Substitutions: texts that are found out at launch time."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

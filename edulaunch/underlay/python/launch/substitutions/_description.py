@@ -1,4 +1,5 @@
 """Substitutions in words."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

@@ -1,4 +1,5 @@
 """Texts as booleans, for the boolean substitutions."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

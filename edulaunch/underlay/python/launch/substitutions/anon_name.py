@@ -1,4 +1,5 @@
 """A name that nobody else has."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -42,7 +43,7 @@ class AnonName(Substitution):
         key = 'anon' + name
         if key not in context.launch_configurations:
             process = running_process()
-            number = process.sim.random(key).randrange(2 ** 63)
+            number = process.sim.random(key).randrange(2**63)
             unique = f'{name}_edulaunch_{process.pid}_{number}'
             context.launch_configurations[key] = unique.replace('.', '_').replace('-', '_').replace(':', '_')
         unique_name: str = context.launch_configurations[key]

@@ -1,4 +1,5 @@
 """Texts combined as booleans. All operands are always evaluated; the results are 'true' and 'false'."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -108,7 +109,7 @@ class AnySubstitution(Substitution):
 
     def describe(self) -> str:
         """`AnySubstitution(a b)`."""
-        return f"AnySubstitution({' '.join(describe_all(arg) for arg in self.__args)})"
+        return f'AnySubstitution({" ".join(describe_all(arg) for arg in self.__args)})'
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
@@ -130,7 +131,7 @@ class AllSubstitution(Substitution):
 
     def describe(self) -> str:
         """`AllSubstitution(a b)`."""
-        return f"AllSubstitution({' '.join(describe_all(arg) for arg in self.__args)})"
+        return f'AllSubstitution({" ".join(describe_all(arg) for arg in self.__args)})'
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""

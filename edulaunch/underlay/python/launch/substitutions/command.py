@@ -1,4 +1,5 @@
 """The output of a command."""
+
 from __future__ import annotations
 
 import shlex
@@ -53,9 +54,7 @@ class Command(Substitution):
         command = perform_substitutions(context, self.__command)
         on_stderr = perform_substitutions(context, self.__on_stderr)
         if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):
-            raise SubstitutionFailure(
-                "expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'"
-            )
+            raise SubstitutionFailure("expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture'")
         try:
             argv = shlex.split(command)
             if is_empty_output(argv):
@@ -77,4 +76,5 @@ def _report(message: str, on_stderr: str) -> None:
         raise SubstitutionFailure(message)
     if on_stderr == 'warn':
         from ..logging import get_logger
+
         get_logger().warning(message)

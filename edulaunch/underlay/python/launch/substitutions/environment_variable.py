@@ -1,4 +1,5 @@
 """The value of an environment variable."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -21,13 +22,9 @@ class EnvironmentVariable(Substitution):
     :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
     """
 
-    def __init__(
-        self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None
-    ) -> None:
+    def __init__(self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
-        self.__default_value = (
-            None if default_value is None else normalize_to_list_of_substitutions(default_value)
-        )
+        self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
 
     parse = parsed_as_substitution('env')
 

@@ -1,4 +1,5 @@
 """Whether two texts are equal."""
+
 from __future__ import annotations
 
 import math
@@ -65,6 +66,4 @@ def _normalize_operand(operand: Any) -> list[Substitution]:
         return normalize_to_list_of_substitutions(operand)
     if operand is None:
         return normalize_to_list_of_substitutions('')
-    return normalize_to_list_of_substitutions(
-        str(operand).lower() if isinstance(operand, bool) else str(operand)
-    )
+    return normalize_to_list_of_substitutions(str(operand).lower() if isinstance(operand, bool) else str(operand))

@@ -1,4 +1,5 @@
 """The text of a file."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

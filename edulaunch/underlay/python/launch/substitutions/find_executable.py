@@ -1,4 +1,5 @@
 """Where a program is."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """One of two texts."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -21,8 +22,9 @@ class IfElseSubstitution(Substitution):
     :raises RuntimeError: when both values are empty.
     """
 
-    def __init__(self, condition: SomeSubstitutionsType, if_value: SomeSubstitutionsType = '',
-                 else_value: SomeSubstitutionsType = '') -> None:
+    def __init__(
+        self, condition: SomeSubstitutionsType, if_value: SomeSubstitutionsType = '', else_value: SomeSubstitutionsType = ''
+    ) -> None:
         if if_value == else_value == '':
             raise RuntimeError('One of if_value and else_value must be specified')
         self.__condition = normalize_to_list_of_substitutions(condition)
@@ -49,10 +51,8 @@ class IfElseSubstitution(Substitution):
     def describe(self) -> str:
         """`IfElseSubstitution(condition, if_value, else_value)`."""
         parts = (self.__condition, self.__if_value, self.__else_value)
-        return f"IfElseSubstitution({', '.join(describe_all(part) for part in parts)})"
+        return f'IfElseSubstitution({", ".join(describe_all(part) for part in parts)})'
 
     def perform(self, context: LaunchContext) -> str:
         """The chosen text."""
-        return perform_substitutions(
-            context, self.__if_value if truth(context, self.__condition) else self.__else_value
-        )
+        return perform_substitutions(context, self.__if_value if truth(context, self.__condition) else self.__else_value)

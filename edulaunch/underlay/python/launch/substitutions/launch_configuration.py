@@ -1,4 +1,5 @@
 """The value of a launch configuration."""
+
 from __future__ import annotations
 
 import collections.abc
@@ -58,5 +59,4 @@ class LaunchConfiguration(Substitution):
 def _normalize_default(default: Any) -> list[Substitution]:
     single = isinstance(default, (str, Substitution)) or not isinstance(default, collections.abc.Iterable)
     items: Iterable[Any] = (default,) if single else default
-    return normalize_to_list_of_substitutions(
-        [item if isinstance(item, (str, Substitution)) else str(item) for item in items])
+    return normalize_to_list_of_substitutions([item if isinstance(item, (str, Substitution)) else str(item) for item in items])

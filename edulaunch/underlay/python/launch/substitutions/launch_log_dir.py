@@ -1,4 +1,5 @@
 """Where this launch writes its log files."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -22,5 +23,6 @@ class LaunchLogDir(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """The folder."""
         from ..logging import launch_config
+
         log_dir: str = launch_config.log_dir
         return log_dir

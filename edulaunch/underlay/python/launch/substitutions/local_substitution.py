@@ -1,4 +1,5 @@
 """A value of the context's locals."""
+
 from __future__ import annotations
 
 from functools import lru_cache

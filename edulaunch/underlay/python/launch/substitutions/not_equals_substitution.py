@@ -1,4 +1,5 @@
 """Whether two texts differ."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

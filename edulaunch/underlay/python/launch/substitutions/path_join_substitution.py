@@ -1,4 +1,5 @@
 """Parts of a path, joined."""
+
 from __future__ import annotations
 
 import os

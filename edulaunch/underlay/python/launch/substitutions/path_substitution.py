@@ -1,4 +1,5 @@
 """A path that can be continued with `/`."""
+
 from __future__ import annotations
 
 from ..some_substitutions_type import SomeSubstitutionsType

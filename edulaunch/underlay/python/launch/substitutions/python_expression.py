@@ -1,4 +1,5 @@
 """The value of a Python expression."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -25,9 +26,7 @@ class PythonExpression(Substitution):
     :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.
     """
 
-    def __init__(
-        self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)
-    ) -> None:
+    def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
         self.__expression = normalize_to_list_of_substitutions(expression)
         self.__python_modules = normalize_to_list_of_substitutions(python_modules)
 

@@ -1,4 +1,5 @@
 """Texts, joined with a delimiter."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -17,9 +18,7 @@ if TYPE_CHECKING:
 class StringJoinSubstitution(Substitution):
     """The parts joined with `delimiter` between them. Newer than Jazzy's first release."""
 
-    def __init__(
-        self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ''
-    ) -> None:
+    def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = '') -> None:
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 
@@ -35,7 +34,7 @@ class StringJoinSubstitution(Substitution):
 
     def describe(self) -> str:
         """`StringJoin('a' + 'b')`."""
-        return f"StringJoin({' + '.join(describe_all(part) for part in self.__substitutions)})"
+        return f'StringJoin({" + ".join(describe_all(part) for part in self.__substitutions)})'
 
     def perform(self, context: LaunchContext) -> str:
         """The joined text."""

@@ -1,4 +1,5 @@
 """A literal text."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

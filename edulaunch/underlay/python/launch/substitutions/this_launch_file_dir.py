@@ -1,4 +1,5 @@
 """The folder of the current launch file."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,5 @@
 """What launch's own classes, and extensions of launch, are built with."""
+
 from .._lazy import lazy_exports
 
 _EXPORTS = {

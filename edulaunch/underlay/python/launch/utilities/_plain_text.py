@@ -1,4 +1,5 @@
 """Texts that are known without evaluating anything."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """Single values by the rules of YAML 1.1."""
+
 from __future__ import annotations
 
 import re
@@ -6,14 +7,7 @@ from typing import Any
 
 YAML_BOOLEANS = {
     spelling: value
-    for word, value in (
-        ('true', True),
-        ('yes', True),
-        ('on', True),
-        ('false', False),
-        ('no', False),
-        ('off', False),
-    )
+    for word, value in (('true', True), ('yes', True), ('on', True), ('false', False), ('no', False), ('off', False))
     for spelling in (word, word.capitalize(), word.upper())
 }
 
@@ -41,6 +35,7 @@ def load_yaml_value(text: str) -> Any:
     if _DECIMAL.match(text):
         return float(text)
     import yaml
+
     if '*' in text or len(text) > _SHORT:
         _check_size(text)
     return yaml.safe_load(text)
@@ -49,6 +44,7 @@ def load_yaml_value(text: str) -> Any:
 def _check_size(text: str) -> None:
     import yaml
     from launch_yaml.reader import read
+
     try:
         read(text)
     except yaml.YAMLError:

@@ -1,4 +1,5 @@
 """Questions about classes and instances."""
+
 from __future__ import annotations
 
 from typing import Any

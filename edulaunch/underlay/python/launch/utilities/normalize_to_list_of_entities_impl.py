@@ -1,4 +1,5 @@
 """Entities as a flat list."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -24,5 +25,6 @@ def _flat(entities: Any) -> Iterable[LaunchDescriptionEntity]:
         if isinstance(entity, str):
             raise TypeError(
                 f"Failed to normalize given item of type '{type(entity)}', when only "
-                "'launch.LaunchDescriptionEntity' was expected.")
+                "'launch.LaunchDescriptionEntity' was expected."
+            )
         yield from _flat(entity)

@@ -1,4 +1,5 @@
 """Texts and substitutions as a list of substitutions."""
+
 from __future__ import annotations
 
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -24,6 +25,5 @@ def _normalize(item: object) -> Substitution:
     if isinstance(item, str):
         return TextSubstitution(text=item)
     raise TypeError(
-        f"Failed to normalize given item of type '{type(item)}', "
-        "when only 'str' or 'launch.Substitution' were expected."
+        f"Failed to normalize given item of type '{type(item)}', when only 'str' or 'launch.Substitution' were expected."
     )

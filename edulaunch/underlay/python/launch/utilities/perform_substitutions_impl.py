@@ -1,4 +1,5 @@
 """Several substitutions as one text."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

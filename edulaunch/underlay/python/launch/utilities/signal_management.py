@@ -1,4 +1,5 @@
 """Signals as events of launch's loop."""
+
 from __future__ import annotations
 
 import signal
@@ -38,8 +39,9 @@ class AsyncSafeSignalManager:
             self.__install(number)
         return self
 
-    def __exit__(self, exc_type: type[BaseException] | None, exc_value: BaseException | None,
-                 traceback: TracebackType | None) -> None:
+    def __exit__(
+        self, exc_type: type[BaseException] | None, exc_value: BaseException | None, traceback: TracebackType | None
+    ) -> None:
         self.__is_active = False
         for number in list(self.__before):
             self.__remove(number)

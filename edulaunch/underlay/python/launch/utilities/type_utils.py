@@ -2,6 +2,7 @@
 
 Used by parameter values, by typed arguments of actions and by the XML and YAML frontends.
 """
+
 from __future__ import annotations
 
 import collections.abc
@@ -77,9 +78,7 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool 
     return isinstance(value, list) and all(isinstance(item, accepted) for item in value)
 
 
-def coerce_to_type(
-    value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False
-) -> AllowedValueType:
+def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> AllowedValueType:
     """Convert a text.
 
     :param data_type: None means: by YAML's rules, whatever comes out.
@@ -120,9 +119,7 @@ def _convert_by_yaml(value: str) -> Any:
         return ''
     output = _load(value, f"Failed to convert '{value}' using yaml rules")
     if not is_instance_of_valid_type(output):
-        raise ValueError(
-            f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}"
-        )
+        raise ValueError(f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}")
     return output
 
 
@@ -136,15 +133,14 @@ def _convert_to_list(value: str, item_type: type) -> list[Any]:
 
 def _load(value: str, message: str) -> Any:
     import yaml
+
     try:
         return load_yaml_value(value)
     except yaml.YAMLError as error:
         raise ValueError(f'{message}: {error}') from None
 
 
-def coerce_list(
-    value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False
-) -> list[Any]:
+def coerce_list(value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> list[Any]:
     """Convert each text of a list to the (item) type.
 
     :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
@@ -164,15 +160,13 @@ def get_typed_value(value: str | list[str], data_type: AllowedTypesType, *, can_
 
 
 def is_substitution(x: Any) -> bool:
-    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution.
-    """
+    """Whether it is a substitution, or an iterable of substitutions and texts with at least one substitution."""
     if isinstance(x, Substitution):
         return True
     if isinstance(x, str) or not isinstance(x, collections.abc.Iterable):
         return False
     items = list(x)
-    return any(isinstance(item, Substitution) for item in items) and all(
-        isinstance(item, (str, Substitution)) for item in items)
+    return any(isinstance(item, Substitution) for item in items) and all(isinstance(item, (str, Substitution)) for item in items)
 
 
 def is_normalized_substitution(x: Any) -> bool:
@@ -204,8 +198,9 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
     raise TypeError(f"value='{value}' is not an instance of {data_type}")
 
 
-def perform_typed_substitution(context: LaunchContext, value: NormalizedValueType,
-                               data_type: AllowedTypesType) -> AllowedValueType:
+def perform_typed_substitution(
+    context: LaunchContext, value: NormalizedValueType, data_type: AllowedTypesType
+) -> AllowedValueType:
     """Evaluate what :func:`normalize_typed_substitution` returned.
 
     :raises ValueError: when the text of a substitution cannot be converted.
@@ -224,9 +219,7 @@ def perform_typed_substitution(context: LaunchContext, value: NormalizedValueTyp
 def _perform_list(context: LaunchContext, value: list[Any], data_type: AllowedTypesType) -> AllowedValueType:
     item_type = extract_type(data_type)[0] if data_type is not None else None
     output: Any = [
-        coerce_to_type(perform_substitutions(context, item), item_type)
-        if is_normalized_substitution(item)
-        else item
+        coerce_to_type(perform_substitutions(context, item), item_type) if is_normalized_substitution(item) else item
         for item in value
     ]
     return _checked(output, data_type, ValueError)  # type: ignore[no-any-return]

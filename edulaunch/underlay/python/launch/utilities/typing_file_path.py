@@ -1,4 +1,5 @@
 """What may be given as a path."""
+
 from __future__ import annotations
 
 import os

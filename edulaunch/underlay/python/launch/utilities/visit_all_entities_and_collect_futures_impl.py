@@ -1,4 +1,5 @@
 """The walk that executes a launch description."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -14,9 +15,7 @@ if TYPE_CHECKING:
 EntityFuturePairs = list[tuple[LaunchDescriptionEntity, 'asyncio.Future[Any]']]
 
 
-def visit_all_entities_and_collect_futures(
-    entity: LaunchDescriptionEntity, context: LaunchContext
-) -> EntityFuturePairs:
+def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, context: LaunchContext) -> EntityFuturePairs:
     """Visit the entity, then, in order and depth first, every entity its visit returns.
 
     :returns: each visited entity that has a future, with that future.

@@ -3,6 +3,7 @@
 Each has two forms: a coroutine, and a `..._sync` one for tests that are plain functions. Timeouts are in simulated seconds; None
 waits for as long as it takes. Actions whose output is looked at need `cached_output=True`.
 """
+
 from __future__ import annotations
 
 import asyncio
@@ -19,8 +20,9 @@ Validate = Callable[[str], 'bool | None']
 Read = Callable[[], str]
 
 
-async def wait_for_output(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                          timeout: float | None = None) -> bool:
+async def wait_for_output(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> bool:
     """Wait until all that a process wrote to its standard output is as it should be; False when it is not in time.
 
     :param validate_output: called with the text; it returns whether it is right, or makes assertions and returns nothing.
@@ -28,47 +30,54 @@ async def wait_for_output(launch_context: LaunchContext, process_action: Execute
     return await _wait(launch_context, process_action, 'io', _holds(process_action.get_stdout, validate_output), timeout)
 
 
-def wait_for_output_sync(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                         timeout: float | None = None) -> bool:
+def wait_for_output_sync(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> bool:
     """As :func:`wait_for_output`, for tests that are no coroutines."""
     return _wait_sync(launch_context, process_action, 'io', _holds(process_action.get_stdout, validate_output), timeout)
 
 
-async def assert_output(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                        timeout: float | None = None) -> None:
+async def assert_output(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> None:
     """As :func:`wait_for_output`. Raises AssertionError when it is not in time: that of `validate_output`, if it makes any."""
     if not await wait_for_output(launch_context, process_action, validate_output, timeout):
         _complain('stdout', process_action.get_stdout(), validate_output)
 
 
-def assert_output_sync(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                       timeout: float | None = None) -> None:
+def assert_output_sync(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> None:
     """As :func:`assert_output`, for tests that are no coroutines."""
     if not wait_for_output_sync(launch_context, process_action, validate_output, timeout):
         _complain('stdout', process_action.get_stdout(), validate_output)
 
 
-async def wait_for_stderr(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                          timeout: float | None = None) -> bool:
+async def wait_for_stderr(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> bool:
     """As :func:`wait_for_output`, for the standard error, where nodes log."""
     return await _wait(launch_context, process_action, 'io', _holds(process_action.get_stderr, validate_output), timeout)
 
 
-def wait_for_stderr_sync(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                         timeout: float | None = None) -> bool:
+def wait_for_stderr_sync(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> bool:
     """As :func:`wait_for_stderr`, for tests that are no coroutines."""
     return _wait_sync(launch_context, process_action, 'io', _holds(process_action.get_stderr, validate_output), timeout)
 
 
-async def assert_stderr(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                        timeout: float | None = None) -> None:
+async def assert_stderr(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> None:
     """As :func:`assert_output`, for the standard error."""
     if not await wait_for_stderr(launch_context, process_action, validate_output, timeout):
         _complain('stderr', process_action.get_stderr(), validate_output)
 
 
-def assert_stderr_sync(launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate,
-                       timeout: float | None = None) -> None:
+def assert_stderr_sync(
+    launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
+) -> None:
     """As :func:`assert_stderr`, for tests that are no coroutines."""
     if not wait_for_stderr_sync(launch_context, process_action, validate_output, timeout):
         _complain('stderr', process_action.get_stderr(), validate_output)
@@ -98,8 +107,9 @@ wait_for_stdout, wait_for_stdout_sync = wait_for_output, wait_for_output_sync
 assert_stdout, assert_stdout_sync = assert_output, assert_output_sync
 
 
-async def _wait(context: LaunchContext, action: ExecuteLocal, kind: str, condition: Callable[[], bool],
-                timeout: float | None) -> bool:
+async def _wait(
+    context: LaunchContext, action: ExecuteLocal, kind: str, condition: Callable[[], bool], timeout: float | None
+) -> bool:
     """Look at the condition now and after each event of that kind."""
     news = asyncio.Event()
     handler = _handler(kind, action, news.set)
@@ -119,8 +129,9 @@ async def _wait(context: LaunchContext, action: ExecuteLocal, kind: str, conditi
     return True
 
 
-def _wait_sync(context: LaunchContext, action: ExecuteLocal, kind: str, condition: Callable[[], bool],
-               timeout: float | None) -> bool:
+def _wait_sync(
+    context: LaunchContext, action: ExecuteLocal, kind: str, condition: Callable[[], bool], timeout: float | None
+) -> bool:
     news = sync.Condition()
 
     def tell() -> None:
@@ -159,6 +170,7 @@ def _holds(read: Read, validate: Validate) -> Callable[[], bool]:
         except AssertionError:
             return False
         return answer is None or bool(answer)
+
     return condition
 
 

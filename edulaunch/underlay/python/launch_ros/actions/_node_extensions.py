@@ -82,8 +82,7 @@ def instantiate_extension(
 def _are_announced(folders: tuple[str, ...]) -> bool:
     """Whether any installed package names the group; asking `importlib.metadata` takes thirty times as long."""
     return any(
-        GROUP.encode() in _entry_points_text(os.path.join(folder, name))
-        for folder in folders for name in _packages(folder)
+        GROUP.encode() in _entry_points_text(os.path.join(folder, name)) for folder in folders for name in _packages(folder)
     )
 
 

@@ -31,9 +31,7 @@ class LifecycleNode(Node):
     :raises RuntimeError: on execution, when name or namespace are not known to the launch file.
     """
 
-    def __init__(
-        self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any
-    ) -> None:
+    def __init__(self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(name=name, namespace=namespace, **kwargs)
         self.__subscription: Any = None
         self.__current_state: int | None = None
@@ -52,9 +50,7 @@ class LifecycleNode(Node):
 
         def on_transition(msg: Any) -> None:
             self.__current_state = msg.goal_state.id
-            context.asyncio_loop.call_soon_threadsafe(
-                context.emit_event_sync, StateTransition(action=self, msg=msg)
-            )
+            context.asyncio_loop.call_soon_threadsafe(context.emit_event_sync, StateTransition(action=self, msg=msg))
 
         self.__subscription = get_ros_node(context).create_subscription(
             TransitionEvent, f'{self.node_name}/transition_event', on_transition, 10

@@ -18,15 +18,7 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
 # After which state a transition has succeeded.
-_GOALS = {
-    1: 'inactive',
-    2: 'unconfigured',
-    3: 'active',
-    4: 'inactive',
-    5: 'finalized',
-    6: 'finalized',
-    7: 'finalized',
-}
+_GOALS = {1: 'inactive', 2: 'unconfigured', 3: 'active', 4: 'inactive', 5: 'finalized', 6: 'finalized', 7: 'finalized'}
 
 
 class LifecycleTransition(Action):
@@ -38,20 +30,15 @@ class LifecycleTransition(Action):
     :raises ValueError: when either list is empty.
     """
 
-    def __init__(
-        self, *, lifecycle_node_names: list[SomeSubstitutionsType], transition_ids: list[Any], **kwargs: Any
-    ) -> None:
+    def __init__(self, *, lifecycle_node_names: list[SomeSubstitutionsType], transition_ids: list[Any], **kwargs: Any) -> None:
         super().__init__(**kwargs)
         if not lifecycle_node_names:
             raise ValueError('No lifecycle_node_names provided.')
         if not transition_ids:
             raise ValueError('No transition_ids provided.')
-        self.__lifecycle_node_names = [
-            normalize_to_list_of_substitutions(name) for name in lifecycle_node_names
-        ]
+        self.__lifecycle_node_names = [normalize_to_list_of_substitutions(name) for name in lifecycle_node_names]
         self.__transition_ids = [
-            normalize_to_list_of_substitutions(str(number) if isinstance(number, int) else number)
-            for number in transition_ids
+            normalize_to_list_of_substitutions(str(number) if isinstance(number, int) else number) for number in transition_ids
         ]
 
     def execute(self, context: LaunchContext) -> list[Action]:
@@ -66,24 +53,16 @@ class LifecycleTransition(Action):
             for before, number in zip(numbers, numbers[1:], strict=False):
 
                 def reached(event: Any, goal: str = _GOALS[before], node: Any = matcher) -> bool:
-                    return (
-                        isinstance(event, StateTransition) and node(event.action) and event.goal_state == goal
-                    )
+                    return isinstance(event, StateTransition) and node(event.action) and event.goal_state == goal
 
                 actions.append(
                     RegisterEventHandler(
                         OnStateTransition(
                             matcher=reached,
                             handle_once=True,
-                            entities=[
-                                EmitEvent(
-                                    event=ChangeState(lifecycle_node_matcher=matcher, transition_id=number)
-                                )
-                            ],
+                            entities=[EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=number))],
                         )
                     )
                 )
-            actions.append(
-                EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=numbers[0]))
-            )
+            actions.append(EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=numbers[0])))
         return actions

@@ -60,10 +60,7 @@ class LoadComposableNodes(Action):
     def execute(self, context: LaunchContext) -> None:
         """Build the requests now, while the scope is there, and send them when the container answers."""
         self.__final_target_container_name = self.__container_name(context)
-        requests = [
-            get_composable_node_load_request(description, context)
-            for description in self.__composable_node_descriptions
-        ]
+        requests = [get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions]
         wanted = [request for request in requests if request is not None]
         if wanted:
             context.add_completion_future(context.asyncio_loop.create_task(self.__load_all(context, wanted)))
@@ -107,8 +104,7 @@ class LoadComposableNodes(Action):
         count = get_node_name_count(context, name)
         if count > 1:
             launch.logging.get_logger(container).warning(
-                f'there are now at least {count} nodes with the name {name} '
-                'created within this launch context'
+                f'there are now at least {count} nodes with the name {name} created within this launch context'
             )
         logger.info(f"Loaded node '{response.full_node_name}' in container '{container}'")
         return True
@@ -139,11 +135,7 @@ def get_composable_node_load_request(
 
 
 def _namespace(description: ComposableNode, context: LaunchContext) -> str:
-    given = (
-        None
-        if description.node_namespace is None
-        else perform_substitutions(context, description.node_namespace)
-    )
+    given = None if description.node_namespace is None else perform_substitutions(context, description.node_namespace)
     base = context.launch_configurations.get('ros_namespace')
     return make_namespace_absolute(prefix_namespace(base, given)) or ''
 

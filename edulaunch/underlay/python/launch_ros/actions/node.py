@@ -76,9 +76,7 @@ class Node(ExecuteProcess):
         arguments: Iterable[SomeSubstitutionsType] | None = None,
         **kwargs: Any,
     ) -> None:
-        command: Any = (
-            executable if package is None else ExecutableInPackage(package=package, executable=executable)
-        )
+        command: Any = executable if package is None else ExecutableInPackage(package=package, executable=executable)
         cmd = [command, *(arguments or ())]
         if ros_arguments is not None:
             cmd += ['--ros-args', *ros_arguments]
@@ -168,17 +166,13 @@ class Node(ExecuteProcess):
             count = add_node_name(context, self.node_name)
             if count > 1:
                 launch.logging.get_logger(self.process_description.final_name).warning(
-                    f'there are now at least {count} nodes with the name {self.node_name} '
-                    'created within this launch context'
+                    f'there are now at least {count} nodes with the name {self.node_name} created within this launch context'
                 )
         return result
 
     def __prepared_by_extensions(self, context: LaunchContext) -> dict[str, Any]:
         """The local variable for those who write command lines with it, as installed extensions leave it."""
-        arguments = {
-            'name': f'__node:={self.__expanded_node_name}',
-            'ns': f'__ns:={self.__expanded_node_namespace}',
-        }
+        arguments = {'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}
         for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
             words, arguments = extension.prepare_for_execute(context, arguments, self)
             self.process_description._add_words(words)
@@ -227,9 +221,7 @@ class Node(ExecuteProcess):
         if name is not None:
             self.__expanded_node_name = validated_name(name)
         namespace = make_namespace_absolute(
-            prefix_namespace(
-                context.launch_configurations.get('ros_namespace'), _text(context, self.__node_namespace)
-            )
+            prefix_namespace(context.launch_configurations.get('ros_namespace'), _text(context, self.__node_namespace))
         )
         if namespace is not None:
             self.__expanded_node_namespace = namespace

@@ -45,8 +45,7 @@ class PushROSNamespace(Action):
             from launch.substitutions.substitution_failure import SubstitutionFailure
 
             raise SubstitutionFailure(
-                'The resulting namespace is invalid: '
-                f"[previous_namespace='{previous}', pushed_namespace='{pushed}']"
+                f"The resulting namespace is invalid: [previous_namespace='{previous}', pushed_namespace='{pushed}']"
             )
         context.launch_configurations['ros_namespace'] = namespace
 

@@ -29,9 +29,7 @@ class SetParameter(Action):
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)
-        self.__param_dict = normalize_parameter_dict(
-            {name if isinstance(name, (str, Substitution)) else tuple(name): value}
-        )
+        self.__param_dict = normalize_parameter_dict({name if isinstance(name, (str, Substitution)) else tuple(name): value})
 
     @property
     def name(self) -> list[Substitution]:

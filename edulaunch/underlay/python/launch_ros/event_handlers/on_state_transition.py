@@ -42,22 +42,14 @@ class OnStateTransition(EventHandler):
     ) -> None:
         if target_lifecycle_node is not None and not _is_lifecycle_node(target_lifecycle_node):
             raise RuntimeError("OnStateTransition requires a 'LifecycleNode' action as the target")
-        narrowed = any(
-            one is not None for one in (target_lifecycle_node, transition, start_state, goal_state)
-        )
+        narrowed = any(one is not None for one in (target_lifecycle_node, transition, start_state, goal_state))
         if matcher is not None and narrowed:
-            raise RuntimeError(
-                "the 'matcher' argument cannot be used together with a target node, transition or state"
-            )
+            raise RuntimeError("the 'matcher' argument cannot be used together with a target node, transition or state")
         super().__init__(matcher=matcher or self.__matches, entities=entities, **kwargs)
         self.__target = target_lifecycle_node
         self.__labels = {
             name: _label(value)
-            for name, value in (
-                ('transition', transition),
-                ('start_state', start_state),
-                ('goal_state', goal_state),
-            )
+            for name, value in (('transition', transition), ('start_state', start_state), ('goal_state', goal_state))
             if value is not None
         }
 

@@ -72,12 +72,7 @@ class ExecutableInPackage(FindPackagePrefix):
                 package,
                 executable,
             )
-        raise _failure(
-            f"executable '{executable}' not found on the libexec directory '{folder}' ",
-            index,
-            package,
-            executable,
-        )
+        raise _failure(f"executable '{executable}' not found on the libexec directory '{folder}' ", index, package, executable)
 
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
@@ -97,8 +92,7 @@ def _failure(message: str, index: Any, package: str, executable: str) -> Substit
         error.edulaunch_hint = f'{package} has: {", ".join(names)}'
     else:
         error.edulaunch_hint = (
-            f'{package} installs no executable; see entry_points in its setup.py, '
-            'or install(PROGRAMS ...) in its CMakeLists.txt'
+            f'{package} installs no executable; see entry_points in its setup.py, or install(PROGRAMS ...) in its CMakeLists.txt'
         )
     failure: SubstitutionFailure = error
     return failure

@@ -1,12 +1,7 @@
 """What the actions here are built with."""
 
 from .evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
-from .namespace_utils import (
-    is_namespace_absolute,
-    is_root_namespace,
-    make_namespace_absolute,
-    prefix_namespace,
-)
+from .namespace_utils import is_namespace_absolute, is_root_namespace, make_namespace_absolute, prefix_namespace
 from .normalize_parameters import normalize_parameter_dict, normalize_parameters
 from .normalize_remap_rule import normalize_remap_rule, normalize_remap_rules
 from .to_parameters_list import to_parameters_list

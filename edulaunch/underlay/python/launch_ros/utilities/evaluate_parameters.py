@@ -41,9 +41,7 @@ def _evaluate(context: LaunchContext, item: Any) -> Any:
     return evaluate_parameter_dict(context, item) if isinstance(item, dict) else item
 
 
-def evaluate_parameter_dict(
-    context: LaunchContext, parameters: ParametersDict
-) -> dict[str, EvaluatedParameterValue]:
+def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) -> dict[str, EvaluatedParameterValue]:
     """Names and values of one normalized dict."""
     plain: Any = parameters
     if type(plain) is PlainParameters:
@@ -51,8 +49,7 @@ def evaluate_parameter_dict(
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)
-        evaluated[name] = (value.evaluate(context) if type(value) is ParameterValue
-                           else _evaluate_value(context, name, value))
+        evaluated[name] = value.evaluate(context) if type(value) is ParameterValue else _evaluate_value(context, name, value)
     return evaluated
 
 

@@ -75,9 +75,7 @@ def _normalize(item: Any) -> Any:
     return item if isinstance(item, (ParameterFile, Parameter)) else ParameterFile(item)
 
 
-def normalize_parameter_dict(
-    parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()
-) -> ParametersDict:
+def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
     """A flat dict of one mapping: nested names are joined with '.', and an empty nested mapping vanishes.
 
     :raises TypeError: for a value of no kind that can be used.
@@ -88,11 +86,7 @@ def normalize_parameter_dict(
         ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
         full_name = (*_prefix, *normalize_to_list_of_substitutions(name))
         if isinstance(value, Mapping):
-            normalized.update(
-                normalize_parameter_dict(
-                    value, _prefix=(*full_name, *normalize_to_list_of_substitutions('.'))
-                )
-            )
+            normalized.update(normalize_parameter_dict(value, _prefix=(*full_name, *normalize_to_list_of_substitutions('.'))))
         else:
             normalized[full_name] = _normalize_value(value)
     return normalized
@@ -117,10 +111,7 @@ def _normalize_list(items: Iterable[Any]) -> Any:
         return tuple(normalize_to_list_of_substitutions(items))
     if kinds == {float, int}:
         return tuple(float(item) for item in items)
-    return tuple(
-        normalize_to_list_of_substitutions(item) if _kind(item) in (Substitution, list) else item
-        for item in items
-    )
+    return tuple(normalize_to_list_of_substitutions(item) if _kind(item) in (Substitution, list) else item for item in items)
 
 
 def _kind(item: Any) -> type:

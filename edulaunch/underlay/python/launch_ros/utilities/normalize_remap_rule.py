@@ -21,9 +21,7 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
     if len(remap_rule) != 2:
         raise TypeError(f'remap_rule must be a tuple of length 2, got length {len(remap_rule)}')
     source, target = remap_rule
-    return tuple(normalize_to_list_of_substitutions(source)), tuple(
-        normalize_to_list_of_substitutions(target)
-    )
+    return tuple(normalize_to_list_of_substitutions(source)), tuple(normalize_to_list_of_substitutions(target))
 
 
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterable[RemapRule]:

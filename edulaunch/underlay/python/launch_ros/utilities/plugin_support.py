@@ -22,8 +22,7 @@ def satisfies_version(version: str, caret_range: str) -> None:
     if found < wanted:
         raise PluginException(f"Extension point is too old ('{version}'), the extension requires '{caret_range}'")
     if found >= _first_incompatible(wanted):
-        raise PluginException(
-            f"Extension point is newer ('{version}'), than what the extension supports '{caret_range}'")
+        raise PluginException(f"Extension point is newer ('{version}'), than what the extension supports '{caret_range}'")
 
 
 def _numbers(version: str) -> list[int]:

@@ -35,10 +35,7 @@ def to_parameters_list(
             values = item
         else:
             values = _from_file(item, node_name, namespace)
-        found += [
-            Parameter(name, value=list(value) if isinstance(value, tuple) else value)
-            for name, value in values.items()
-        ]
+        found += [Parameter(name, value=list(value) if isinstance(value, tuple) else value) for name, value in values.items()]
     return found
 
 
@@ -56,9 +53,7 @@ def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
 
 
 def _has_parameters(content: Any) -> bool:
-    return isinstance(content, dict) and (
-        _KEY in content or any(_has_parameters(value) for value in content.values())
-    )
+    return isinstance(content, dict) and (_KEY in content or any(_has_parameters(value) for value in content.values()))
 
 
 def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
@@ -80,7 +75,5 @@ def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
 def _flat(values: dict[str, Any], prefix: str = '') -> dict[str, Any]:
     flat: dict[str, Any] = {}
     for name, value in values.items():
-        flat.update(
-            _flat(value, f'{prefix}{name}.') if isinstance(value, dict) else {f'{prefix}{name}': value}
-        )
+        flat.update(_flat(value, f'{prefix}{name}.') if isinstance(value, dict) else {f'{prefix}{name}': value})
     return flat

@@ -1,4 +1,5 @@
 """Actions for launch tests."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {'GTest': 'gtest', 'PyTest': 'pytest', 'ReadyToTest': 'ready', 'Test': 'test'}

@@ -1,4 +1,5 @@
 """A GoogleTest program."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """A run of pytest."""
+
 from __future__ import annotations
 
 import sys

@@ -1,4 +1,5 @@
 """The moment when the tests may begin."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,4 +1,5 @@
 """A test program, run as a process."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,13 +1,7 @@
 """What tests may claim about processes and their output."""
+
 from ..util.proc_lookup import NO_CMD_ARGS
-from .assert_exit_codes import (
-    EXIT_OK,
-    EXIT_SIGINT,
-    EXIT_SIGKILL,
-    EXIT_SIGQUIT,
-    EXIT_SIGSEGV,
-    assertExitCodes,
-)
+from .assert_exit_codes import EXIT_OK, EXIT_SIGINT, EXIT_SIGKILL, EXIT_SIGQUIT, EXIT_SIGSEGV, assertExitCodes
 from .assert_output import assertInStderr, assertInStdout, assertInStream
 from .assert_sequential_output import SequentialTextChecker, assertSequentialStdout
 

@@ -1,4 +1,5 @@
 """Claims about exit codes."""
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -16,8 +17,14 @@ EXIT_SIGKILL = 137
 EXIT_SIGSEGV = 139
 
 
-def assertExitCodes(proc_info: ProcInfoHandler, allowable_exit_codes: Sequence[int] = (EXIT_OK,), process: Any = None,
-                    cmd_args: CmdArgs = None, *, strict_proc_matching: bool = True) -> None:
+def assertExitCodes(
+    proc_info: ProcInfoHandler,
+    allowable_exit_codes: Sequence[int] = (EXIT_OK,),
+    process: Any = None,
+    cmd_args: CmdArgs = None,
+    *,
+    strict_proc_matching: bool = True,
+) -> None:
     """Claim that a process, or every one, ended with one of these codes.
 
     A process that SIGINT ended has the return code -2, which is not EXIT_SIGINT (130, what a shell makes of it).
@@ -29,8 +36,11 @@ def assertExitCodes(proc_info: ProcInfoHandler, allowable_exit_codes: Sequence[i
     for code in allowable_exit_codes:
         if not isinstance(code, int):
             raise TypeError(f'allowable_exit_codes must contain integers, got {code!r}')
-    actions = proc_info.processes() if process is None else resolveProcesses(
-        proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
+    actions = (
+        proc_info.processes()
+        if process is None
+        else resolveProcesses(proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
+    )
     for info in [proc_info[action] for action in actions]:
         returncode: int | None = getattr(info, 'returncode', None)
         if returncode is None:

@@ -1,4 +1,5 @@
 """Claims about what was written."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -13,9 +14,17 @@ if TYPE_CHECKING:
 STREAMS = ('stdout', 'stderr')
 
 
-def assertInStream(proc_output: IoHandler, expected_output: Any, process: Any = None, cmd_args: CmdArgs = None, *,
-                   output_filter: Callable[[str], str] | None = None, strict_proc_matching: bool = True,
-                   strip_ansi_escape_sequences: bool = True, stream: str = 'stderr') -> None:
+def assertInStream(
+    proc_output: IoHandler,
+    expected_output: Any,
+    process: Any = None,
+    cmd_args: CmdArgs = None,
+    *,
+    output_filter: Callable[[str], str] | None = None,
+    strict_proc_matching: bool = True,
+    strip_ansi_escape_sequences: bool = True,
+    stream: str = 'stderr',
+) -> None:
     """Claim that a process has written something to a stream.
 
     :param expected_output: a text, a compiled regular expression, or a list of them in this order.
@@ -26,8 +35,9 @@ def assertInStream(proc_output: IoHandler, expected_output: Any, process: Any = 
     :raises ValueError: for a stream that is neither 'stdout' nor 'stderr'.
     """
     matches = build_text_match(expected_output, strip_ansi_escape_sequences=strip_ansi_escape_sequences)
-    actions = resolveProcesses(proc_output, process=process, cmd_args=cmd_args,
-                               strict_proc_matching=strict_proc_matching and process is not None)
+    actions = resolveProcesses(
+        proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching and process is not None
+    )
     for action in actions:
         text = text_of(proc_output, action, stream)
         if matches(text if output_filter is None else output_filter(text)) is not None:
@@ -36,20 +46,50 @@ def assertInStream(proc_output: IoHandler, expected_output: Any, process: Any = 
     raise AssertionError(f"Did not find '{_shown(expected_output)}' in output for any of the matching processes: {names}")
 
 
-def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, *,
-                   output_filter: Callable[[str], str] | None = None, strict_proc_matching: bool = True,
-                   strip_ansi_escape_sequences: bool = True) -> None:
+def assertInStdout(
+    proc_output: IoHandler,
+    expected_output: Any,
+    process: Any,
+    cmd_args: CmdArgs = None,
+    *,
+    output_filter: Callable[[str], str] | None = None,
+    strict_proc_matching: bool = True,
+    strip_ansi_escape_sequences: bool = True,
+) -> None:
     """As :func:`assertInStream`, for the standard output."""
-    assertInStream(proc_output, expected_output, process, cmd_args, output_filter=output_filter, stream='stdout',
-                   strict_proc_matching=strict_proc_matching, strip_ansi_escape_sequences=strip_ansi_escape_sequences)
+    assertInStream(
+        proc_output,
+        expected_output,
+        process,
+        cmd_args,
+        output_filter=output_filter,
+        stream='stdout',
+        strict_proc_matching=strict_proc_matching,
+        strip_ansi_escape_sequences=strip_ansi_escape_sequences,
+    )
 
 
-def assertInStderr(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, *,
-                   output_filter: Callable[[str], str] | None = None, strict_proc_matching: bool = True,
-                   strip_ansi_escape_sequences: bool = True) -> None:
+def assertInStderr(
+    proc_output: IoHandler,
+    expected_output: Any,
+    process: Any,
+    cmd_args: CmdArgs = None,
+    *,
+    output_filter: Callable[[str], str] | None = None,
+    strict_proc_matching: bool = True,
+    strip_ansi_escape_sequences: bool = True,
+) -> None:
     """As :func:`assertInStream`, for the standard error, where nodes log."""
-    assertInStream(proc_output, expected_output, process, cmd_args, output_filter=output_filter, stream='stderr',
-                   strict_proc_matching=strict_proc_matching, strip_ansi_escape_sequences=strip_ansi_escape_sequences)
+    assertInStream(
+        proc_output,
+        expected_output,
+        process,
+        cmd_args,
+        output_filter=output_filter,
+        stream='stderr',
+        strict_proc_matching=strict_proc_matching,
+        strip_ansi_escape_sequences=strip_ansi_escape_sequences,
+    )
 
 
 def text_of(proc_output: IoHandler, action: Any, stream: str) -> str:

@@ -1,4 +1,5 @@
 """Claims about the order of what was written."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
@@ -28,16 +29,19 @@ class SequentialTextChecker:
         :raises AssertionError: when it does not.
         """
         from ..tools.text import build_text_match
+
         found = build_text_match(msg)(self._text, self._position)
         if found is None:
             where = 'at all' if build_text_match(msg)(self._text) is None else 'there, only before it'
-            raise AssertionError(f"'{getattr(msg, 'pattern', msg)}' was not found in the output after character "
-                                 f'{self._position}\n  help: it was not written {where}')
+            raise AssertionError(
+                f"'{getattr(msg, 'pattern', msg)}' was not found in the output after character "
+                f'{self._position}\n  help: it was not written {where}'
+            )
         self._position = found[1]
 
 
 @contextmanager
 def assertSequentialStdout(proc_output: IoHandler, process: Any, cmd_args: CmdArgs = None) -> Iterator[SequentialTextChecker]:
     """Check the standard output of one process in order: `with assertSequentialStdout(...) as c: c.assertInStdout('a')`."""
-    action, = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
+    (action,) = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
     yield SequentialTextChecker(text_of(proc_output, action, 'stdout'))

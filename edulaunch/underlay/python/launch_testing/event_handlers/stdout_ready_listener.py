@@ -1,4 +1,5 @@
 """Waiting for a program to say that it is ready."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable

@@ -2,6 +2,7 @@
 
 The plugin itself is edulaunch's, which an installation registers; `-p launch_testing.pytest.hooks` registers it where none does.
 """
+
 from __future__ import annotations
 
 import pytest

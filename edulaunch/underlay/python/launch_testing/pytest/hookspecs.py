@@ -1,4 +1,5 @@
 """Hooks that other plugins may implement."""
+
 from __future__ import annotations
 
 from edulaunch.testing.hooks import pytest_launch_collect_makemodule

@@ -1,4 +1,5 @@
 """Tools for launch tests."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,4 +1,5 @@
 """Filters of output."""
+
 from __future__ import annotations
 
 import os
@@ -19,20 +20,26 @@ def get_default_filtered_patterns() -> list[str]:
     return list(DEFAULT_FILTERED_PATTERNS)
 
 
-def basic_output_filter(*, filtered_prefixes: Iterable[str] | None = None,
-                        filtered_patterns: Iterable[str] | None = None) -> Callable[[str], str]:
+def basic_output_filter(
+    *, filtered_prefixes: Iterable[str] | None = None, filtered_patterns: Iterable[str] | None = None
+) -> Callable[[str], str]:
     """Make a function that leaves out lines.
 
     :param filtered_prefixes: beginnings of lines to leave out; None: the usual ones.
     :param filtered_patterns: regular expressions of lines to leave out; None: the usual ones.
     """
     prefixes = tuple(get_default_filtered_prefixes() if filtered_prefixes is None else filtered_prefixes)
-    patterns = [re.compile(pattern) for pattern in
-                (get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns)]
+    patterns = [
+        re.compile(pattern) for pattern in (get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns)
+    ]
 
     def filtered(output: str) -> str:
-        return ''.join(line for line in output.splitlines(keepends=True)
-                       if not line.startswith(prefixes) and not any(pattern.match(line) for pattern in patterns))
+        return ''.join(
+            line
+            for line in output.splitlines(keepends=True)
+            if not line.startswith(prefixes) and not any(pattern.match(line) for pattern in patterns)
+        )
+
     return filtered
 
 
@@ -45,7 +52,7 @@ def expected_output_from_file(path: str | os.PathLike[str]) -> list[str | re.Pat
     base, ending = os.path.splitext(os.fspath(path))
     if ending not in _LINES_OF:
         base = os.fspath(path)
-    for name in ([base + ending] if ending in _LINES_OF else [base + known for known in _LINES_OF]):
+    for name in [base + ending] if ending in _LINES_OF else [base + known for known in _LINES_OF]:
         if os.path.isfile(name):
             with open(name, encoding='utf-8') as file:
                 return [_LINES_OF[os.path.splitext(name)[1]](line) for line in file.read().splitlines()]

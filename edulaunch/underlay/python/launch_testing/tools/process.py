@@ -1,4 +1,5 @@
 """Starting a process from inside a test."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
@@ -24,8 +25,14 @@ class ProcessProxy:
     :param output_filter: changes what the process wrote before it is given out.
     """
 
-    def __init__(self, process_action: ExecuteLocal, proc_info: ActiveProcInfoHandler, proc_output: ActiveIoHandler, *,
-                 output_filter: Callable[[str], str] | None = None) -> None:
+    def __init__(
+        self,
+        process_action: ExecuteLocal,
+        proc_info: ActiveProcInfoHandler,
+        proc_output: ActiveIoHandler,
+        *,
+        output_filter: Callable[[str], str] | None = None,
+    ) -> None:
         self._action = process_action
         self._proc_info = proc_info
         self._proc_output = proc_output
@@ -82,8 +89,13 @@ class ProcessProxy:
 
 
 @contextmanager
-def launch_process(launch_service: LaunchService, process_action: ExecuteLocal, proc_info: ActiveProcInfoHandler,
-                   proc_output: ActiveIoHandler, **kwargs: Any) -> Iterator[ProcessProxy]:
+def launch_process(
+    launch_service: LaunchService,
+    process_action: ExecuteLocal,
+    proc_info: ActiveProcInfoHandler,
+    proc_output: ActiveIoHandler,
+    **kwargs: Any,
+) -> Iterator[ProcessProxy]:
     """Run a process inside a `with` block; at its end the process is asked to end, and waited for.
 
     :param kwargs: those of :class:`ProcessProxy`.

@@ -1,4 +1,5 @@
 """Comparing texts."""
+
 from __future__ import annotations
 
 import re
@@ -29,6 +30,7 @@ def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = 
             first = found[0] if first is None else first
             end = found[1]
         return (start if first is None else first), end
+
     return match
 
 
@@ -38,21 +40,33 @@ def _as_list(expected: Any) -> list[Any]:
 
 def _matcher(expected: Any) -> Callable[[str, int], tuple[int, int] | None]:
     if isinstance(expected, str):
+
         def find(text: str, start: int) -> tuple[int, int] | None:
             position = text.find(expected, start)
             return None if position < 0 else (position, position + len(expected))
+
         return find
     if isinstance(expected, re.Pattern):
+
         def search(text: str, start: int) -> tuple[int, int] | None:
             found = expected.search(text, start)
             return None if found is None else found.span()
+
         return search
-    raise ValueError('Unknown format for expected text: expected a text or a compiled regular expression, '
-                     f'got {type(expected).__name__}: {expected!r}')
+    raise ValueError(
+        'Unknown format for expected text: expected a text or a compiled regular expression, '
+        f'got {type(expected).__name__}: {expected!r}'
+    )
 
 
-def expect_output(*, expected_text: Any = None, expected_lines: Iterable[Any] | None = None, text: str | None = None,
-                  lines: Iterable[str] | None = None, strict: bool = False) -> bool:
+def expect_output(
+    *,
+    expected_text: Any = None,
+    expected_lines: Iterable[Any] | None = None,
+    text: str | None = None,
+    lines: Iterable[str] | None = None,
+    strict: bool = False,
+) -> bool:
     """Whether the output is what was expected.
 
     :param expected_text: a text or compiled regular expression; or
@@ -80,6 +94,7 @@ def _text_matches(expected: Any, text: str, strict: bool) -> bool:
 def _lines_match(expected: list[Any], actual: list[str], strict: bool) -> bool:
     if strict:
         return len(expected) == len(actual) and all(
-            _text_matches(pattern, line, True) for pattern, line in zip(expected, actual, strict=True))
+            _text_matches(pattern, line, True) for pattern, line in zip(expected, actual, strict=True)
+        )
     rest = iter(actual)
     return all(any(_text_matches(pattern, line, False) for line in rest) for pattern in expected)

@@ -1,4 +1,5 @@
 """Small things for launch tests."""
+
 from launch._lazy import lazy_exports
 
 _EXPORTS = {

@@ -1,4 +1,5 @@
 """The program of `KeepAliveProc`: waits for SIGINT."""
+
 from __future__ import annotations
 
 import threading

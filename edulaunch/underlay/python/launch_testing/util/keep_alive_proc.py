@@ -1,4 +1,5 @@
 """A process that does nothing."""
+
 from __future__ import annotations
 
 import os

@@ -1,4 +1,5 @@
 """Finding a process by its action, or by its name and arguments."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
@@ -40,8 +41,9 @@ def _name_and_arguments(action: ExecuteLocal) -> str:
     return ' '.join([process_name(action), *words])
 
 
-def resolveProcesses(info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None,
-                     strict_proc_matching: bool = True) -> list[Any]:
+def resolveProcesses(
+    info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None, strict_proc_matching: bool = True
+) -> list[Any]:
     """The actions that `process` means.
 
     :param process: an action, or part of a launch name; None means all.
@@ -66,7 +68,8 @@ def resolveProcesses(info_obj: HasProcesses, *, process: Any = None, cmd_args: C
     names = ', '.join(sorted(map(_name_and_arguments, matching or known)))
     if not matching:
         raise NoMatchingProcessException(
-            f"Did not find any processes matching name '{process}' and args '{cmd_args}'. Procs: {names}")
+            f"Did not find any processes matching name '{process}' and args '{cmd_args}'. Procs: {names}"
+        )
     if strict_proc_matching and len(matching) > 1:
         raise ValueError(f"Found multiple processes matching name '{process}' and cmd_args '{cmd_args}'. Procs: {names}")
     return matching

@@ -1,4 +1,5 @@
 """Filters of what ROS nodes print."""
+
 from __future__ import annotations
 
 import os
@@ -21,12 +22,20 @@ def get_rmw_output_filter(rmw_implementation: str, filter_type: str) -> list[str
     return content.strip().split(os.linesep)
 
 
-def basic_output_filter(*, filtered_prefixes: Iterable[str] | None = None, filtered_patterns: Iterable[str] | None = None,
-                        filtered_rmw_implementation: str | None = None) -> Callable[[str], str]:
+def basic_output_filter(
+    *,
+    filtered_prefixes: Iterable[str] | None = None,
+    filtered_patterns: Iterable[str] | None = None,
+    filtered_rmw_implementation: str | None = None,
+) -> Callable[[str], str]:
     """As :func:`launch_testing.tools.basic_output_filter`, and without the lines of a middleware."""
     if filtered_rmw_implementation:
-        filtered_prefixes = [*(filtered_prefixes if filtered_prefixes is not None else get_default_filtered_prefixes()),
-                             *get_rmw_output_filter(filtered_rmw_implementation, 'prefixes')]
-        filtered_patterns = [*(filtered_patterns if filtered_patterns is not None else get_default_filtered_patterns()),
-                             *get_rmw_output_filter(filtered_rmw_implementation, 'patterns')]
+        filtered_prefixes = [
+            *(filtered_prefixes if filtered_prefixes is not None else get_default_filtered_prefixes()),
+            *get_rmw_output_filter(filtered_rmw_implementation, 'prefixes'),
+        ]
+        filtered_patterns = [
+            *(filtered_patterns if filtered_patterns is not None else get_default_filtered_patterns()),
+            *get_rmw_output_filter(filtered_rmw_implementation, 'patterns'),
+        ]
     return filter_lines(filtered_prefixes=filtered_prefixes, filtered_patterns=filtered_patterns)

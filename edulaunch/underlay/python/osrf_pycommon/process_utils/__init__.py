@@ -1,4 +1,5 @@
 """Event loops and programs."""
+
 from typing import TYPE_CHECKING, Any
 
 from .async_execute_process import async_execute_process, get_loop
@@ -15,5 +16,6 @@ def __getattr__(name: str) -> Any:
     # It needs asyncio, which launch can do without until it runs.
     if name == 'AsyncSubprocessProtocol':
         from .async_subprocess_protocol import AsyncSubprocessProtocol
+
         return AsyncSubprocessProtocol
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')

@@ -1,4 +1,5 @@
 """What hears from a program that an asyncio loop runs."""
+
 from __future__ import annotations
 
 import asyncio

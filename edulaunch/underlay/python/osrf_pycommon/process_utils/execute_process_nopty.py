@@ -1,4 +1,5 @@
 """Running a program and reading its lines as they come."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -9,8 +10,9 @@ from ._program import Command, program
 Piece = tuple[bytes | None, bytes | None, int | None]
 
 
-def execute_process(cmd: Command, cwd: str | None = None, env: Mapping[str, str] | None = None, shell: bool = False,
-                    emulate_tty: bool = False) -> Iterator[bytes | int]:
+def execute_process(
+    cmd: Command, cwd: str | None = None, env: Mapping[str, str] | None = None, shell: bool = False, emulate_tty: bool = False
+) -> Iterator[bytes | int]:
     """Each line of the program's output (standard error too), and at the end its return code.
 
     :param emulate_tty: programs here print as if in a terminal anyway.
@@ -21,11 +23,13 @@ def execute_process(cmd: Command, cwd: str | None = None, env: Mapping[str, str]
         yield piece if piece is not None else returncode or 0
 
 
-def execute_process_split(cmd: Command, cwd: str | None = None, env: Mapping[str, str] | None = None, shell: bool = False,
-                          emulate_tty: bool = False) -> Iterator[Piece]:
+def execute_process_split(
+    cmd: Command, cwd: str | None = None, env: Mapping[str, str] | None = None, shell: bool = False, emulate_tty: bool = False
+) -> Iterator[Piece]:
     """As :func:`execute_process`, each as (line of standard output, line of standard error, return code), two of them None."""
     from edulaunch.processes import current_process
     from edulaunch.sim.task import current_task
+
     process, task = current_process(), current_task()
     pieces: deque[Piece] = deque()
     rest = {'stdout': '', 'stderr': ''}

@@ -1,4 +1,5 @@
 """A program that a simulated asyncio loop runs."""
+
 from __future__ import annotations
 
 import asyncio
@@ -17,8 +18,14 @@ class ProgramTransport(asyncio.SubprocessTransport):
     :raises FileNotFoundError: when there is no such command.
     """
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.SubprocessProtocol, host: Host, spec: ProcessSpec,
-                 stderr_to_stdout: bool) -> None:
+    def __init__(
+        self,
+        loop: asyncio.AbstractEventLoop,
+        protocol: asyncio.SubprocessProtocol,
+        host: Host,
+        spec: ProcessSpec,
+        stderr_to_stdout: bool,
+    ) -> None:
         super().__init__()
         self._loop = loop
         self._protocol = protocol

@@ -1,4 +1,5 @@
 """Texts without colour."""
+
 from __future__ import annotations
 
 import re

@@ -1,4 +1,5 @@
 """Actions: long-running goals with feedback, cancelling and a result."""
+
 from __future__ import annotations
 
 from rclpy.action.client import ActionClient
@@ -10,6 +11,11 @@ from rclpy.action.graph import (
 from rclpy.action.server import ActionServer, CancelResponse, GoalResponse
 
 __all__ = [
-    'ActionClient', 'ActionServer', 'CancelResponse', 'GoalResponse', 'get_action_client_names_and_types_by_node',
-    'get_action_names_and_types', 'get_action_server_names_and_types_by_node',
+    'ActionClient',
+    'ActionServer',
+    'CancelResponse',
+    'GoalResponse',
+    'get_action_client_names_and_types_by_node',
+    'get_action_names_and_types',
+    'get_action_server_names_and_types_by_node',
 ]

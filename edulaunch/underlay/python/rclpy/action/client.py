@@ -1,4 +1,5 @@
 """Sending goals to action servers."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -13,13 +14,7 @@ from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.handle import check_endpoint
 from rclpy.impl.passed_on import passed_on
 from rclpy.process_state import process_state
-from rclpy.qos import (
-    QoSProfile,
-    engine_qos,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-    validate_qos,
-)
+from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future
 from rclpy.type_support import check_is_valid_action_type, wrong_class
 from rclpy.waitable import Waitable
@@ -90,12 +85,19 @@ class ClientGoalHandle:
 class ActionClient(Waitable):
     """A client of an action."""
 
-    def __init__(self, node: Node, action_type: Any, action_name: str, *, callback_group: CallbackGroup | None = None,
-                 goal_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 result_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 feedback_sub_qos_profile: QoSProfile | int = 10,
-                 status_sub_qos_profile: QoSProfile = qos_profile_action_status_default) -> None:
+    def __init__(
+        self,
+        node: Node,
+        action_type: Any,
+        action_name: str,
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_sub_qos_profile: QoSProfile | int = 10,
+        status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
+    ) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
         self._name = checked_action_name(node._rclpy, action_name, 'client')
@@ -132,8 +134,13 @@ class ActionClient(Waitable):
         The answer to a goal and its status come before the goal's first feedback, as over a real network.
         """
         self._queued = False
-        sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('result', self._result_client),
-                   ('feedback', self._feedback), ('status', self._status)]
+        sources = [
+            ('goal', self._goal_client),
+            ('cancel', self._cancel_client),
+            ('result', self._result_client),
+            ('feedback', self._feedback),
+            ('status', self._status),
+        ]
         now = (sources[0], sources[-1]) if self._goal_client.queue else sources
         taken = [(kind, source.take()) for kind, source in now]
         if any(source.queue for _, source in sources):
@@ -188,6 +195,7 @@ class ActionClient(Waitable):
         executor = self._ready_list.executor
         if executor is not None and executor._cannot_serve(self):
             from rclpy.execution.deadlocks import note_call
+
             note_call(what, self, 'action')
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
@@ -195,8 +203,7 @@ class ActionClient(Waitable):
             task.park()
         return future.result()
 
-    def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None,
-                        goal_uuid: Any = None) -> Future:
+    def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None) -> Future:
         """Send a goal; the future gets a :class:`ClientGoalHandle` when the server has answered.
 
         :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
@@ -211,6 +218,7 @@ class ActionClient(Waitable):
             self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
         if not self._goal_client.server_is_ready():
             from rclpy.impl.missing_servers import note_lost_request
+
             note_lost_request(self._goal_client, self._name, 'action')
         sequence = self._goal_client.send(request_class.to_wire(request))
         self._goal_ids[sequence] = request.goal_id
@@ -263,6 +271,7 @@ class ActionClient(Waitable):
     def _count_wait(self) -> None:
         """Note a wait that has become long, once."""
         from rclpy.impl.missing_servers import LONG_NS, note_long_wait
+
         self._waited_ns += POLL_NS
         if self._waited_ns == LONG_NS and not self._server_is_ready():
             note_long_wait(self._goal_client, self._name, 'action')
@@ -279,17 +288,28 @@ class ActionClient(Waitable):
 def _random_uuid() -> Any:
     """A goal id: random, but the same in every run."""
     from unique_identifier_msgs.msg import UUID
+
     state = process_state()
     if state.goal_ids is None:
         state.goal_ids = state.process.sim.random(f'{state.process.name}/goal ids')
     return UUID(uuid=list(state.goal_ids.getrandbits(128).to_bytes(16, 'big')))
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Callable Dict Generic Optional Tuple Type TypeVar Union', 'uuid': '',
-    'weakref': '', 'action_msgs.msg': 'GoalStatus', 'action_msgs.srv': 'CancelGoal', 'builtin_interfaces.msg': 'Time',
-    'unique_identifier_msgs.msg': 'UUID', 'rclpy.executors': 'await_or_execute',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile', 'rclpy.task': 'Future',
-    'rclpy.type_support': 'check_is_valid_action_type check_for_type_support', 'rclpy.waitable': 'NumberOfEntities Waitable',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Callable Dict Generic Optional Tuple Type TypeVar Union',
+        'uuid': '',
+        'weakref': '',
+        'action_msgs.msg': 'GoalStatus',
+        'action_msgs.srv': 'CancelGoal',
+        'builtin_interfaces.msg': 'Time',
+        'unique_identifier_msgs.msg': 'UUID',
+        'rclpy.executors': 'await_or_execute',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile',
+        'rclpy.task': 'Future',
+        'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
+        'rclpy.waitable': 'NumberOfEntities Waitable',
+    },
+)

@@ -1,4 +1,5 @@
 """The states of a goal and the events that lead from one to another."""
+
 from __future__ import annotations
 
 from enum import IntEnum
@@ -46,6 +47,8 @@ def state_after(state: GoalState, event: GoalEvent) -> GoalState:
     """The state that an event leads to. Raises RCLError when it cannot happen in this state."""
     following = _TRANSITIONS.get((state, event))
     if following is None:
-        raise RCLError('Failed to update goal state: goal_handle attempted invalid transition '
-                       f'from state {state.name} with event {event.name}')
+        raise RCLError(
+            'Failed to update goal state: goal_handle attempted invalid transition '
+            f'from state {state.name} with event {event.name}'
+        )
     return following

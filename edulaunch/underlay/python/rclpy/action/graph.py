@@ -1,4 +1,5 @@
 """Which actions there are."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -24,26 +25,31 @@ def get_action_names_and_types(node: Node) -> NamesAndTypes:
 
 def get_action_server_names_and_types_by_node(node: Node, remote_node_name: str, remote_node_namespace: str) -> NamesAndTypes:
     """The actions that a node serves. Raises RCLError for an unknown node."""
-    return _actions(lambda: node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace),
-                    'Failed to get action server names and type')
+    return _actions(
+        lambda: node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace),
+        'Failed to get action server names and type',
+    )
 
 
 def get_action_client_names_and_types_by_node(node: Node, remote_node_name: str, remote_node_namespace: str) -> NamesAndTypes:
     """The actions that a node has clients of. Raises RCLError for an unknown node."""
-    return _actions(lambda: node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace),
-                    'Failed to get action client names and type')
+    return _actions(
+        lambda: node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace),
+        'Failed to get action client names and type',
+    )
 
 
 def _actions(topics: Callable[[], NamesAndTypes], failed: str) -> NamesAndTypes:
     """An action shows by its feedback topic. An error begins with `failed` and keeps its reason."""
     try:
-        return [(name[:-len(_TOPIC)], [type_name.removesuffix(_TYPE) for type_name in types])
-                for name, types in topics() if name.endswith(_TOPIC)]
+        return [
+            (name[: -len(_TOPIC)], [type_name.removesuffix(_TYPE) for type_name in types])
+            for name, types in topics()
+            if name.endswith(_TOPIC)
+        ]
     except RCLError as error:
         reason = str(error).partition(': ')[2]
         raise hinted(RCLError(f'{failed}: {reason}'), getattr(error, 'edulaunch_hint', None)) from None
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'List Tuple', 'rclpy.node': 'Node',
-})
+__getattr__ = passed_on(__name__, {'typing': 'List Tuple', 'rclpy.node': 'Node'})

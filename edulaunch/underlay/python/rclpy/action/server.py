@@ -1,4 +1,5 @@
 """Serving actions."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -11,13 +12,7 @@ from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState
 from rclpy.action.server_goal_handle import ServerGoalHandle
 from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.passed_on import passed_on
-from rclpy.qos import (
-    QoSProfile,
-    engine_qos,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-    validate_qos,
-)
+from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, is_coroutine_function
 from rclpy.type_support import check_is_valid_action_type
 from rclpy.waitable import Waitable
@@ -70,17 +65,24 @@ class ActionServer(Waitable):
     :param result_timeout: seconds for which the result of an ended goal is kept.
     """
 
-    def __init__(self, node: Node, action_type: Any, action_name: str, execute_callback: Callable[[ServerGoalHandle], Any], *,
-                 callback_group: CallbackGroup | None = None,
-                 goal_callback: Callable[[Any], Any] = default_goal_callback,
-                 handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
-                 cancel_callback: Callable[[Any], Any] = default_cancel_callback,
-                 goal_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 result_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
-                 feedback_pub_qos_profile: QoSProfile | int = 10,
-                 status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
-                 result_timeout: float = 900) -> None:
+    def __init__(
+        self,
+        node: Node,
+        action_type: Any,
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any],
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_callback: Callable[[Any], Any] = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
+        cancel_callback: Callable[[Any], Any] = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile | int = 10,
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 900,
+    ) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
         self._name = checked_action_name(node._rclpy, action_name, 'server')
@@ -120,8 +122,7 @@ class ActionServer(Waitable):
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         """Say what to do with accepted goals; None executes them."""
-        self._handle_accepted_callback = _callable(
-            handle_accepted_callback, default_handle_accepted_callback, 'handle accepted')
+        self._handle_accepted_callback = _callable(handle_accepted_callback, default_handle_accepted_callback, 'handle accepted')
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
         """Say which goals to accept; None accepts all."""
@@ -140,9 +141,14 @@ class ActionServer(Waitable):
     def _run(self, executor: Executor) -> Any:
         """At most one goal, one cancel request and one result request in a turn, as rclpy."""
         self._queued = False
-        taken = [(answer, service.take()) for service, answer in (
-            (self._goal_service, self._answer_goal), (self._cancel_service, self._answer_cancel),
-            (self._result_service, self._answer_result))]
+        taken = [
+            (answer, service.take())
+            for service, answer in (
+                (self._goal_service, self._answer_goal),
+                (self._cancel_service, self._answer_cancel),
+                (self._result_service, self._answer_result),
+            )
+        ]
         if self._goal_service.queue or self._cancel_service.queue or self._result_service.queue:
             self._signal()
         self._forget_old_goals()
@@ -197,8 +203,11 @@ class ActionServer(Waitable):
             elif goal not in stoppable:
                 response.return_code = response.ERROR_GOAL_TERMINATED
             return [goal] if goal in stoppable and goal is not None else []
-        return [goal for goal in stoppable if limit == (0, 0) or bytes(goal.goal_id.uuid) == goal_uuid
-                or (goal._stamp.sec, goal._stamp.nanosec) <= limit]
+        return [
+            goal
+            for goal in stoppable
+            if limit == (0, 0) or bytes(goal.goal_id.uuid) == goal_uuid or (goal._stamp.sec, goal._stamp.nanosec) <= limit
+        ]
 
     async def _answer_result(self, wire: Any, request_id: RequestId) -> None:
         service = self._action_type.Impl.GetResultService
@@ -207,8 +216,7 @@ class ActionServer(Waitable):
         if future is None:
             self._result_service.respond(request_id, service.Response.to_wire(service.Response()))
             return
-        future.add_done_callback(
-            lambda done: self._result_service.respond(request_id, service.Response.to_wire(done.result())))
+        future.add_done_callback(lambda done: self._result_service.respond(request_id, service.Response.to_wire(done.result())))
 
     def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         """Let the executor work on a goal, by `execute_callback` or the one that was registered."""
@@ -244,18 +252,24 @@ class ActionServer(Waitable):
         if future is not None and not future._done:
             if not isinstance(result, self._action_type.Result):
                 from rclpy.impl.hints import hinted
+
                 returned = 'None' if result is None else f'a {type(result).__name__}'
-                raise hinted(TypeError(), f"the execute callback of action '{self._name}' must return a "
-                                          f'{self._action_type.__name__}.Result; it returned {returned}')
+                raise hinted(
+                    TypeError(),
+                    f"the execute callback of action '{self._name}' must return a "
+                    f'{self._action_type.__name__}.Result; it returned {returned}',
+                )
             future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 
     @staticmethod
     def _print_traceback(error: Exception) -> None:
         from edulaunch.processes.traceback_text import student_traceback
+
         current_process().write('stderr', student_traceback(error)[0])
 
     def _publish_status(self) -> None:
         from action_msgs.msg import GoalStatus
+
         message = self._action_type.Impl.GoalStatusMessage()
         message.status_list = [GoalStatus(goal_info=goal._info(), status=goal.status) for goal in self._goal_handles.values()]
         self._status.publish(type(message).to_wire(message))
@@ -290,12 +304,24 @@ async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     return await callback(*args) if is_coroutine_function(callback) else callback(*args)
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Any Callable Dict Generic Literal Optional Tuple Type TypeVar Union', 'enum': 'Enum', 'functools': '',
-    'traceback': '', 'action_msgs.msg': 'GoalInfo GoalStatus', 'rclpy': 'node',
-    'rclpy.clock': 'Clock', 'rclpy.duration': 'Duration', 'rclpy.executors': 'await_or_execute',
-    'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile', 'rclpy.task': 'Future Task',
-    'rclpy.time': 'Time', 'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
-    'rclpy.waitable': 'NumberOfEntities Waitable', 'rclpy.callback_groups': 'CallbackGroup',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Any Callable Dict Generic Literal Optional Tuple Type TypeVar Union',
+        'enum': 'Enum',
+        'functools': '',
+        'traceback': '',
+        'action_msgs.msg': 'GoalInfo GoalStatus',
+        'rclpy': 'node',
+        'rclpy.clock': 'Clock',
+        'rclpy.duration': 'Duration',
+        'rclpy.executors': 'await_or_execute',
+        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
+        'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile',
+        'rclpy.task': 'Future Task',
+        'rclpy.time': 'Time',
+        'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
+        'rclpy.waitable': 'NumberOfEntities Waitable',
+        'rclpy.callback_groups': 'CallbackGroup',
+    },
+)

@@ -1,4 +1,5 @@
 """One goal, as its action server sees it."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -60,6 +61,7 @@ class ServerGoalHandle:
 
     def _info(self) -> Any:
         from action_msgs.msg import GoalInfo
+
         return GoalInfo(goal_id=self._goal_id, stamp=self._stamp)
 
     def _update_state(self, event: GoalEvent) -> None:

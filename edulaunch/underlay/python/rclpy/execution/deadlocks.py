@@ -1,4 +1,5 @@
 """Waits that can never end, put into words: ROS 2 only hangs, here the recording says who waits for what, and where."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -20,9 +21,13 @@ POLLS = 5
 def note_wait(waiting: str, entity: Entity, awaited: str, advice: str, place: str = '') -> None:
     """Note that code running in a callback waits, by `waiting`, for what only `entity` can bring: `awaited`."""
     callback = _name_of(_running_entity(entity))
-    current_process().note('deadlock', (
-        f'{waiting} in {callback} of node {_node_of(entity)}{place or student_place()} waits for ever: {awaited} can only be '
-        f'taken when {callback} has ended. {advice}'))
+    current_process().note(
+        'deadlock',
+        (
+            f'{waiting} in {callback} of node {_node_of(entity)}{place or student_place()} waits for ever: {awaited} can only be '
+            f'taken when {callback} has ended. {advice}'
+        ),
+    )
 
 
 def note_call(call: str, entity: Any, kind: str) -> None:
@@ -42,36 +47,58 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
     callback = _name_of(executor._running_entity())
     start = f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()}"
     if any(entity.callback_group.can_execute(entity) for entity in others):
-        current_process().note('nested spin', (
-            f'{start}: until {callback} has ended no other callback of its group can run. '
-            'Use add_done_callback(), or async and await.'))
+        current_process().note(
+            'nested spin',
+            (
+                f'{start}: until {callback} has ended no other callback of its group can run. '
+                'Use add_done_callback(), or async and await.'
+            ),
+        )
     else:
-        current_process().note('deadlock', (
-            f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for '
-            f'its end. Return from {callback} and let the next message or timer go on.'))
+        current_process().note(
+            'deadlock',
+            (
+                f'{start} cannot bring anything: all callbacks of the node are in the callback group of {callback} and wait for '
+                f'its end. Return from {callback} and let the next message or timer go on.'
+            ),
+        )
 
 
 def note_lost_node(function: str, node: Node, executor: Executor) -> None:
     """Note that a callback gives its node to another executor: the one that runs the callback will not spin it any more."""
     callback = _name_of(executor._running_entity())
-    current_process().note('nested spin', (
-        f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()} takes the node out of the executor that "
-        f'runs {callback}, which does not spin it any more afterwards. Use add_done_callback(), or async and await.'))
+    current_process().note(
+        'nested spin',
+        (
+            f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()} takes the node out of the executor "
+            'that '
+            f'runs {callback}, which does not spin it any more afterwards. Use add_done_callback(), or async and await.'
+        ),
+    )
 
 
 def note_foreign_future(node: Node, entity: Any) -> None:
     """Note that a node is spun until the client of another one, which nobody spins, gets its answer."""
-    current_process().note('deadlock', (
-        f"rclpy.spin_until_future_complete() of node '{node._rclpy.full_name}'{student_place()} waits for ever: "
-        f"{entity._awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."))
+    current_process().note(
+        'deadlock',
+        (
+            f"rclpy.spin_until_future_complete() of node '{node._rclpy.full_name}'{student_place()} waits for ever: "
+            f"{entity._awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."
+        ),
+    )
 
 
 def note_rate(entity: Entity) -> None:
     """Note a `rate.sleep()` where nobody is left to call the rate's timer."""
     callback = _name_of(_running_entity(entity))
-    current_process().note('deadlock', (
-        f'rate.sleep() in {callback} of node {_node_of(entity)}{student_place()} waits for ever: the executor that would call '
-        f'the timer of the rate is busy with {callback}. Let a timer call you, or spin in another thread.'))
+    current_process().note(
+        'deadlock',
+        (
+            f'rate.sleep() in {callback} of node {_node_of(entity)}{student_place()} waits for ever: the executor that would '
+            'call '
+            f'the timer of the rate is busy with {callback}. Let a timer call you, or spin in another thread.'
+        ),
+    )
 
 
 def _running_entity(entity: Entity) -> Any:

@@ -1,4 +1,5 @@
 """How a wait ends without anything to execute. Known to programs as names of `rclpy.executors`."""
+
 from __future__ import annotations
 
 

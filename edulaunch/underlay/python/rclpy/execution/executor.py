@@ -1,4 +1,5 @@
 """The base of executors: nodes, tasks, executing and spinning."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -113,8 +114,9 @@ class Executor(Waiting):
     def _check_open(self) -> None:
         """Raise what rclpy raises when an executor that was shut down is given something to do."""
         if self._is_shutdown:
-            raise hinted(AttributeError("'NoneType' object has no attribute 'trigger'"),
-                         'this executor was shut down; make a new one')
+            raise hinted(
+                AttributeError("'NoneType' object has no attribute 'trigger'"), 'this executor was shut down; make a new one'
+            )
 
     def _call_soon(self, callbacks: list[Callable[[Any], object]], future: Future) -> None:
         """Run the callbacks of a future that is done, in tasks."""
@@ -135,8 +137,12 @@ class Executor(Waiting):
             self._context._executors.remove(self)
         return True
 
-    def wait_for_ready_callbacks(self, timeout_sec: float | TimeoutObject | None = None, nodes: list[Node] | None = None,
-                                 condition: Callable[[], bool] = never) -> tuple[Task, Any, Any]:
+    def wait_for_ready_callbacks(
+        self,
+        timeout_sec: float | TimeoutObject | None = None,
+        nodes: list[Node] | None = None,
+        condition: Callable[[], bool] = never,
+    ) -> tuple[Task, Any, Any]:
         """For executors of one's own: the next (task, entity, node); call the task to execute it.
 
         :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
@@ -198,6 +204,7 @@ class Executor(Waiting):
 
     def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
         """Run a callback's coroutine as far as it goes; when it waits it goes on as a task, with its group held."""
+
         async def guarded() -> None:
             try:
                 await coroutine
@@ -226,8 +233,12 @@ class Executor(Waiting):
     def _running_entity(self) -> Entity | None:
         """The entity whose callback the running thread executes, where its group tells."""
         cores = [node._rclpy for node in self._nodes]
-        entities: list[Entity] = [entity for core in cores for kind in (
-            core.timers, core.subscriptions, core.services, core.clients, core.guards, core.waitables) for entity in kind]
+        entities: list[Entity] = [
+            entity
+            for core in cores
+            for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards, core.waitables)
+            for entity in kind
+        ]
         return next((entity for entity in entities if entity.callback_group.busy_with is entity), None)
 
     def _turn_mark(self) -> Any:
@@ -276,8 +287,7 @@ class Executor(Waiting):
         """Execute one callback, unless the future is done before."""
         check_future(future)
         future._wake_when_done(self)
-        self._execute_next(lambda: self._take_item(
-            _nanoseconds(timeout_sec), lambda: future._ended or not self._context._ok))
+        self._execute_next(lambda: self._take_item(_nanoseconds(timeout_sec), lambda: future._ended or not self._context._ok))
 
     def _spin_some(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""

@@ -1,4 +1,5 @@
 """The executor for callbacks that block."""
+
 from __future__ import annotations
 
 from collections import deque
@@ -113,5 +114,8 @@ class MultiThreadedExecutor(Executor):
 
     def _cannot_serve(self, entity: Entity) -> bool:
         running = self._running_entity()
-        return running is not None and running.callback_group is entity.callback_group \
+        return (
+            running is not None
+            and running.callback_group is entity.callback_group
             and not entity.callback_group.can_execute(entity)
+        )

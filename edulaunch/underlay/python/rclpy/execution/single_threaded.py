@@ -1,4 +1,5 @@
 """The executor that most programs use."""
+
 from __future__ import annotations
 
 from edulaunch.sim.task import current_task
@@ -27,9 +28,12 @@ class SingleThreadedExecutor(Executor):
             return
         if self._waiting:
             from rclpy.impl.hints import hinted
-            raise hinted(ValueError('generator already executing'),
-                         'another thread spins this executor already; give this one its own: '
-                         'rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())')
+
+            raise hinted(
+                ValueError('generator already executing'),
+                'another thread spins this executor already; give this one its own: '
+                'rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())',
+            )
         self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
@@ -60,8 +64,7 @@ class SingleThreadedExecutor(Executor):
             self._forget_work()
         outer, self._spinner = self._spinner, current_task()
         try:
-            while self._context._ok and not future._ended and not self._is_shutdown \
-                    and self._sim.now_ns < deadline:
+            while self._context._ok and not future._ended and not self._is_shutdown and self._sim.now_ns < deadline:
                 self._turn(future, deadline)
         except ShutdownException:
             return

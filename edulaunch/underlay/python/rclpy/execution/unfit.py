@@ -1,4 +1,5 @@
 """What executors are given or get that they cannot use: rclpy's own errors, with help."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -22,8 +23,10 @@ def check_node(node: Any) -> None:
 def check_future(future: Any) -> None:
     """Raise what rclpy raises for a thing that is no future."""
     if not hasattr(future, 'add_done_callback'):
-        raise hinted(AttributeError(f"{type(future).__name__!r} object has no attribute 'add_done_callback'"),
-                     'a future is needed here, such as client.call_async(request) gives')
+        raise hinted(
+            AttributeError(f"{type(future).__name__!r} object has no attribute 'add_done_callback'"),
+            'a future is needed here, such as client.call_async(request) gives',
+        )
 
 
 def check_executor(executor: Any, attribute: str) -> None:
@@ -42,11 +45,17 @@ def no_context(context: Context) -> Exception:
     """What rclpy raises when an executor is made before init or after the end."""
     if context._ended_by_signal:
         return without_context('create guard_condition')
-    return hinted(TypeError("'NoneType' object does not support the context manager protocol"),
-                  f'{SHUT_DOWN}; spin before that' if context._used else 'call rclpy.init() first')
+    return hinted(
+        TypeError("'NoneType' object does not support the context manager protocol"),
+        f'{SHUT_DOWN}; spin before that' if context._used else 'call rclpy.init() first',
+    )
 
 
 def without_context(what: str) -> RCLError:
     """What rcl says when something that needs a context is wanted after its end."""
-    return hinted(RCLError(f'failed to {what}: the given context is not valid, either rcl_init() was not called or '
-                           'rcl_shutdown() was called.'), SHUT_DOWN)
+    return hinted(
+        RCLError(
+            f'failed to {what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
+        ),
+        SHUT_DOWN,
+    )

@@ -1,4 +1,5 @@
 """The waiting half of an executor: which entities are ready, in which order, and parking until there are any."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable
@@ -7,12 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import Task as SimTask
 from edulaunch.sim.task import current_task
-from rclpy.execution.exceptions import (
-    ConditionReachedException,
-    ExternalShutdownException,
-    ShutdownException,
-    TimeoutException,
-)
+from rclpy.execution.exceptions import ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException
 from rclpy.execution.unfit import no_context, without_context
 from rclpy.readiness import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
 from rclpy.task import Task
@@ -80,8 +76,11 @@ class Waiting:
         for ready_list in lists:
             start = len(batch)
             if ready_list.due_ns <= now:
-                batch += [timer for timer in ready_list.timers
-                          if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer)]
+                batch += [
+                    timer
+                    for timer in ready_list.timers
+                    if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer)
+                ]
             entities = ready_list.entities
             if entities:
                 blocked = [entity for entity in entities if not entity.callback_group.can_execute(entity)]

@@ -1,4 +1,5 @@
 """The executor that goes by events."""
+
 from __future__ import annotations
 
 from rclpy.execution.single_threaded import SingleThreadedExecutor

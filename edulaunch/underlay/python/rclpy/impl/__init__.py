@@ -1,2 +1,3 @@
 """What rclpy.logging is made of."""
+
 from __future__ import annotations

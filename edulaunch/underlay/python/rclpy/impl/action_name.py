@@ -1,4 +1,5 @@
 """The name of an action, checked when a client or server of it is made."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -45,6 +46,6 @@ def _problem(core: NodeCore, name: str) -> str | None:
     if problem is None:
         try:
             problem = full_topic_name_problem(expand_name(service, core.name, core.namespace))
-        except ValueError as error:   # an unknown substitution
+        except ValueError as error:  # an unknown substitution
             return str(error).partition(' is invalid: ')[2]
     return None if problem is None else problem[0]

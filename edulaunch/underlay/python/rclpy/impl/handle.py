@@ -1,4 +1,5 @@
 """What stands for the C object behind a node, a publisher, a timer ..."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

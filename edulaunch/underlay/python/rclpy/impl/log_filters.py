@@ -1,4 +1,5 @@
 """Keyword arguments of log calls that let only some messages through: once, throttle, skip_first."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -21,8 +22,9 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
     """
     wanted = tuple(name for name, parameters in _FILTERS.items() if any(options.get(parameter) for parameter in parameters))
     if 'throttle' in wanted and 'throttle_duration_sec' not in options:
-        raise TypeError('required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
-                        '"throttle"')
+        raise TypeError(
+            'required parameter "throttle_duration_sec" not specified but is required for the the logging filter "throttle"'
+        )
     for name in options:
         if name not in _OPTIONS:
             raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{_OPTIONS}"')

@@ -1,4 +1,5 @@
 """How a log message looks on the console: RCUTILS_CONSOLE_OUTPUT_FORMAT and colours."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -29,15 +30,21 @@ def _seconds(record: Record) -> str:
 
 def _date_time(record: Record) -> str:
     from datetime import datetime, timezone
+
     moment = datetime.fromtimestamp(record.stamp_ns // 1_000_000_000, timezone.utc)
     return f'{moment:%Y-%m-%d %H:%M:%S}.{record.stamp_ns // 1_000_000 % 1000:03}'
 
 
 _TOKENS = {
-    'severity': lambda record: SEVERITY_NAMES[record.severity], 'name': lambda record: record.name,
-    'message': lambda record: record.message, 'function_name': lambda record: record.function,
-    'file_name': lambda record: record.file, 'line_number': lambda record: str(record.line),
-    'time': _seconds, 'time_as_nanoseconds': lambda record: str(record.stamp_ns), 'date_time_with_ms': _date_time,
+    'severity': lambda record: SEVERITY_NAMES[record.severity],
+    'name': lambda record: record.name,
+    'message': lambda record: record.message,
+    'function_name': lambda record: record.function,
+    'file_name': lambda record: record.file,
+    'line_number': lambda record: str(record.line),
+    'time': _seconds,
+    'time_as_nanoseconds': lambda record: str(record.stamp_ns),
+    'date_time_with_ms': _date_time,
 }
 
 

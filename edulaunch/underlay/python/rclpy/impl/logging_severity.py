@@ -1,4 +1,5 @@
 """How grave a log message is."""
+
 from __future__ import annotations
 
 from enum import IntEnum

@@ -1,4 +1,5 @@
 """Levels and outputs of a program's logging."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,5 @@
 """Requests that nobody will answer: ROS 2 keeps silent about them, here the recording says so."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -17,15 +18,22 @@ def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
     :param endpoint: the client in the graph; of an action, the one that sends goals.
     """
     wait = 'wait_for_service' if kind == 'service' else 'wait_for_server'
-    current_process().note('lost request', (
-        f"{_who(endpoint)} asks {kind} '{name}', but {_problem(endpoint, name, kind)}, so the request is lost and no answer will "
-        f'ever come. Wait for the server first: client.{wait}()'))
+    current_process().note(
+        'lost request',
+        (
+            f"{_who(endpoint)} asks {kind} '{name}', but {_problem(endpoint, name, kind)}, so the request is lost and no answer "
+            'will '
+            f'ever come. Wait for the server first: client.{wait}()'
+        ),
+    )
 
 
 def note_long_wait(endpoint: Any, name: str, kind: str) -> None:
     """Note that a client waits and waits."""
-    current_process().note('no server', (
-        f"{_who(endpoint)} has waited {LONG_NS // 10**9} s for {kind} '{name}', but {_problem(endpoint, name, kind)}"))
+    current_process().note(
+        'no server',
+        (f"{_who(endpoint)} has waited {LONG_NS // 10**9} s for {kind} '{name}', but {_problem(endpoint, name, kind)}"),
+    )
 
 
 def _who(endpoint: Any) -> str:
@@ -37,7 +45,7 @@ def _problem(endpoint: Any, name: str, kind: str) -> str:
     others = services.get(endpoint.service_name)
     if others:
         return f'its server has the type {others[0].type_name}, the client {endpoint.type_name}'
-    ending = endpoint.service_name[len(name):]
-    known = [one[:len(one) - len(ending)] for one in services if one.endswith(ending)]
+    ending = endpoint.service_name[len(name) :]
+    known = [one[: len(one) - len(ending)] for one in services if one.endswith(ending)]
     near = nearest(name, known)
     return 'nobody offers it' if near is None else f"nobody offers it (did you mean '{near}'?)"

@@ -1,4 +1,5 @@
 """One program cannot use one name for two types: Fast DDS refuses the second."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -20,8 +21,11 @@ def check_new_topic_end(core: NodeCore, name: str, msg_type: Any, kind: str) -> 
     graph = core.graph
     other = _of_another_type(core, [*graph.publishers.get(name, ()), *graph.subscriptions.get(name, ())], msg_type)
     if other is not None:
-        reason = (f'create_publisher() called for existing topic name rt{name} with incompatible type {_dds_name(msg_type)}_'
-                  if kind == 'publisher' else 'invalid allocator')
+        reason = (
+            f'create_publisher() called for existing topic name rt{name} with incompatible type {_dds_name(msg_type)}_'
+            if kind == 'publisher'
+            else 'invalid allocator'
+        )
         raise hinted(RCLError(f'Failed to create {kind}: {reason}'), _hint('topic', name, msg_type, other))
 
 
@@ -35,8 +39,13 @@ def check_new_service_end(core: NodeCore, name: str, srv_type: Any, kind: str) -
     graph = core.graph
     other = _of_another_type(core, [*graph.services.get(name, ()), *graph.clients.get(name, ())], srv_type)
     if other is not None:
-        raise hinted(RCLError(f'failed to create {kind}: create_{kind}() called for existing request topic name rq{name}Request '
-                              f'with incompatible type {_dds_name(srv_type)}_Request_'), _hint('service', name, srv_type, other))
+        raise hinted(
+            RCLError(
+                f'failed to create {kind}: create_{kind}() called for existing request topic name rq{name}Request '
+                f'with incompatible type {_dds_name(srv_type)}_Request_'
+            ),
+            _hint('service', name, srv_type, other),
+        )
 
 
 def _of_another_type(core: NodeCore, ends: list[Any], wanted: Any) -> Any:
@@ -55,5 +64,7 @@ def _dds_name(cls: Any) -> str:
 
 
 def _hint(what: str, name: str, wanted: Any, other: Any) -> str:
-    return (f"node '{other.node.fully_qualified_name}' of this program uses the {what} '{name}' with the type {other.type_name}, "
-            f'so {wanted.TYPE} cannot go there; use one type, or another name')
+    return (
+        f"node '{other.node.fully_qualified_name}' of this program uses the {what} '{name}' with the type {other.type_name}, "
+        f'so {wanted.TYPE} cannot go there; use one type, or another name'
+    )

@@ -3,6 +3,7 @@
 `from rclpy.node import Publisher` is what editors write by themselves, and it works with ROS 2. Here a module imports what
 it needs, late; the other names that it has there are listed beside it and loaded when they are asked for.
 """
+
 from __future__ import annotations
 
 import sys

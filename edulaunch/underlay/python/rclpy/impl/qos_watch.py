@@ -1,4 +1,5 @@
 """Deadlines and liveliness of endpoints, in simulated time."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -75,6 +76,7 @@ def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
     def on_ready() -> None:
         heard()
         countdown.seen()
+
     endpoint.on_ready = on_ready
 
 

@@ -1,4 +1,5 @@
 """Loggers."""
+
 from __future__ import annotations
 
 import sys
@@ -104,8 +105,10 @@ class RcutilsLogger:
 def _checked_name(name: Any) -> str:
     """The name given with a message; None is the root's."""
     if name is not None and not isinstance(name, str):
-        raise TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '
-                        f'not {type(name).__name__}')
+        raise TypeError(
+            'rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '
+            f'not {type(name).__name__}'
+        )
     return name or ''
 
 
@@ -115,5 +118,10 @@ def _text_of(message: Any) -> str:
         return '(null)'
     if isinstance(message, bytes):
         return message.decode(errors='replace')
-    raise hinted(TypeError('rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
-                           f'not {type(message).__name__}'), 'write str(...) around it, or an f-string')
+    raise hinted(
+        TypeError(
+            'rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
+            f'not {type(message).__name__}'
+        ),
+        'write str(...) around it, or an f-string',
+    )

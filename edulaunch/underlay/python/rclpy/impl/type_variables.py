@@ -1,4 +1,5 @@
 """The type variables in the signatures of publishers, subscriptions, clients and services, as annotations name them."""
+
 from __future__ import annotations
 
 from typing import TypeVar

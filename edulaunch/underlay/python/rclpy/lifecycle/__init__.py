@@ -1,4 +1,5 @@
 """Nodes with managed life cycles."""
+
 from __future__ import annotations
 
 from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
@@ -11,6 +12,14 @@ Publisher = LifecyclePublisher
 State = LifecycleState
 
 __all__ = [
-    'LifecycleNode', 'LifecycleNodeMixin', 'LifecyclePublisher', 'LifecycleState', 'ManagedEntity', 'Node', 'Publisher',
-    'SimpleManagedEntity', 'State', 'TransitionCallbackReturn',
+    'LifecycleNode',
+    'LifecycleNodeMixin',
+    'LifecyclePublisher',
+    'LifecycleState',
+    'ManagedEntity',
+    'Node',
+    'Publisher',
+    'SimpleManagedEntity',
+    'State',
+    'TransitionCallbackReturn',
 ]

@@ -1,4 +1,5 @@
 """The life of one managed node: where it stands, and how it gets from state to state."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -6,14 +7,7 @@ from typing import TYPE_CHECKING
 
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.impl.hints import hinted
-from rclpy.lifecycle.state_machine import (
-    OUTCOMES,
-    STATES,
-    TRANSITIONS,
-    LifecycleState,
-    TransitionCallbackReturn,
-    transition_from,
-)
+from rclpy.lifecycle.state_machine import OUTCOMES, STATES, TRANSITIONS, LifecycleState, TransitionCallbackReturn, transition_from
 from rclpy.logging import get_logger
 
 if TYPE_CHECKING:
@@ -56,9 +50,11 @@ class Life:
         if transition is None:
             get_logger('rcl_lifecycle').warning(f'No transition matching {wanted} found for current state {start.label}')
             possible = ', '.join(f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label)
-            raise hinted(RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
-                         f"node '{self.node.get_fully_qualified_name()}' is {start.label}; "
-                         + (f'from there it can go: {possible}' if possible else 'no transition starts there'))
+            raise hinted(
+                RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
+                f"node '{self.node.get_fully_qualified_name()}' is {start.label}; "
+                + (f'from there it can go: {possible}' if possible else 'no transition starts there'),
+            )
         self._enter(transition.during)
         result = self._call(transition.callback, start)
         self._leave(result)
@@ -71,7 +67,7 @@ class Life:
         for transition in TRANSITIONS:
             if transition.start == self.state.label and transition.label == 'shutdown':
                 return self.trigger(transition.number)
-        raise RCLError('Shutdown transtion not possible')   # [sic]: ROS 2's own text
+        raise RCLError('Shutdown transtion not possible')  # [sic]: ROS 2's own text
 
     def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
         function = self.callbacks.get(callback) or getattr(self.node, callback)

@@ -1,4 +1,5 @@
 """Things that follow the life cycle of their node."""
+
 from __future__ import annotations
 
 from functools import wraps
@@ -59,11 +60,12 @@ class SimpleManagedEntity(ManagedEntity):
     @staticmethod
     def when_enabled(wrapped: Any = None, *, when_not_enabled: Any = None) -> Any:
         """A decorator for methods that do nothing (or `when_not_enabled`) while the entity is not enabled."""
+
         def decorator(method: Any) -> Any:
             @wraps(method)
             def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> None:
                 if self._enabled:
-                    method(self, *args, **kwargs)   # as in rclpy, what it returns is lost
+                    method(self, *args, **kwargs)  # as in rclpy, what it returns is lost
                 elif when_not_enabled is not None:
                     when_not_enabled()
 

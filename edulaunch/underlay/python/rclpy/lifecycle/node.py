@@ -1,4 +1,5 @@
 """Managed nodes."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -35,8 +36,9 @@ class LifecycleNodeMixin(ManagedEntity):
         if enable_communication_interface:
             life.services = LifecycleServices(node, life, callback_group)
 
-    def create_lifecycle_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *,
-                                   publisher_class: None = None, **kwargs: Any) -> LifecyclePublisher:
+    def create_lifecycle_publisher(
+        self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *, publisher_class: None = None, **kwargs: Any
+    ) -> LifecyclePublisher:
         """Make a publisher that is silent while the node is not active; arguments as of `create_publisher`."""
         if publisher_class is not None:
             raise TypeError("create_publisher() got an unexpected keyword argument 'publisher_class'")
@@ -123,7 +125,11 @@ class LifecycleNode(LifecycleNodeMixin, Node):
         LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Callable Dict NamedTuple Optional Set', 'rclpy.service': 'Service',
-    'rclpy.type_support': 'check_is_valid_srv_type',
-})
+__getattr__ = passed_on(
+    __name__,
+    {
+        'typing': 'Callable Dict NamedTuple Optional Set',
+        'rclpy.service': 'Service',
+        'rclpy.type_support': 'check_is_valid_srv_type',
+    },
+)

@@ -1,4 +1,5 @@
 """A publisher that is silent while its node is not active."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -21,6 +22,4 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher):
         Publisher.publish(self, msg)
 
 
-__getattr__ = passed_on(__name__, {
-    'typing': 'Union', 'rclpy.impl.type_variables': 'MsgType',
-})
+__getattr__ = passed_on(__name__, {'typing': 'Union', 'rclpy.impl.type_variables': 'MsgType'})

@@ -1,4 +1,5 @@
 """How others see and steer the life cycle of a managed node."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ class LifecycleServices:
     def __init__(self, node: LifecycleNode, life: Life, group: CallbackGroup | None = None) -> None:
         from lifecycle_msgs import srv
         from lifecycle_msgs.msg import TransitionEvent
+
         self._life = life
         self._events = node.create_publisher(TransitionEvent, '~/transition_event', 10)
         for kind, name, answer in (
@@ -32,6 +34,7 @@ class LifecycleServices:
     def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
         """Tell of a step. As in ROS 2 the event names the two states and leaves its time and its transition empty."""
         from lifecycle_msgs.msg import TransitionEvent
+
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
@@ -65,10 +68,13 @@ class LifecycleServices:
 
 def _state(state: LifecycleState) -> Any:
     from lifecycle_msgs.msg import State
+
     return State(id=state.state_id, label=state.label)
 
 
 def _description(number: int, label: str, start: str, goal: str) -> Any:
     from lifecycle_msgs.msg import Transition, TransitionDescription
-    return TransitionDescription(transition=Transition(id=number, label=label), start_state=_state(STATES[start]),
-                                 goal_state=_state(STATES[goal]))
+
+    return TransitionDescription(
+        transition=Transition(id=number, label=label), start_state=_state(STATES[start]), goal_state=_state(STATES[goal])
+    )

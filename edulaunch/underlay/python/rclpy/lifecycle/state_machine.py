@@ -1,4 +1,5 @@
 """The states of a managed node and the transitions between them."""
+
 from __future__ import annotations
 
 from enum import Enum
@@ -33,9 +34,22 @@ class Transition(NamedTuple):
     callback: str
 
 
-STATES = {label: LifecycleState(label, number) for label, number in (
-    ('unknown', 0), ('unconfigured', 1), ('inactive', 2), ('active', 3), ('finalized', 4), ('configuring', 10),
-    ('cleaningup', 11), ('shuttingdown', 12), ('activating', 13), ('deactivating', 14), ('errorprocessing', 15))}
+STATES = {
+    label: LifecycleState(label, number)
+    for label, number in (
+        ('unknown', 0),
+        ('unconfigured', 1),
+        ('inactive', 2),
+        ('active', 3),
+        ('finalized', 4),
+        ('configuring', 10),
+        ('cleaningup', 11),
+        ('shuttingdown', 12),
+        ('activating', 13),
+        ('deactivating', 14),
+        ('errorprocessing', 15),
+    )
+}
 
 TRANSITIONS = (
     Transition(1, 'configure', 'unconfigured', 'configuring', 'on_configure'),

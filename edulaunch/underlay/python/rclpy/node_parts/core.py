@@ -1,4 +1,5 @@
 """The state of a node, in one object, so that a student's own attributes cannot collide with it."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -77,7 +78,7 @@ class NodeCore:
         self.ready_list = ReadyList()
         self.executor: Executor | None = None
         self.destroyed = False
-        self.takes_any_type = False   # a built-in stand-in for several robots may use one name for two types
+        self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
         self.clients: list[Client] = []
@@ -101,8 +102,10 @@ class NodeCore:
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""
         if self.destroyed:
-            raise hinted(InvalidHandle('cannot use Destroyable because destruction was requested'),
-                         f"node '{self.full_name}' was destroyed before, by destroy_node()")
+            raise hinted(
+                InvalidHandle('cannot use Destroyable because destruction was requested'),
+                f"node '{self.full_name}' was destroyed before, by destroy_node()",
+            )
 
     def check_usable(self, what: str) -> None:
         """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
@@ -114,8 +117,12 @@ class NodeCore:
         """As `check_usable`, in the words of what needs only the context: timers and guard conditions."""
         self.check_alive()
         if not self.context._ok:
-            raise hinted(RCLError(f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() '
-                                  'was called.'), SHUT_DOWN)
+            raise hinted(
+                RCLError(
+                    f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
+                ),
+                SHUT_DOWN,
+            )
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         """The absolute, remapped form of a topic or service name.

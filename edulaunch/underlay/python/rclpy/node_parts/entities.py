@@ -1,15 +1,11 @@
 """Making and destroying the entities of a node."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.graph.names import (
-    expand_name,
-    full_topic_name_problem,
-    fully_qualified_name,
-    topic_name_problem,
-)
+from edulaunch.graph.names import expand_name, full_topic_name_problem, fully_qualified_name, topic_name_problem
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
@@ -87,10 +83,17 @@ class NodeEntities:
         if waitable in self._rclpy.waitables:
             self._rclpy.waitables.remove(waitable)
 
-    def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *,
-                         callback_group: CallbackGroup | None = None, event_callbacks: PublisherEventCallbacks | None = None,
-                         qos_overriding_options: QoSOverridingOptions | None = None,
-                         publisher_class: type[Publisher] = Publisher) -> Publisher:
+    def create_publisher(
+        self,
+        msg_type: Any,
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: PublisherEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        publisher_class: type[Publisher] = Publisher,
+    ) -> Publisher:
         """Make a publisher.
 
         :param msg_type: the message class.
@@ -111,10 +114,18 @@ class NodeEntities:
         _watch_events(self, publisher, impl, event_callbacks, callback_group, 'publisher')
         return publisher
 
-    def create_subscription(self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, *,
-                            callback_group: CallbackGroup | None = None,
-                            event_callbacks: SubscriptionEventCallbacks | None = None,
-                            qos_overriding_options: QoSOverridingOptions | None = None, raw: bool = False) -> Subscription:
+    def create_subscription(
+        self,
+        msg_type: Any,
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool = False,
+    ) -> Subscription:
         """Make a subscription.
 
         :param callback: called with each message, or with (message, info).
@@ -139,8 +150,14 @@ class NodeEntities:
         _watch_events(self, subscription, impl, event_callbacks, callback_group, 'subscription')
         return subscription
 
-    def create_client(self, srv_type: Any, srv_name: str, *, qos_profile: QoSProfile = qos_profile_services_default,
-                      callback_group: CallbackGroup | None = None) -> Client:
+    def create_client(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client:
         """Make a client of a service.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
@@ -157,9 +174,15 @@ class NodeEntities:
         core.clients.append(client)
         return client
 
-    def create_service(self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any], *,
-                       qos_profile: QoSProfile = qos_profile_services_default,
-                       callback_group: CallbackGroup | None = None) -> Service:
+    def create_service(
+        self,
+        srv_type: Any,
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service:
         """Make a service; `callback(request, response)` returns the response.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
@@ -177,8 +200,14 @@ class NodeEntities:
         core.services.append(service)
         return service
 
-    def create_timer(self, timer_period_sec: float, callback: Callable[[], Any] | None,
-                     callback_group: CallbackGroup | None = None, clock: Clock | None = None, autostart: bool = True) -> Timer:
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
         """Make a timer; the first call is one period from now.
 
         :param clock: the clock that it goes by; the node's own by default.
@@ -192,6 +221,7 @@ class NodeEntities:
         if frequency <= 0:
             raise ValueError('frequency must be > 0')
         from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+
         timer = _new_timer(self._rclpy, 1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock, True)
         rate = Rate(timer, context=self._rclpy.context)
         self._rclpy.rates.append(rate)
@@ -288,15 +318,29 @@ def _destroy(entities: list[Any], entity: Any) -> bool:
     return True
 
 
-def _new_timer(core: NodeCore, period_s: float, callback: Callable[[], Any] | None, group: CallbackGroup | None,
-               clock: Clock | None, autostart: bool) -> Timer:
+def _new_timer(
+    core: NodeCore,
+    period_s: float,
+    callback: Callable[[], Any] | None,
+    group: CallbackGroup | None,
+    clock: Clock | None,
+    autostart: bool,
+) -> Timer:
     period_ns = int(float(period_s) * S_TO_NS)
     if period_ns < 0:
         raise RCLError('Failed to create timer: timer period must be non-negative')
     core.check_context('failed to create timer')
     group = group or core.default_callback_group
-    timer = Timer(callback, group, period_ns, clock or core.clock, context=core.context, autostart=autostart,
-                  ready_list=core.ready_list, number=core.next_number())
+    timer = Timer(
+        callback,
+        group,
+        period_ns,
+        clock or core.clock,
+        context=core.context,
+        autostart=autostart,
+        ready_list=core.ready_list,
+        number=core.next_number(),
+    )
     group.add_entity(timer)
     core.timers.append(timer)
     return timer
@@ -307,13 +351,20 @@ def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
     if callback is not None:
         return
     from rclpy.impl.student_place import student_place
-    core.process.note('mistake', (
-        f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. Give "
-        'the function itself, without brackets: self.tick, not self.tick()'))
+
+    core.process.note(
+        'mistake',
+        (
+            f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. "
+            'Give '
+            'the function itself, without brackets: self.tick, not self.tick()'
+        ),
+    )
 
 
 def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+
     if callbacks is None:
         callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
     callbacks._attach(node, entity, impl, group or node._rclpy.default_callback_group)
@@ -323,4 +374,5 @@ def _overridden(node: Any, options: QoSOverridingOptions | None, profile: QoSPro
     if options is None or not options.policy_kinds:
         return profile
     from rclpy.qos_overriding_options import declare_qos_parameters
+
     return declare_qos_parameters(node, side, topic, profile, options)

@@ -1,4 +1,5 @@
 """What a node can ask about the graph."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -30,13 +31,15 @@ class NodeGraphQueries:
         """All services that have a server, with their types."""
         return names_and_types(_all(_looked_at(self._rclpy, 'failed to get service names and types').services), 'service_name')
 
-    def get_publisher_names_and_types_by_node(self, node_name: str, node_namespace: str,
-                                              no_demangle: bool = False) -> NamesAndTypes:
+    def get_publisher_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
         """The topics that a node publishes. Raises NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'publisher', 'topic_name')
 
-    def get_subscriber_names_and_types_by_node(self, node_name: str, node_namespace: str,
-                                               no_demangle: bool = False) -> NamesAndTypes:
+    def get_subscriber_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> NamesAndTypes:
         """The topics that a node subscribes to. Raises NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'subscription', 'topic_name')
 
@@ -135,8 +138,10 @@ def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: st
         raise RCLError(f'failed to get {what} names and types: {problem[0]}, result: {2 if name else 1}')
     nodes = [node for node in graph.nodes if node.name == name and node.namespace == namespace]
     if not nodes:
-        raise hinted(NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
-                     f"no node '{fully_qualified_name(namespace, name)}' is running")
+        raise hinted(
+            NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
+            f"no node '{fully_qualified_name(namespace, name)}' is running",
+        )
     return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
 
 
@@ -148,6 +153,7 @@ def _count(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) ->
 
 def _infos(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) -> list[TopicEndpointInfo]:
     from rclpy.topic_endpoint_info import endpoint_info
+
     core.check_usable(f'Failed to get information by topic for {what}')
     _expanded(core, name)
     return [endpoint_info(end) for end in table.get(core.resolve(name, 'topic'), ())]

@@ -1,4 +1,5 @@
 """Telling others about a node's parameters: /parameter_events, and the record."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -21,6 +22,7 @@ class ParameterEvents:
     def __init__(self, node: Node) -> None:
         from rcl_interfaces.msg import Parameter as ParameterMsg
         from rcl_interfaces.msg import ParameterEvent
+
         self._core = node._rclpy
         self._to_wire = ParameterMsg.to_wire
         self._publisher = node.create_publisher(ParameterEvent, '/parameter_events', qos_profile_parameter_events)

@@ -1,4 +1,5 @@
 """The parameters of one node and the rules by which they change."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
@@ -6,11 +7,7 @@ from typing import TYPE_CHECKING
 from warnings import warn
 
 from edulaunch.graph.parameters import float_range_problem, integer_range_problem
-from rclpy.exceptions import (
-    InvalidParameterTypeException,
-    InvalidParameterValueException,
-    ParameterNotDeclaredException,
-)
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException, ParameterNotDeclaredException
 from rclpy.impl.student_place import student_level
 from rclpy.parameter import Parameter, ParameterType
 
@@ -20,8 +17,9 @@ if TYPE_CHECKING:
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
 """Told of one transaction: the parameters that are new, those that changed, and those that were deleted."""
 
-EMPTY_LIST = ('parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original '
-              'parameters list.')
+EMPTY_LIST = (
+    'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
+)
 
 
 class ParameterStore:
@@ -51,6 +49,7 @@ class ParameterStore:
         if not self.allow_undeclared:
             raise ParameterNotDeclaredException(name)
         from rcl_interfaces.msg import ParameterDescriptor
+
         return ParameterDescriptor()
 
     def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
@@ -95,8 +94,9 @@ class ParameterStore:
         if undeclared and not self.allow_undeclared:
             raise ParameterNotDeclaredException(undeclared[1:])
 
-    def _checked(self, parameters: list[Parameter], descriptors: dict[str, ParameterDescriptor],
-                 check_read_only: bool) -> SetParametersResult:
+    def _checked(
+        self, parameters: list[Parameter], descriptors: dict[str, ParameterDescriptor], check_read_only: bool
+    ) -> SetParametersResult:
         for parameter in parameters:
             descriptor = descriptors.get(parameter.name)
             reason = None if descriptor is None else self.problem(parameter, descriptor, check_read_only)
@@ -104,7 +104,7 @@ class ParameterStore:
                 return _result(reason)
         for callback in self.on_callbacks:
             result = callback(parameters)
-            if getattr(result, 'successful', None) is None:   # most often a forgotten return
+            if getattr(result, 'successful', None) is None:  # most often a forgotten return
                 warn('Callback returned an invalid type, it should return SetParameterResult.', stacklevel=student_level())
                 return _result('Callback returned an invalid type')
             if not result.successful:
@@ -157,6 +157,7 @@ class ParameterStore:
 
 def _result(problem: str | None) -> SetParametersResult:
     from rcl_interfaces.msg import SetParametersResult
+
     result = SetParametersResult()
     result.successful = problem is None
     result.reason = problem or ''
@@ -165,4 +166,5 @@ def _result(problem: str | None) -> SetParametersResult:
 
 def _dynamic_descriptor() -> ParameterDescriptor:
     from rcl_interfaces.msg import ParameterDescriptor
+
     return ParameterDescriptor(dynamic_typing=True)

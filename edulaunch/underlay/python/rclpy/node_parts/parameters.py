@@ -1,4 +1,5 @@
 """The parameters of a node, as programs use them."""
+
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
@@ -18,12 +19,7 @@ from rclpy.node_parts.core import NodeCore
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 
 if TYPE_CHECKING:
-    from rcl_interfaces.msg import (
-        ListParametersResult,
-        ParameterDescriptor,
-        ParameterValue,
-        SetParametersResult,
-    )
+    from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 
     from edulaunch.graph.ros_arguments import Override
 
@@ -33,7 +29,8 @@ NAME_ONLY = (
     "when declaring parameter named '{}', declaring a parameter only providing its name is deprecated. You have to either:\n"
     '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
     '\t- Pass a name and a parameter type.\n'
-    '\t- Pass a name and a descriptor with `dynamic_typing=True')
+    '\t- Pass a name and a descriptor with `dynamic_typing=True'
+)
 
 
 class NodeParameters:
@@ -42,8 +39,9 @@ class NodeParameters:
     _rclpy: NodeCore
     PARAM_REL_TOL = 1e-6
 
-    def declare_parameter(self, name: str, value: Any = None, descriptor: ParameterDescriptor | None = None,
-                          ignore_override: bool = False) -> Parameter:
+    def declare_parameter(
+        self, name: str, value: Any = None, descriptor: ParameterDescriptor | None = None, ignore_override: bool = False
+    ) -> Parameter:
         """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside takes the default's place.
 
         :raises ParameterAlreadyDeclaredException: when it was declared before.
@@ -53,11 +51,13 @@ class NodeParameters:
         entry: tuple[Any, ...] = (name,)
         if value is not None or descriptor is not None:
             from rcl_interfaces.msg import ParameterDescriptor
+
             entry = (name, value, descriptor or ParameterDescriptor())
         return self.declare_parameters('', [entry], ignore_override)[0]
 
-    def declare_parameters(self, namespace: str, parameters: Sequence[tuple[Any, ...]],
-                           ignore_override: bool = False) -> list[Parameter]:
+    def declare_parameters(
+        self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
+    ) -> list[Parameter]:
         """Declare several: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
         core = self._rclpy
         overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
@@ -119,8 +119,9 @@ class NodeParameters:
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """The parameters `prefix.x`, by x."""
         prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ''
-        return {name[len(prefix):]: parameter for name, parameter in self._rclpy.parameters.values.items()
-                if name.startswith(prefix)}
+        return {
+            name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
+        }
 
     def get_parameter_type(self, name: str) -> int | ParameterType:
         """The number of the type of a parameter's value, 0 without one.
@@ -151,6 +152,7 @@ class NodeParameters:
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
         """Names of parameters under any of `prefixes` (all when empty), at most `depth` dots below it (0: any)."""
         from rcl_interfaces.msg import ListParametersResult
+
         if not isinstance(prefixes, list):
             raise TypeError('The prefixes argument must be a list')
         if not all(isinstance(prefix, str) for prefix in prefixes):
@@ -183,13 +185,15 @@ class NodeParameters:
         self._rclpy.parameters.check_declared(parameter_list)
         return self._rclpy.parameters.set_atomically(parameter_list)
 
-    def set_descriptor(self, name: str, descriptor: ParameterDescriptor,
-                       alternative_value: ParameterValue | None = None) -> ParameterValue:
+    def set_descriptor(
+        self, name: str, descriptor: ParameterDescriptor, alternative_value: ParameterValue | None = None
+    ) -> ParameterValue:
         """Give a parameter another descriptor; `alternative_value` takes the place of a value that it does not allow.
 
         :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
         """
         from rclpy.parameter import parameter_value_to_python
+
         store = self._rclpy.parameters
         if name not in store.values:
             return self.get_parameter(name).get_parameter_value()
@@ -232,8 +236,9 @@ class NodeParameters:
         self._rclpy.parameters.post_callbacks.remove(callback)
 
 
-def _prepared(overrides: Mapping[str, Override], namespace: str, index: int,
-              entry: tuple[Any, ...]) -> tuple[Parameter, ParameterDescriptor]:
+def _prepared(
+    overrides: Mapping[str, Override], namespace: str, index: int, entry: tuple[Any, ...]
+) -> tuple[Parameter, ParameterDescriptor]:
     """The first value and the descriptor of one declaration."""
     name, value, descriptor = _unpacked(index, entry)
     name = f'{namespace}.{name}' if namespace else name
@@ -261,9 +266,11 @@ def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDe
     As in rclpy the descriptor is the given one, not a copy: a second declaration with it changes the first one's type.
     """
     from rcl_interfaces.msg import ParameterDescriptor
+
     if not 1 <= len(entry) <= 3:
-        raise TypeError(f'Invalid parameter tuple length at index {index} in parameters list: {entry}; '
-                        'expecting length between 1 and 3')
+        raise TypeError(
+            f'Invalid parameter tuple length at index {index} in parameters list: {entry}; expecting length between 1 and 3'
+        )
     name = entry[0]
     if not isinstance(name, str):
         raise TypeError(f'First element {name} at index {index} in parameters list is not a str.')
@@ -277,8 +284,10 @@ def _set_type(name: str, descriptor: ParameterDescriptor, type_: ParameterType) 
     if type_ is ParameterType.NOT_SET:
         raise ValueError(f'Cannot declare parameter {{{name}}} as statically typed of type NOT_SET')
     if descriptor.dynamic_typing:
-        raise ValueError(f'When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` is not allowed '
-                         'when the parameter type is provided')
+        raise ValueError(
+            f'When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` is not allowed '
+            'when the parameter type is provided'
+        )
     descriptor.type = type_.value
 
 
@@ -286,6 +295,6 @@ def _listed(name: str, prefixes: list[str], depth: int) -> bool:
     if not prefixes:
         return not depth or name.count('.') < depth
     for prefix in prefixes:
-        if name == prefix or (name.startswith(prefix + '.') and (not depth or name[len(prefix) + 1:].count('.') < depth)):
+        if name == prefix or (name.startswith(prefix + '.') and (not depth or name[len(prefix) + 1 :].count('.') < depth)):
             return True
     return False

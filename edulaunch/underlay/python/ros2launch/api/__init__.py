@@ -1,4 +1,5 @@
 """The functions behind `ros2 launch`."""
+
 from .api import (
     MultipleLaunchFilesError,
     get_share_file_path_from_package,

@@ -1,4 +1,5 @@
 """Finding a launch file, and showing or launching what is in it."""
+
 from __future__ import annotations
 
 import os
@@ -35,18 +36,19 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
         share = get_package_share_directory(package_name)
     except PackageNotFoundError as error:
         raise PackageNotFoundError(f"Package '{package_name}' not found: {error}") from error
-    found = [os.path.join(folder, name) for folder, _, names in sorted(os.walk(share, followlinks=True))
-             for name in sorted(names) if name == file_name]
+    found = [
+        os.path.join(folder, name)
+        for folder, _, names in sorted(os.walk(share, followlinks=True))
+        for name in sorted(names)
+        if name == file_name
+    ]
     if not found:
         raise FileNotFoundError(
-            f"file '{file_name}' was not found in the share directory of package '{package_name}' "
-            f"which is at '{share}'"
+            f"file '{file_name}' was not found in the share directory of package '{package_name}' which is at '{share}'"
         )
     if len(found) > 1:
         raise MultipleLaunchFilesError(
-            f"file '{file_name}' was found more than once in the share directory of package "
-            f"'{package_name}': {found}",
-            found,
+            f"file '{file_name}' was found more than once in the share directory of package '{package_name}': {found}", found
         )
     return found[0]
 
@@ -54,6 +56,7 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
 def is_launch_file(path: str) -> bool:
     """Whether it is a file with a name that a launch file may have."""
     from launch.frontend.parser import Parser
+
     extensions = ['py', *Parser.get_file_extensions_from_parsers()]
     return os.path.isfile(path) and any(path.endswith('.' + extension) for extension in extensions)
 
@@ -77,15 +80,15 @@ def load_launch_file(path: str) -> LaunchDescription:
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
-    from launch.launch_description_sources.any_launch_file_utilities import (
-        get_launch_description_from_any_launch_file,
-    )
+    from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
+
     return get_launch_description_from_any_launch_file(path)
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:
     """Write the description as a tree."""
     from launch.launch_introspector import LaunchIntrospector
+
     _print(LaunchIntrospector().format_launch_description(load_launch_file(launch_file_path)))
 
 
@@ -100,15 +103,9 @@ def arguments_text(launch_description: LaunchDescription) -> str:
     arguments = launch_description.get_launch_arguments()
     for argument in arguments:
         star = '*' if argument._conditionally_included else ''
-        lines += [
-            '',
-            f"    '{argument.name}':{star}",
-            *(f'        {line}' for line in argument.description.splitlines()),
-        ]
+        lines += ['', f"    '{argument.name}':{star}", *(f'        {line}' for line in argument.description.splitlines())]
         if argument.default_value is not None:
-            lines.append(
-                f'        (default: {" + ".join(part.describe() for part in argument.default_value)})'
-            )
+            lines.append(f'        (default: {" + ".join(part.describe() for part in argument.default_value)})')
     if any(argument._conditionally_included for argument in arguments):
         lines += ['', '* argument(s) which are only used if specific conditions occur']
     if not arguments:
@@ -135,13 +132,22 @@ def launch_a_launch_file(
     from launch.launch_description import LaunchDescription
     from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
     from launch.launch_service import LaunchService
+
     texts = list(launch_file_arguments)
     service = LaunchService(argv=texts, noninteractive=noninteractive, debug=debug)
-    service.include_launch_description(LaunchDescription([IncludeLaunchDescription(
-        AnyLaunchDescriptionSource(launch_file_path), launch_arguments=parse_launch_arguments(texts))]))
+    service.include_launch_description(
+        LaunchDescription(
+            [
+                IncludeLaunchDescription(
+                    AnyLaunchDescriptionSource(launch_file_path), launch_arguments=parse_launch_arguments(texts)
+                )
+            ]
+        )
+    )
     return service.run()
 
 
 def _print(text: str) -> None:
     from edulaunch.processes import current_process
+
     current_process().stdout.write(text + '\n')

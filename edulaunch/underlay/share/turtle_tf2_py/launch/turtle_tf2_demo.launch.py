@@ -1,4 +1,5 @@
 """turtle2 follows the frame `target_frame`; turtle1 is yours to drive."""
+
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration
@@ -6,16 +7,26 @@ from launch_ros.actions import Node
 
 
 def broadcaster(number):
-    return Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name=f'broadcaster{number}',
-                parameters=[{'turtlename': f'turtle{number}'}])
+    return Node(
+        package='turtle_tf2_py',
+        executable='turtle_tf2_broadcaster',
+        name=f'broadcaster{number}',
+        parameters=[{'turtlename': f'turtle{number}'}],
+    )
 
 
 def generate_launch_description():
-    return LaunchDescription([
-        DeclareLaunchArgument('target_frame', default_value='turtle1', description='Target frame name.'),
-        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
-        broadcaster(1),
-        broadcaster(2),
-        Node(package='turtle_tf2_py', executable='turtle_tf2_listener', name='listener',
-             parameters=[{'target_frame': LaunchConfiguration('target_frame')}]),
-    ])
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument('target_frame', default_value='turtle1', description='Target frame name.'),
+            Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+            broadcaster(1),
+            broadcaster(2),
+            Node(
+                package='turtle_tf2_py',
+                executable='turtle_tf2_listener',
+                name='listener',
+                parameters=[{'target_frame': LaunchConfiguration('target_frame')}],
+            ),
+        ]
+    )

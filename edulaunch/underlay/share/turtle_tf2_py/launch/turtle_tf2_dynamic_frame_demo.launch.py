@@ -1,4 +1,5 @@
 """The demo with a carrot: turtle2 follows the frame carrot1 that a dynamic broadcaster hangs at turtle1."""
+
 import os
 
 from ament_index_python.packages import get_package_share_directory
@@ -10,9 +11,12 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     launch_folder = os.path.join(get_package_share_directory('turtle_tf2_py'), 'launch')
-    return LaunchDescription([
-        IncludeLaunchDescription(
-            PythonLaunchDescriptionSource(os.path.join(launch_folder, 'turtle_tf2_demo.launch.py')),
-            launch_arguments={'target_frame': 'carrot1'}.items()),
-        Node(package='turtle_tf2_py', executable='dynamic_frame_tf2_broadcaster', name='dynamic_broadcaster'),
-    ])
+    return LaunchDescription(
+        [
+            IncludeLaunchDescription(
+                PythonLaunchDescriptionSource(os.path.join(launch_folder, 'turtle_tf2_demo.launch.py')),
+                launch_arguments={'target_frame': 'carrot1'}.items(),
+            ),
+            Node(package='turtle_tf2_py', executable='dynamic_frame_tf2_broadcaster', name='dynamic_broadcaster'),
+        ]
+    )

@@ -1,10 +1,13 @@
 """Two turtle windows, each in a namespace of its own."""
+
 from launch import LaunchDescription
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    return LaunchDescription([
-        Node(package='turtlesim', executable='turtlesim_node', namespace=namespace, output='screen')
-        for namespace in ('turtlesim1', 'turtlesim2')
-    ])
+    return LaunchDescription(
+        [
+            Node(package='turtlesim', executable='turtlesim_node', namespace=namespace, output='screen')
+            for namespace in ('turtlesim1', 'turtlesim2')
+        ]
+    )

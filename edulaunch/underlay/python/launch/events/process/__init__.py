@@ -1,4 +1,5 @@
 """What can happen to processes."""
+
 from ..._lazy import lazy_exports
 
 _EXPORTS = {

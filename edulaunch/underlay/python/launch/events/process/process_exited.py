@@ -1,4 +1,5 @@
 """A process has ended."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """A process reads or writes."""
+
 from __future__ import annotations
 
 from typing import Any

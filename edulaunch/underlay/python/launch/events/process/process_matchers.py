@@ -1,4 +1,5 @@
 """Which processes a targeted event is meant for."""
+
 from __future__ import annotations
 
 from .process_targeted_event import ProcessMatcher
@@ -16,6 +17,4 @@ def matches_name(name: str) -> ProcessMatcher:
 
 def matches_executable(executable: str) -> ProcessMatcher:
     """Processes whose program's path ends with this."""
-    return lambda action: (
-        action.process_details is not None and action.process_details['cmd'][0].endswith(executable)
-    )
+    return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)

@@ -1,4 +1,5 @@
 """A process has started."""
+
 from __future__ import annotations
 
 from .running_process_event import RunningProcessEvent

@@ -1,4 +1,5 @@
 """A process is to read text on its standard input."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """A process has written to its standard output."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """Requests to processes."""
+
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -1,4 +1,5 @@
 """Events about a process that was started."""
+
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -15,8 +16,9 @@ class RunningProcessEvent(Event):
 
     name = 'launch.events.process.RunningProcessEvent'
 
-    def __init__(self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: str | None,
-                 env: Mapping[str, str] | None, pid: int) -> None:
+    def __init__(
+        self, *, action: ExecuteLocal, name: str, cmd: list[str], cwd: str | None, env: Mapping[str, str] | None, pid: int
+    ) -> None:
         self.__action = action
         self.__name = name
         self.__cmd = cmd

@@ -1,4 +1,5 @@
 """A process is to end."""
+
 from __future__ import annotations
 
 from .process_targeted_event import ProcessTargetedEvent

@@ -1,4 +1,5 @@
 """A process is to get a signal."""
+
 from __future__ import annotations
 
 import signal
@@ -16,9 +17,7 @@ class SignalProcess(ProcessTargetedEvent):
 
     def __init__(self, *, signal_number: str | signal.Signals, process_matcher: ProcessMatcher) -> None:
         super().__init__(process_matcher=process_matcher)
-        self.__signal = (
-            signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
-        )
+        self.__signal = signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
 
     @property
     def signal(self) -> signal.Signals:

@@ -3,6 +3,7 @@
 Each parse function takes (entity, parser) and returns the action's class and its keyword arguments. The class
 methods `parse` of the actions lead here too.
 """
+
 from __future__ import annotations
 
 from ..late_parse import LateParse
@@ -35,5 +36,4 @@ _ELEMENTS = {
     'ros_timer': ('ros_timer', 'parse_ros_timer'),
 }
 
-BUILT_IN_ACTIONS = {
-    element: LateParse(f'{__name__}.{module}', function) for element, (module, function) in _ELEMENTS.items()}
+BUILT_IN_ACTIONS = {element: LateParse(f'{__name__}.{module}', function) for element, (module, function) in _ELEMENTS.items()}

@@ -1,4 +1,5 @@
 """`<arg name= default= description=><choice value=/></arg>`: a launch argument."""
+
 from __future__ import annotations
 
 from launch.actions.declare_launch_argument import DeclareLaunchArgument
@@ -30,6 +31,5 @@ def _choices(entity: Entity, parser: Parser, name: str) -> list[str]:
     return choices
 
 
-_OPTIONALS: Optionals = {
-    'default': ('default_value', text), 'description': ('description', _literal)}
+_OPTIONALS: Optionals = {'default': ('default_value', text), 'description': ('description', _literal)}
 _CHILDREN: Optionals = {'choice': ('choices', _choices)}

@@ -1,4 +1,5 @@
 """What elements have in common: optional attributes, and children with a name and a value."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -16,8 +17,9 @@ Optionals = dict[str, tuple[str, Reader]]
 NOTHING: Optionals = {}
 
 
-def add_optionals(kwargs: dict[str, Any], entity: Entity, parser: Parser, attributes: Optionals,
-                  children: Optionals = NOTHING) -> None:
+def add_optionals(
+    kwargs: dict[str, Any], entity: Entity, parser: Parser, attributes: Optionals, children: Optionals = NOTHING
+) -> None:
     """Read those of the optional `attributes` and `children` that the element has into `kwargs`."""
     for name in entity.given(attributes, children):
         keyword, reader = attributes[name] if name in attributes else children[name]
@@ -31,13 +33,16 @@ def text(entity: Entity, parser: Parser, name: str) -> Substitutions:
 
 def typed(data_type: type) -> Reader:
     """An attribute of that type, or a text with substitutions."""
+
     def read(entity: Entity, parser: Parser, name: str) -> Any:
         return parser.parse_if_substitutions(entity.get_attr(name, data_type=data_type))
+
     return read
 
 
-def pairs(entity: Entity, parser: Parser, tag: str, first: str = 'name',
-          second: str = 'value') -> list[tuple[Substitutions, Substitutions]]:
+def pairs(
+    entity: Entity, parser: Parser, tag: str, first: str = 'name', second: str = 'value'
+) -> list[tuple[Substitutions, Substitutions]]:
     """Children like `<arg name="a" value="b"/>`, in order."""
     parse = parser.parse_substitution
     plain = entity.plain_pairs(tag, first, second)

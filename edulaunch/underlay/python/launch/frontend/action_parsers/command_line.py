@@ -1,4 +1,5 @@
 """From the text of a command line, as in `cmd=` and `args=`, to its words."""
+
 from __future__ import annotations
 
 from launch.substitution import Substitution
@@ -45,6 +46,7 @@ def _split(text: str) -> list[str]:
     if '"' not in text and "'" not in text and '\\' not in text:
         return text.split()
     from shlex import split
+
     try:
         return split(text)
     except ValueError as error:

@@ -1,4 +1,5 @@
 """`<node_container>`, `<load_composable_node>` and the `<composable_node>` elements inside them."""
+
 from __future__ import annotations
 
 from typing import Any

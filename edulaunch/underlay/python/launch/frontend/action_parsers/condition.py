@@ -1,4 +1,5 @@
 """`if` and `unless`, which every action element may have."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -22,6 +23,6 @@ def condition_of(entity: Entity, parser: Parser) -> dict[str, Any]:
         return {}
     if len(given) > 1:
         raise RuntimeError("if and unless conditions can't be used simultaneously")
-    name, = given
+    (name,) = given
     predicate = parser.parse_substitution(entity.get_attr(name))
     return {'condition': _CONDITIONS[name](predicate_expression=predicate)}

@@ -1,4 +1,5 @@
 """`<set_env>`, `<unset_env>`, `<append_env>` and `<reset_env>`: environment variables."""
+
 from __future__ import annotations
 
 from typing import Any

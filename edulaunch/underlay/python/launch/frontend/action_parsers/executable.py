@@ -1,4 +1,5 @@
 """`<executable cmd= ...><env name= value=/></executable>`: a program; nodes have its attributes too."""
+
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -25,17 +26,25 @@ def _on_exit(entity: Entity, parser: Parser, name: str) -> list[Shutdown]:
     if value != 'shutdown':
         raise ValueError(
             f"Attribute {name} of Entity {entity.type_name} expected to be 'shutdown' but got '{value}'. "
-            'Other on_exit actions not yet supported')
+            'Other on_exit actions not yet supported'
+        )
     return [Shutdown()]
 
 
 PROCESS_OPTIONALS: Optionals = {
-    'cwd': ('cwd', text), 'name': ('name', text), 'launch-prefix': ('prefix', text),
-    'output': ('output', _output), 'on_exit': ('on_exit', _on_exit),
-    'sigterm_timeout': ('sigterm_timeout', text), 'sigkill_timeout': ('sigkill_timeout', text),
-    'shell': ('shell', typed(bool)), 'emulate_tty': ('emulate_tty', typed(bool)),
-    'respawn': ('respawn', typed(bool)), 'respawn_delay': ('respawn_delay', typed(float)),
-    'respawn_max_retries': ('respawn_max_retries', typed(int))}
+    'cwd': ('cwd', text),
+    'name': ('name', text),
+    'launch-prefix': ('prefix', text),
+    'output': ('output', _output),
+    'on_exit': ('on_exit', _on_exit),
+    'sigterm_timeout': ('sigterm_timeout', text),
+    'sigkill_timeout': ('sigkill_timeout', text),
+    'shell': ('shell', typed(bool)),
+    'emulate_tty': ('emulate_tty', typed(bool)),
+    'respawn': ('respawn', typed(bool)),
+    'respawn_delay': ('respawn_delay', typed(float)),
+    'respawn_max_retries': ('respawn_max_retries', typed(int)),
+}
 PROCESS_CHILDREN: Optionals = {'env': ('additional_env', mapping)}
 """What every element that starts a program may have."""
 
@@ -51,6 +60,7 @@ def parse_executable(entity: Entity, parser: Parser, ignore: Iterable[str] | Non
         kwargs['cmd'] = words_of(entity.get_attr('cmd'), parser)
     attributes, children = (
         {name: how for name, how in optionals.items() if name not in ignored}
-        for optionals in (PROCESS_OPTIONALS, PROCESS_CHILDREN))
+        for optionals in (PROCESS_OPTIONALS, PROCESS_CHILDREN)
+    )
     add_optionals(kwargs, entity, parser, attributes, children)
     return ExecuteProcess, kwargs

@@ -1,4 +1,5 @@
 """`<group scoped= forwarding=><keep name= value=/>...</group>`: actions with a scope of their own."""
+
 from __future__ import annotations
 
 from launch.actions.group_action import GroupAction
@@ -15,8 +16,7 @@ def _boolean(entity: Entity, parser: Parser, name: str) -> bool:
     return value
 
 
-_OPTIONALS: Optionals = {
-    'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean)}
+_OPTIONALS: Optionals = {'scoped': ('scoped', _boolean), 'forwarding': ('forwarding', _boolean)}
 _CHILDREN: Optionals = {'keep': ('launch_configurations', mapping)}
 
 

@@ -1,4 +1,5 @@
 """`<include file=><arg name= value=/></include>`: another launch file."""
+
 from __future__ import annotations
 
 from launch.actions.include_launch_description import IncludeLaunchDescription

@@ -1,4 +1,5 @@
 """`<let name= value=/>`: set a launch configuration."""
+
 from __future__ import annotations
 
 from launch.actions.set_launch_configuration import SetLaunchConfiguration

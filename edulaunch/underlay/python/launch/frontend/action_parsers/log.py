@@ -1,4 +1,5 @@
 """`<log message=/>`: a line in the log."""
+
 from __future__ import annotations
 
 from launch.actions.log_info import LogInfo

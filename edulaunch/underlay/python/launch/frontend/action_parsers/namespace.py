@@ -1,4 +1,5 @@
 """`<push_ros_namespace namespace=/>`: a namespace for the nodes that follow in the scope."""
+
 from __future__ import annotations
 
 from launch_ros.actions.push_ros_namespace import PushROSNamespace

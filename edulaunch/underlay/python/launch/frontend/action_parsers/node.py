@@ -1,4 +1,5 @@
 """`<node pkg= exec= ...>` with `<param>`, `<remap>` and `<env>` inside: a ROS node."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -27,8 +28,12 @@ NODE_CHILDREN: Optionals = {'remap': ('remappings', _remappings), 'param': ('par
 """What composable nodes have too."""
 _OPTIONALS: Optionals = {
     **PROCESS_OPTIONALS,
-    'pkg': ('package', text), 'namespace': ('namespace', text), 'exec_name': ('exec_name', text),
-    'args': ('arguments', _words), 'ros_args': ('ros_arguments', _words)}
+    'pkg': ('package', text),
+    'namespace': ('namespace', text),
+    'exec_name': ('exec_name', text),
+    'args': ('arguments', _words),
+    'ros_args': ('ros_arguments', _words),
+}
 _CHILDREN: Optionals = {**PROCESS_CHILDREN, **NODE_CHILDREN}
 
 

@@ -1,4 +1,5 @@
 """`<param name= value= type=/>`, `<param from= allow_substs=/>`, and `<param name=>` with others inside."""
+
 from __future__ import annotations
 
 from typing import Any
@@ -15,7 +16,8 @@ _SCALARS = ('int', 'float', 'bool', 'str')
 _TYPES: dict[str, Any] = {
     **dict(zip(_SCALARS, ScalarTypesTuple, strict=True)),
     **{f'list_of_{name}': data_type for name, data_type in zip(_SCALARS, ListTypesTuple, strict=True)},
-    'yaml': None}
+    'yaml': None,
+}
 _WHICH = frozenset(('name', 'from', 'allow_substs'))
 _WHAT = frozenset(('value', 'type'))
 _INSIDE = frozenset(('param',))
@@ -95,7 +97,7 @@ def _data_type(param: Entity) -> Any:
     name = param.get_attr('type')
     if name not in _TYPES:
         error = ValueError(f'Got invalid type identifier {name!r}')
-        raise hints.at(error, param, f"the types are {', '.join(_TYPES)}")
+        raise hints.at(error, param, f'the types are {", ".join(_TYPES)}')
     return _TYPES[name]
 
 

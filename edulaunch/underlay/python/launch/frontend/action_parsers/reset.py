@@ -1,4 +1,5 @@
 """`<reset><keep name= value=/></reset>`: forget all launch configurations but some."""
+
 from __future__ import annotations
 
 from launch.actions.reset_launch_configurations import ResetLaunchConfigurations

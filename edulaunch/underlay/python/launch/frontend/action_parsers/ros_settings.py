@@ -1,4 +1,5 @@
 """Settings for all nodes that follow in the scope: parameters, remappings, simulated time, log directory."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -1,4 +1,5 @@
 """`<ros_timer period=>...</ros_timer>`: actions after some ROS time."""
+
 from __future__ import annotations
 
 from launch_ros.actions.ros_timer import ROSTimer

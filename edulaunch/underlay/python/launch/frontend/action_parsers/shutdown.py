@@ -1,4 +1,5 @@
 """`<shutdown reason=/>`: end the launch."""
+
 from __future__ import annotations
 
 from launch.actions.shutdown_action import Shutdown

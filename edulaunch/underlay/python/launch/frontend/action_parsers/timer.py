@@ -1,4 +1,5 @@
 """`<timer period= cancel_on_shutdown=>...</timer>`: actions after some time."""
+
 from __future__ import annotations
 
 from typing import Any

@@ -43,9 +43,7 @@ class ChangeState(Event):
         7: 'TRANSITION_ACTIVE_SHUTDOWN',
     }
 
-    def __init__(
-        self, *, lifecycle_node_matcher: Callable[[LifecycleNode], bool], transition_id: int
-    ) -> None:
+    def __init__(self, *, lifecycle_node_matcher: Callable[[LifecycleNode], bool], transition_id: int) -> None:
         super().__init__()
         if transition_id not in self.valid_transitions:
             valid = ', '.join(f'{name} ({number})' for number, name in self.valid_transitions.items())

@@ -12,8 +12,7 @@ from ..matches_node_name import matches_node_name as _matches_node_name
 def matches_node_name(node_name: str) -> Callable[[Any], bool]:
     """As in the new place, with a warning."""
     warnings.warn(
-        'launch_ros.events.lifecycle.matches_node_name is deprecated, '
-        'use launch_ros.events.matchers.matches_node_name instead',
+        'launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
         stacklevel=2,
     )
     return _matches_node_name(node_name)

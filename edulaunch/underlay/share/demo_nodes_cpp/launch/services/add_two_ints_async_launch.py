@@ -1,4 +1,5 @@
 """A server that adds and a client that asks once; when the client has its answer, everything ends."""
+
 from launch import LaunchDescription
 from launch.actions import EmitEvent, RegisterEventHandler
 from launch.event_handlers import OnProcessExit
@@ -8,8 +9,10 @@ from launch_ros.actions import Node
 
 def generate_launch_description():
     client = Node(package='demo_nodes_cpp', executable='add_two_ints_client_async', output='screen')
-    return LaunchDescription([
-        Node(package='demo_nodes_cpp', executable='add_two_ints_server', output='screen'),
-        client,
-        RegisterEventHandler(OnProcessExit(target_action=client, on_exit=[EmitEvent(event=Shutdown())])),
-    ])
+    return LaunchDescription(
+        [
+            Node(package='demo_nodes_cpp', executable='add_two_ints_server', output='screen'),
+            client,
+            RegisterEventHandler(OnProcessExit(target_action=client, on_exit=[EmitEvent(event=Shutdown())])),
+        ]
+    )

@@ -1,10 +1,10 @@
 """One node talks on `chatter`, the other listens."""
+
 from launch import LaunchDescription
 from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    return LaunchDescription([
-        Node(package='demo_nodes_cpp', executable=program, output='screen')
-        for program in ('talker', 'listener')
-    ])
+    return LaunchDescription(
+        [Node(package='demo_nodes_cpp', executable=program, output='screen') for program in ('talker', 'listener')]
+    )
