@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.packages import Index, nearest
+from edulaunch.nearest import nearest
+from edulaunch.packages import Index
 from edulaunch.processes.current import current_process
 from edulaunch.processes.origin import Origin
 

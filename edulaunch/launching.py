@@ -7,7 +7,8 @@ import signal
 from collections.abc import Callable
 
 from edulaunch.errors import LaunchFileError, UnusableInput
-from edulaunch.packages import Index, nearest
+from edulaunch.nearest import nearest
+from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec

@@ -11,7 +11,7 @@ import re
 from typing import TYPE_CHECKING
 
 from edulaunch.interfaces.message import Message
-from edulaunch.interfaces.naming import nearest
+from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.registry import Registry

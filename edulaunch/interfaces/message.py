@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
-from edulaunch.interfaces.naming import did_you_mean
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.layout import Layout

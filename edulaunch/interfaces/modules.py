@@ -77,8 +77,8 @@ def _is_from_import(frame: FrameType) -> bool:
 
 
 def _help(registry: Registry, module: str, name: str) -> str:
-    from edulaunch.interfaces.naming import did_you_mean
     from edulaunch.interfaces.unknown import homes
+    from edulaunch.nearest import did_you_mean
 
     package, kind = module.split('.')
     places = homes(registry, name)

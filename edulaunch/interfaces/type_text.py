@@ -6,9 +6,9 @@ import re
 from typing import NoReturn
 
 from edulaunch.interfaces.kinds import KINDS, PRIMITIVE_NAMES, primitive_name
-from edulaunch.interfaces.naming import did_you_mean
 from edulaunch.interfaces.sections import Line
 from edulaunch.interfaces.spec import FieldType
+from edulaunch.nearest import did_you_mean
 
 _TYPE = re.compile(
     r'(?P<base>[A-Za-z][\w/]*)(?:<=(?P<string>\d{1,9}))?'

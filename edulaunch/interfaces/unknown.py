@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from edulaunch.errors import InterfaceError
-from edulaunch.interfaces.naming import did_you_mean
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.registry import Registry

@@ -8,8 +8,7 @@ source package is read (`setup_script.py`, `cmake.py`) and presented as if insta
 from __future__ import annotations
 
 from edulaunch.packages.index import Index
-from edulaunch.packages.nearest import nearest
 from edulaunch.packages.program import Program
 from edulaunch.packages.reading import PackageWarning
 
-__all__ = ['Index', 'PackageWarning', 'Program', 'nearest']
+__all__ = ['Index', 'PackageWarning', 'Program']

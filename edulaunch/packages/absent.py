@@ -1,77 +1,164 @@
-"""Packages of ROS 2 whose programs launch files start, and which edulaunch does not have.
+"""What a robot's machine may have and edulaunch does not: packages whose programs launch files start, and modules.
 
-On a student's ROS machine they are installed, so a launch that names them goes on there; here, too: their programs end at
-once and say why.
+On a student's ROS machine such packages are installed, so a launch that names them goes on there; here, too: their programs
+end at once and say why. The modules are not found, whatever is installed on the real machine, and the error says what is missing.
 """
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+
+class Absent(NamedTuple):
+    """Names of packages (`*` stands for any text) and of Python modules that belong together."""
+
+    packages: tuple[str, ...] = ()
+    modules: tuple[str, ...] = ()
+
+
 KINDS = {
-    'robot descriptions': ('robot_state_publisher', 'joint_state_publisher', 'xacro', 'urdf', 'urdf_tutorial', 'urdf_launch'),
-    'windows': (
-        'joint_state_publisher_gui',
-        'rqt',
-        'rqt_*',
-        'plotjuggler',
-        'image_view',
-        'rviz_common',
-        'rviz_default_plugins',
-        'foxglove_bridge',
-        'rosbridge_server',
-        'web_video_server',
+    'robot descriptions': Absent(
+        ('robot_state_publisher', 'joint_state_publisher', 'xacro', 'urdf', 'urdf_tutorial', 'urdf_launch'),
+        ('xacro', 'urdf_parser_py', 'kdl_parser_py', 'PyKDL'),
     ),
-    'Gazebo': ('gazebo_ros*', 'gazebo_plugins', 'ros_gz*', 'ros_ign*', 'gz_ros2_control', 'webots_ros2*'),
-    'Navigation 2': ('nav2_*', 'slam_toolbox', 'cartographer_ros', 'robot_localization', 'rtabmap_*'),
-    'components built from C++': ('rclcpp_components',),
-    'MoveIt': ('moveit_ros_*', 'moveit_servo', 'moveit_setup_assistant', 'moveit_py'),
-    'ros2_control': (
-        'controller_manager',
-        'ros2_control',
-        'ros2_controllers',
-        'joint_state_broadcaster',
-        'diff_drive_controller',
-        'joint_trajectory_controller',
-        'twist_mux',
+    'windows': Absent(
+        (
+            'joint_state_publisher_gui',
+            'rqt',
+            'rqt_*',
+            'plotjuggler',
+            'image_view',
+            'rviz_common',
+            'rviz_default_plugins',
+            'foxglove_bridge',
+            'rosbridge_server',
+            'web_video_server',
+        )
     ),
-    'joysticks and keyboards': ('joy', 'joy_linux', 'joy_teleop', 'teleop_twist_joy', 'teleop_twist_keyboard', 'key_teleop'),
-    'cameras and images': (
-        'v4l2_camera',
-        'usb_cam',
-        'image_proc',
-        'image_tools',
-        'image_transport',
-        'depth_image_proc',
-        'depthimage_to_laserscan',
-        'realsense2_camera',
-        'apriltag_ros',
-        'cv_bridge',
+    'Gazebo': Absent(
+        ('gazebo_ros*', 'gazebo_plugins', 'ros_gz*', 'ros_ign*', 'gz_ros2_control', 'webots_ros2*'),
+        ('gazebo_msgs', 'gazebo_ros', 'gazebo_plugins', 'ros_gz_interfaces', 'gz'),
     ),
-    'drivers of hardware': (
-        'rplidar_ros',
-        'sllidar_ros2',
-        'ydlidar_ros2_driver',
-        'ldlidar_stl_ros2',
-        'urg_node',
-        'velodyne_driver',
-        'micro_ros_agent',
-        'turtlebot3_node',
-        'hls_lfcd_lds_driver',
-        'ld08_driver',
+    'Navigation 2': Absent(
+        ('nav2_*', 'slam_toolbox', 'cartographer_ros', 'robot_localization', 'rtabmap_*'),
+        ('nav2_msgs', 'nav2_simple_commander', 'nav2_common'),
     ),
-    'filters of messages': (
-        'topic_tools',
-        'laser_filters',
-        'pointcloud_to_laserscan',
-        'imu_filter_madgwick',
-        'imu_complementary_filter',
-        'diagnostic_aggregator',
+    'components built from C++': Absent(('rclcpp_components',)),
+    'MoveIt': Absent(
+        ('moveit_ros_*', 'moveit_servo', 'moveit_setup_assistant', 'moveit_py'),
+        ('moveit_msgs', 'moveit_configs_utils', 'moveit_commander', 'moveit', 'launch_param_builder'),
+    ),
+    'ros2_control': Absent(
+        (
+            'controller_manager',
+            'ros2_control',
+            'ros2_controllers',
+            'joint_state_broadcaster',
+            'diff_drive_controller',
+            'joint_trajectory_controller',
+            'twist_mux',
+        ),
+        ('control_msgs', 'controller_manager', 'controller_manager_msgs'),
+    ),
+    'joysticks and keyboards': Absent(
+        ('joy', 'joy_linux', 'joy_teleop', 'teleop_twist_joy', 'teleop_twist_keyboard', 'key_teleop')
+    ),
+    'cameras and images': Absent(
+        (
+            'v4l2_camera',
+            'usb_cam',
+            'image_proc',
+            'image_tools',
+            'image_transport',
+            'depth_image_proc',
+            'depthimage_to_laserscan',
+            'realsense2_camera',
+            'apriltag_ros',
+            'cv_bridge',
+        ),
+        ('image_geometry', 'ros2_numpy', 'camera_info_manager_py'),
+    ),
+    'drivers of hardware': Absent(
+        (
+            'rplidar_ros',
+            'sllidar_ros2',
+            'ydlidar_ros2_driver',
+            'ldlidar_stl_ros2',
+            'urg_node',
+            'velodyne_driver',
+            'micro_ros_agent',
+            'turtlebot3_node',
+            'hls_lfcd_lds_driver',
+            'ld08_driver',
+        )
+    ),
+    'filters of messages': Absent(
+        (
+            'topic_tools',
+            'laser_filters',
+            'pointcloud_to_laserscan',
+            'imu_filter_madgwick',
+            'imu_complementary_filter',
+            'diagnostic_aggregator',
+        )
+    ),
+    'OpenCV': Absent(modules=('cv2', 'cv_bridge')),
+    'a window': Absent(
+        modules=(
+            'tkinter',
+            '_tkinter',
+            'PyQt5',
+            'PyQt6',
+            'PySide2',
+            'PySide6',
+            'pygame',
+            'python_qt_binding',
+            'qt_gui',
+            'kivy',
+            'wx',
+            'pyglet',
+            'customtkinter',
+        )
+    ),
+    'the keyboard of a real machine': Absent(
+        modules=('pynput', 'keyboard', 'sshkeyboard', 'getkey', 'readchar', 'curses', '_curses', 'inputs', 'evdev')
+    ),
+    'a Windows console': Absent(modules=('msvcrt', 'winsound', '_winapi', 'win32api', 'win32con')),
+    'hardware': Absent(modules=('serial', 'RPi', 'smbus', 'pigpio', 'gpiozero', 'picamera', 'pyrealsense2', 'dynamixel_sdk')),
+    'rosbag2; edulaunch records every run by itself': Absent(modules=('rosbag2_py', 'rosbags_py', 'rosbag2_interfaces')),
+    'the inside of the ros2 command; call it with subprocess.run()': Absent(
+        modules=(
+            'ros2cli',
+            'ros2topic',
+            'ros2node',
+            'ros2param',
+            'ros2service',
+            'ros2action',
+            'ros2pkg',
+            'ros2run',
+            'ros2interface',
+            'ros2bag',
+        )
+    ),
+    'ROS 1; with ROS 2 it is rclpy': Absent(modules=('rospy', 'roslib', 'actionlib', 'rospkg', 'dynamic_reconfigure')),
+    'diagnostics; diagnostic_msgs is here': Absent(
+        modules=('diagnostic_updater', 'diagnostic_aggregator', 'diagnostic_common_diagnostics')
     ),
 }
-"""What they belong to, and their names; `*` stands for any text."""
+"""By what they belong to."""
+WINDOW_MODULES, KEYBOARD_MODULES = KINDS['a window'].modules, KINDS['the keyboard of a real machine'].modules
+REFUSED = frozenset((*WINDOW_MODULES, *KEYBOARD_MODULES)) - {'tkinter', '_tkinter'}
+"""These would open windows on the real screen or take the real keyboard, so they are not found even where they are installed.
+`tkinter` has a view."""
 
 
 def absent_kind(package: str) -> str | None:
     """What an absent package belongs to; None for a name that nobody knows, which is a mistake in ROS 2, too."""
     from fnmatch import fnmatchcase  # late: most launches never ask
 
-    return next((kind for kind, names in KINDS.items() if any(fnmatchcase(package, name) for name in names)), None)
+    return next((kind for kind, absent in KINDS.items() if any(fnmatchcase(package, name) for name in absent.packages)), None)
+
+
+def absent_module_kind(module: str) -> str | None:
+    """What a module that is not here belongs to; None for a name that nobody knows."""
+    return next((kind for kind, absent in KINDS.items() if module in absent.modules), None)

@@ -8,9 +8,9 @@ import sys
 from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.packages import nearest
+from edulaunch.nearest import nearest
+from edulaunch.packages.absent import absent_module_kind
 from edulaunch.processes.compiled_modules import compiled_module, missing_library
-from edulaunch.processes.not_here import KINDS
 from edulaunch.processes.with_help import with_help
 
 if TYPE_CHECKING:
@@ -59,11 +59,9 @@ def _module_help(process: Process, name: str) -> str | None:
         return compiled
     if name != top and _parent_is_there(process, name):
         return _part_help(process, name) or _package_help(process, top)
-    for kind, modules in KINDS.items():
-        if top in modules:
-            return (
-                f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; the other programs go on without it'
-            )
+    kind = absent_module_kind(top)
+    if kind is not None:
+        return f'{wanted_by(process)} needs the module {top!r} ({kind}), which is not here; the other programs go on without it'
     return _package_help(process, top) or f'{wanted_by(process)} needs the module {top!r}, which is not here' + _near(
         process, top
     )

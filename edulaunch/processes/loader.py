@@ -17,9 +17,9 @@ from importlib.machinery import ModuleSpec, SourceFileLoader
 from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.packages.absent import REFUSED
 from edulaunch.processes.compiled import code_of, read_script
 from edulaunch.processes.finding import Finder, Found, namespace, regular
-from edulaunch.processes.not_here import REFUSED
 from edulaunch.processes.views import PRIVATE_COPIES, VIEWS, make_view
 
 if TYPE_CHECKING:

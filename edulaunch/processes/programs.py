@@ -7,7 +7,8 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.packages import Program, nearest
+from edulaunch.nearest import nearest
+from edulaunch.packages import Program
 from edulaunch.processes.error_help import wanted_by
 from edulaunch.processes.process import Process
 

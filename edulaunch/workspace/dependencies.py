@@ -6,7 +6,8 @@ import os
 from importlib.util import find_spec
 from typing import NamedTuple
 
-from edulaunch.packages import Index, nearest
+from edulaunch.nearest import nearest
+from edulaunch.packages import Index
 from edulaunch.workspace.sources import Dependency, SourcePackage, source_packages
 
 BUILD_ONLY = (

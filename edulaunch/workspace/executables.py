@@ -6,7 +6,7 @@ import ast
 import os
 from collections.abc import Iterator
 
-from edulaunch.packages import nearest
+from edulaunch.nearest import nearest
 from edulaunch.workspace.finding import Mistake
 from edulaunch.workspace.sources import SourcePackage, parsed, read_text
 

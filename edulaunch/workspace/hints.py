@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from edulaunch.packages import nearest
+from edulaunch.nearest import nearest
 from edulaunch.workspace.layout import install_help
 from edulaunch.workspace.sources import SourcePackage, read_text
 

@@ -38,7 +38,7 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
     known = exercises()
     if name in known:
         return name, _load(os.path.join(rubrics_folder(), f'{name}.py'))
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     close = nearest(name, known)
     hint = f'did you mean {close}? ' if close else ''

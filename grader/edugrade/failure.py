@@ -80,7 +80,7 @@ class Mismatch(Failure):
 def _with_nearest(try_: str | None, name: str | None, known: list[str]) -> str | None:
     if name is None or name in known:
         return try_
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     close = nearest(name, known)
     if close is None:

@@ -98,7 +98,7 @@ def find_exercise(name: str) -> str:
 
 
 def _unknown(name: str, known: list[str]) -> UnusableInput:
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     close = nearest(name, known)
     question = f'did you mean check("{close}")? ' if close else ''

@@ -136,7 +136,7 @@ def _files_in(folder: str) -> str:
 
 
 def _nearest_to(path: str) -> str:
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     folder, name = os.path.split(path)
     if os.path.islink(path):

@@ -1,6 +1,7 @@
 import pytest
 
-from edulaunch.interfaces.naming import did_you_mean, module_name, nearest
+from edulaunch.interfaces.naming import module_name
+from edulaunch.nearest import did_you_mean, nearest
 
 
 @pytest.mark.parametrize(

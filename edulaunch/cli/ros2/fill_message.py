@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.message import Message
@@ -67,7 +67,7 @@ def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = Fal
             listed = f'the fields of {message.TYPE} are: {", ".join(fields) or "(none)"}'
             blank = f'put a blank after the colon: {str(name).replace(":", ": ", 1)}' if ':' in str(name) else None
             raise FillError(
-                f'{type(message).__name__!r} object has no attribute {name!r}', blank or nearest_help(str(name), fields) or listed
+                f'{type(message).__name__!r} object has no attribute {name!r}', blank or did_you_mean(str(name), fields) or listed
             )
         if stamps and _is_stamp(field, value):
             found.append(_stamp(message, field))

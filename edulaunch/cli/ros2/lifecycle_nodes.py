@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.node_parameters import NodeNotFound
 from edulaunch.cli.ros2.output import with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -69,7 +69,7 @@ def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
     with cli_node.cli_node(arguments) as node:
         known = found(node, arguments.include_hidden_nodes)
         if name not in known:
-            raise NodeNotFound(with_help('Node not found', nearest_help(name, known) or 'see `ros2 lifecycle nodes`'))
+            raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or 'see `ros2 lifecycle nodes`'))
         yield LifecycleNodeOf(node, name)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -89,7 +89,7 @@ class ParametersOf:
 
     def help_for(self, parameter: str) -> str | None:
         """One line of help for a name that the node does not have."""
-        return nearest_help(parameter, self.names())
+        return did_you_mean(parameter, self.names())
 
 
 @contextmanager
@@ -106,7 +106,7 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
                 return
             cli_node.pause(node, LOOK_EVERY_S)
         known = names.node_names(node, arguments.include_hidden_nodes)
-        raise NodeNotFound(with_help('Node not found', nearest_help(name, known) or 'see `ros2 node list`'))
+        raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or 'see `ros2 node list`'))
 
 
 def python_value(value: Any) -> Any:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from importlib import import_module
 from typing import Any, NoReturn
 
 from edulaunch.cli.ros2.commands import COMMANDS
 from edulaunch.cli.ros2.output import with_help
-from edulaunch.packages import nearest
+from edulaunch.nearest import nearest
 from edulaunch.processes.current import current_process
 
 WIDTH = 100
@@ -101,9 +101,3 @@ def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known:
 def _listed(kind: str, known: dict[str, str]) -> str:
     width = max(map(len, known))
     return f'{kind.capitalize()}s:\n' + ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
-
-
-def nearest_help(word: str, known: Iterable[str]) -> str | None:
-    """One line of help with the nearest of the known names, if one is near."""
-    near = nearest(word, known)
-    return near and f'did you mean {near!r}?'

@@ -7,7 +7,7 @@ import signal
 from typing import Any
 
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 from edulaunch.packages import Index
 from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
@@ -65,7 +65,7 @@ def _not_found(index: Index, package: str, executable: str) -> str:
     from edulaunch.workspace.hints import executable_hint, package_hint
 
     if package not in index.packages():
-        near = nearest_help(package, index.packages())
+        near = did_you_mean(package, index.packages())
         return with_help(f"Package '{package}' not found", near or package_hint(index, package))
     native = index.native_executables(package)
     if executable in native:
@@ -74,6 +74,6 @@ def _not_found(index: Index, package: str, executable: str) -> str:
     return with_help(
         'No executable found',
         executable_hint(index, package, executable)
-        or nearest_help(executable, known)
+        or did_you_mean(executable, known)
         or f'{package} has: {", ".join(known) or "no executables"}',
     )

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.interface_class import interface_class
 from edulaunch.cli.ros2.output import complain, with_help
-from edulaunch.cli.ros2.parser import nearest_help
 from edulaunch.errors import InterfaceError
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -33,7 +33,7 @@ def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wai
         while wait and not types and cli_node.pause(node, 0.1):
             types = _types(node, name)
     if not types:
-        return with_help(UNKNOWN, nearest_help(name, [known for known, _ in node.get_topic_names_and_types()]))
+        return with_help(UNKNOWN, did_you_mean(name, [known for known, _ in node.get_topic_names_and_types()]))
     if len(types) > 1:
         return f"Cannot {verb} topic '{topic}', as it contains more than one type: [{', '.join(types)}]"
     return interface_class(types[0], 'msg')

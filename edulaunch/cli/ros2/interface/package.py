@@ -6,8 +6,8 @@ import argparse
 
 from edulaunch.cli.ros2.names import say_lines
 from edulaunch.cli.ros2.output import with_help
-from edulaunch.cli.ros2.parser import nearest_help
 from edulaunch.interfaces import current_registry
+from edulaunch.nearest import did_you_mean
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -19,6 +19,6 @@ def main(arguments: argparse.Namespace) -> str | None:
     """Print their types, sorted."""
     registry, package = current_registry(), arguments.package_name
     if not registry.has(package):
-        return with_help(f"Unknown package '{package}'", nearest_help(package, registry.packages()))
+        return with_help(f"Unknown package '{package}'", did_you_mean(package, registry.packages()))
     say_lines([f'{package}/{kind}/{name}' for kind in ('action', 'msg', 'srv') for name in registry.names(package, kind)])
     return None

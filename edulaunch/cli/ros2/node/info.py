@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.action_names import clients_by_node, servers_by_node
 from edulaunch.cli.ros2.output import complain, say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -28,7 +28,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         known = names.node_names(node)
         count = known.count(wanted)
         if not count:
-            return with_help(f"Unable to find node '{wanted}'", nearest_help(wanted, known))
+            return with_help(f"Unable to find node '{wanted}'", did_you_mean(wanted, known))
         if count > 1:
             complain(
                 f'There are {count} nodes in the graph with the exact name "{wanted}". '

@@ -6,7 +6,7 @@ import argparse
 
 from edulaunch.cli.ros2.names import say_lines
 from edulaunch.cli.ros2.output import with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 from edulaunch.processes.current import current_process
 
 
@@ -21,7 +21,7 @@ def main(arguments: argparse.Namespace) -> str | None:
     index, wanted = current_process().index, arguments.package_name
     packages = sorted(index.packages())
     if wanted is not None and wanted not in packages:
-        return with_help('Package not found', nearest_help(wanted, packages))
+        return with_help('Package not found', did_you_mean(wanted, packages))
     for package in packages if wanted is None else [wanted]:
         for executable in index.executables(package):
             path = index.find_executable(package, executable)

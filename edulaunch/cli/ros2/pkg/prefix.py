@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 from edulaunch.processes.current import current_process
 
 
@@ -20,6 +20,6 @@ def main(arguments: argparse.Namespace) -> str | None:
     index, package = current_process().index, arguments.package_name
     place = index.share(package) if arguments.share else index.prefix(package)
     if place is None:
-        return with_help('Package not found', nearest_help(package, index.packages()))
+        return with_help('Package not found', did_you_mean(package, index.packages()))
     say(place)
     return None

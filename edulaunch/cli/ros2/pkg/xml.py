@@ -6,7 +6,7 @@ import argparse
 import os
 
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 from edulaunch.processes.current import current_process
 
 
@@ -23,7 +23,7 @@ def main(arguments: argparse.Namespace) -> str | None:
     index, package = current_process().index, arguments.package_name
     share = index.share(package)
     if share is None:
-        return with_help('Package not found', nearest_help(package, index.packages()))
+        return with_help('Package not found', did_you_mean(package, index.packages()))
     path = os.path.join(share, 'package.xml')
     if not os.path.isfile(path):
         return with_help(f"Package '{package}' has no package.xml", 'it is built into edulaunch')

@@ -9,8 +9,8 @@ from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.fill_message import FillError, fill_message, parse_values
 from edulaunch.cli.ros2.interface_class import interface_class
 from edulaunch.cli.ros2.output import complain, say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
 from edulaunch.errors import InterfaceError
+from edulaunch.nearest import did_you_mean
 from edulaunch.processes.current import current_process
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def _wait(node: Node, client: Client) -> None:
     other = (
         f'{client.service_name} has the type {types[0]}'
         if types
-        else nearest_help(client.service_name, [name for name, _ in services])
+        else did_you_mean(client.service_name, [name for name, _ in services])
     )
     complain(
         with_help(f'still waiting for {client.service_name} [{client.srv_type.TYPE}]', other or 'see `ros2 service list -t`')

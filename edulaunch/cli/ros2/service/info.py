@@ -6,7 +6,7 @@ import argparse
 
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -22,7 +22,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         services = node.get_service_names_and_types()
         types = names.types_of(service, services)
         if not types:
-            return with_help(f"Unknown service '{service}'", nearest_help(service, [name for name, _ in services]))
+            return with_help(f"Unknown service '{service}'", did_you_mean(service, [name for name, _ in services]))
         say(f'Type: {types[0] if len(types) == 1 else types}')
         say(f'Clients count: {node.count_clients(service)}')
         say(f'Services count: {node.count_services(service)}')

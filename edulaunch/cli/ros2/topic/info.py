@@ -6,7 +6,7 @@ import argparse
 
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.cli.ros2.parser import nearest_help
+from edulaunch.nearest import did_you_mean
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,7 +25,7 @@ def main(arguments: argparse.Namespace) -> str | None:
         topics = node.get_topic_names_and_types()
         types = names.types_of(topic, topics)
         if not types:
-            return with_help(f"Unknown topic '{topic}'", nearest_help(topic, [name for name, _ in topics]))
+            return with_help(f"Unknown topic '{topic}'", did_you_mean(topic, [name for name, _ in topics]))
         say(f'Type: {types[0] if len(types) == 1 else types}', end)
         say(f'Publisher count: {node.count_publishers(topic)}', end)
         if arguments.verbose:

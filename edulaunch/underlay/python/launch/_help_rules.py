@@ -7,8 +7,8 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from edulaunch.packages.nearest import nearest
-from edulaunch.processes.not_here import KINDS
+from edulaunch.nearest import nearest
+from edulaunch.packages.absent import absent_module_kind
 
 from ._absent_packages import absent_file
 from ._engine import running_process
@@ -85,7 +85,7 @@ def _missing_module(error: BaseException, text: str) -> str | None:
     if place is not None and os.path.isfile(os.path.join(os.path.dirname(place[0]), f'{found[1]}.py')):
         return f"the launch file's own folder is not searched: move {found[1]}.py into your Python package"
     top = found[1].partition('.')[0]
-    kind = next((kind for kind, modules in KINDS.items() if top in modules), None)
+    kind = absent_module_kind(top)
     if kind is not None:
         return f'the module {top!r} ({kind}) is not here'
     near = nearest(found[1], MODULES)

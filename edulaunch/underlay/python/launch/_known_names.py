@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from edulaunch.packages.nearest import nearest
+from edulaunch.nearest import nearest
 
 from ._help import loaded
 

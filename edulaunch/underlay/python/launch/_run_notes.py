@@ -45,7 +45,7 @@ def undeclared_warnings(state: dict[str, Any]) -> list[str]:
     lines = []
     for name, declared, file, origin in state.get('launch.undeclared', ()):
         if name not in state.get('launch.read', ()):
-            from edulaunch.packages.nearest import nearest
+            from edulaunch.nearest import nearest
 
             near = nearest(name, declared)
             known = f'it declares: {", ".join(declared)}' if declared else 'it declares none'

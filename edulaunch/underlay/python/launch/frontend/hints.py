@@ -144,7 +144,7 @@ def nearest_given(name: str, entity: Entity, names: Any) -> str | None:
 
 
 def _nearest(name: str, names: Any) -> str | None:
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     return nearest(name, names)
 

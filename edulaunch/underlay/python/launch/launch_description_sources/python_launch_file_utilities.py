@@ -44,7 +44,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
 
 def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
     """The error, with the line of a function whose name is nearly right."""
-    from edulaunch.packages.nearest import nearest
+    from edulaunch.nearest import nearest
 
     error: Any = InvalidPythonLaunchFileError(f"launch file at '{path}' does not contain the required function '{GENERATE}()'")
     functions = {name: value for name, value in vars(module).items() if isinstance(value, FunctionType)}

@@ -77,7 +77,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
     """ROS's own error, with one line of help in `edulaunch_hint`."""
-    from edulaunch.packages import nearest
+    from edulaunch.nearest import nearest
     from edulaunch.workspace.hints import executable_hint
 
     error: Any = SubstitutionFailure(message)

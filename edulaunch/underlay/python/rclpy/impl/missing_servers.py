@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from edulaunch.packages.nearest import nearest
+from edulaunch.nearest import nearest
 from edulaunch.processes.current import current_process
 from rclpy.impl.student_place import student_place
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.packages import nearest
+from edulaunch.nearest import nearest
 
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 

@@ -24,3 +24,9 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
 
 def _folded(name: str) -> str:
     return name.lower().replace('-', '_').replace('.', '_')
+
+
+def did_you_mean(name: str, names: Iterable[str]) -> str | None:
+    """The line of help that names the nearest of the known names; None when nothing is close."""
+    near = nearest(name, names)
+    return None if near is None else f'did you mean {near!r}?'
