@@ -11,13 +11,14 @@ from typing import TextIO
 from edulaunch.graph.graph import Graph
 from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.packages import Index
+from edulaunch.packages.discovery import install_folders, workspaces_of_command
 from edulaunch.processes.host import Host
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.pacing import Pacer
 from edulaunch.sim.simulation import Simulation
-from edulaunch.sourcing import install_folders, source
+from edulaunch.sourcing import source
 from edulaunch.underlay_place import underlay_prefix
 
 PathLike = str | os.PathLike[str]
@@ -144,7 +145,7 @@ def run(
     arguments: Mapping[str, object] | None = None,
     duration_s: float = 20.0,
     seed: int = 0,
-    workspaces: Sequence[PathLike] = (),
+    workspaces: Sequence[PathLike] | None = None,
     console: Callable[[str, str], object] | None = None,
 ) -> Recording:
     """Run a launch file in the simulation and return the recording of it.
@@ -153,7 +154,8 @@ def run(
     :param arguments: launch arguments by name, as on the command line.
     :param duration_s: simulated seconds to run; what runs then is stopped without being recorded.
     :param seed: equal launch file, arguments and seed give the same recording, byte for byte.
-    :param workspaces: folders with the student's packages.
+    :param workspaces: folders with the student's packages; default: those that `edulaunch launch` finds from here, see
+        :func:`~edulaunch.packages.discovery.find_workspaces`. An empty list is none.
     :param console: called as console(stream, text) with everything that launch prints; without one, only what went wrong is told,
         one line each on the error stream: programs that died and why, misspelt launch arguments, callbacks that wait for ever.
     :raises UnusableInput: when the file or package does not exist.
@@ -161,7 +163,8 @@ def run(
         file and line, and what to try.
     """
     texts = {name: str(value) for name, value in (arguments or {}).items()}
-    with Session(seed=seed, workspaces=workspaces, console=console) as session:
+    folders = workspaces_of_command((), path_or_package) if workspaces is None else workspaces
+    with Session(seed=seed, workspaces=folders, console=console) as session:
         launch = session.launch(path_or_package, file, texts)
         session.run(duration_s)
         launch.raise_error()

@@ -4,24 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterable
 from importlib.machinery import PathFinder
 
 from edulaunch.errors import ForeignRosError
 from edulaunch.underlay_place import put_on_prefix_path, underlay_python
-
-INSTALL_SIGNS = ('.colcon_install_layout', 'local_setup.bash', 'local_setup.sh', os.path.join('share', 'ament_index'))
-"""What lies in a folder that colcon has installed into."""
-
-
-def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str], list[str]]:
-    """Tell folders that colcon built (`install/`) from folders with source packages; absolute paths, in the given order.
-
-    A workspace that has both is read from source: what is written there is what the student means, built or not.
-    """
-    paths = [os.path.abspath(os.fspath(folder)) for folder in folders]
-    built = [path for path in paths if any(os.path.exists(os.path.join(path, sign)) for sign in INSTALL_SIGNS)]
-    return built, [path for path in paths if path not in built]
 
 
 def source() -> None:

@@ -24,7 +24,7 @@ BELOW = {
     'processes': {'sim', 'graph', 'packages', 'interfaces', 'errors', 'underlay_place'},
     'recording': {'graph', 'sim', 'interfaces', 'errors'},
     'canvas': {'recording'},
-    'sourcing': {'errors', 'interfaces', 'underlay_place'},
+    'sourcing': {'errors', 'interfaces', 'packages', 'underlay_place'},
     'plan': {'packages', 'processes', 'sim', 'graph', 'errors', 'sourcing', 'underlay_place'},
 }
 ENGINE = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording', 'canvas')

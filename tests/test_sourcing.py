@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from edulaunch import Session
-from edulaunch.sourcing import install_folders
+from edulaunch.packages.discovery import install_folders
 
 
 @pytest.mark.parametrize(

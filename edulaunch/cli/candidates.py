@@ -83,9 +83,10 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> 
         elif option.nargs != 0:
             value = next(rest, '')
             workspaces += [value] if option.dest == 'workspace' else []
+    from edulaunch.packages.discovery import workspaces_of_command
     from edulaunch.session import index_for
 
-    index = index_for([path for path in workspaces if os.path.isdir(path)])
+    index = index_for(workspaces_of_command([path for path in workspaces if os.path.isdir(path)], (*positional, '')[0]))
     if not positional:
         return [*index.packages(), *_paths(typed, LAUNCH_SUFFIXES)]
     by_path = os.path.isfile(positional[0])

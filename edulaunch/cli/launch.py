@@ -11,6 +11,7 @@ from typing import TextIO
 
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
+from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.current import current_process
 from edulaunch.session import Session
 
@@ -41,7 +42,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
-    parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
+    parser.add_argument(
+        '--workspace',
+        action='append',
+        default=[],
+        metavar='DIR',
+        help='folder with packages; may be repeated (default: what is found from here, as if it was sourced)',
+    )
 
 
 def _seconds(text: str) -> float:
@@ -64,7 +71,11 @@ def main(arguments: argparse.Namespace) -> int:
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
     with Session(
-        seed=arguments.seed, workspaces=arguments.workspace, console=_print, env=env, stdin=dict(arguments.stdin)
+        seed=arguments.seed,
+        workspaces=workspaces_of_command(arguments.workspace, package_or_path),
+        console=_print,
+        env=env,
+        stdin=dict(arguments.stdin),
     ) as session:
         if arguments.show_args or arguments.print:
             return _look(session, find_launch_file(session.index, package_or_path, file), arguments.show_args)

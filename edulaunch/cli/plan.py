@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.launch import split_words
 from edulaunch.launching import find_launch_file
+from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.session import Session
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def main(arguments: argparse.Namespace) -> int:
     from edulaunch.plan import rehearse
 
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
-    with Session(workspaces=arguments.workspace) as session:
+    with Session(workspaces=workspaces_of_command(arguments.workspace, package_or_path)) as session:
         path = find_launch_file(session.index, package_or_path, file)
         rehearsal = rehearse(path, given, session.index, session.host.env, assume_packages=arguments.assume_packages)
     if arguments.json:

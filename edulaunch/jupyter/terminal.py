@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 import shlex
 import signal
@@ -12,6 +11,7 @@ from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.outer_loop import outer_loop_set_aside
 from edulaunch.jupyter.snapshot import snapshot
+from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
 from edulaunch.session import Session
@@ -79,10 +79,8 @@ class Terminal:
         return snapshot(self._session)
 
     def workspaces(self) -> list[str]:
-        """What was sourced; else the colcon workspaces in the folder of the notebook: those with packages in their `src`."""
-        here = ['.'] if glob.glob('src/*/package.xml') else []
-        here += [path.split(os.sep)[0] for path in sorted(glob.glob('*/src/*/package.xml'))]
-        return self._sourced or [os.path.abspath(path) for path in dict.fromkeys(here)]
+        """What was sourced; else what is found from the folder of the notebook."""
+        return self._sourced or find_workspaces(os.getcwd(), os.environ)
 
     def _new_session(self, seed: int) -> Session:
         if self._session is not None:

@@ -6,37 +6,14 @@ import ast
 import importlib.util
 import os
 
+from edulaunch.packages.discovery import package_around, workspace_around
 from edulaunch.underlay_place import underlay_python
 
 
 def workspaces_of(path: str) -> list[str]:
-    """The folder whose packages a test file can use; none outside any package.
-
-    It is the `src` folder above its package; without one, the folder above when it holds further packages, else the package.
-    """
-    folder = package_around(path)
-    if folder is None:
-        return []
-    parts = folder.split(os.sep)
-    if 'src' in parts:
-        return [os.sep.join(parts[: parts.index('src') + 1])]
-    above = os.path.dirname(folder)
-    return [above if _packages_in(above) > 1 else folder]
-
-
-def package_around(path: str) -> str | None:
-    """The innermost folder with a `package.xml` around a file."""
-    folder = os.path.dirname(os.path.abspath(path))
-    while not os.path.isfile(os.path.join(folder, 'package.xml')):
-        above = os.path.dirname(folder)
-        if above == folder:
-            return None
-        folder = above
-    return folder
-
-
-def _packages_in(folder: str) -> int:
-    return sum(os.path.isfile(os.path.join(folder, name, 'package.xml')) for name in os.listdir(folder))
+    """The workspace whose packages a test file can use, as :func:`workspace_around` finds it; none outside any package."""
+    found = workspace_around(path)
+    return [] if found is None else [found]
 
 
 def is_of_own_package(path: str) -> bool:

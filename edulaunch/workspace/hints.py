@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.nearest import nearest
+from edulaunch.packages.manifest import read_manifest
+from edulaunch.packages.scan import find_packages
 from edulaunch.workspace.layout import install_help
 from edulaunch.workspace.sources import SourcePackage, read_text
 
@@ -22,6 +24,11 @@ def package_hint(index: Index, package: str) -> str:
     for folder, files in same:
         if 'package.xml' in files or 'setup.py' in files:
             return _why_no_package(folder, files)
+    below = _elsewhere_below(package, workspaces)
+    if below is not None:
+        return (
+            f'{package} lies in {below}, which is not searched from here: go there with cd, or name it with --workspace {below}'
+        )
     near = nearest(package, index.packages())
     kind = index.absent(package)
     if kind is not None:
@@ -35,6 +42,16 @@ def package_hint(index: Index, package: str) -> str:
     return f'no package.xml below {", ".join(workspaces)} has the <name> {package}'
 
 
+def _elsewhere_below(package: str, workspaces: list[str]) -> str | None:
+    """The folder of a package of that name below the current one, as a path from there; None when a workspace has it."""
+    here = os.getcwd()
+    for folder in find_packages(here, []):
+        manifest = read_manifest(folder, [])
+        if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):
+            return os.path.relpath(folder, here)
+    return None
+
+
 def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]]:
     """Each folder of that name, with its files."""
     for folder, folders, files in os.walk(workspace):
@@ -46,8 +63,6 @@ def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]
 def _why_no_package(folder: str, files: list[str]) -> str:
     if 'package.xml' not in files:
         return f'there is a folder {folder}, but it has no package.xml'
-    from edulaunch.packages.manifest import read_manifest
-
     wrong: list[PackageWarning] = []
     if read_manifest(folder, wrong) is None and wrong:
         return f'{wrong[0].file}:{wrong[0].line}: {wrong[0].sentence}'

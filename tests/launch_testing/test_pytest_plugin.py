@@ -105,5 +105,5 @@ def test_a_test_sees_the_packages_around_it(tmp_path: Path) -> None:
     package = tmp_path / 'ws' / 'src' / 'pkg'
     (package / 'test').mkdir(parents=True)
     (package / 'package.xml').write_text('<package/>')
-    assert workspaces_of(str(package / 'test' / 'test_it.py')) == [str(tmp_path / 'ws' / 'src')]
+    assert workspaces_of(str(package / 'test' / 'test_it.py')) == [str(tmp_path / 'ws')]
     assert workspaces_of(str(tmp_path / 'test_it.py')) == []

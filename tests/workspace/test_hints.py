@@ -116,3 +116,14 @@ def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:
 def test_a_package_with_an_unreadable_package_xml_is_named_with_its_line(index: Index, robo: Any) -> None:
     robo.write('robo_two/package.xml', '<package>\n<name>robo_two</nam>\n</package>')
     assert package_hint(index, 'robo_two').startswith(f'{robo.folder}/robo_two/package.xml:2: this is not well-formed XML')
+
+
+def test_a_package_that_lies_deeper_below_the_current_folder_is_named_before_one_that_sounds_alike(
+    workspace: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workspace.manifest('learning_tf2_py', 'ament_python', folder='a/b/learning_tf2_py')
+    monkeypatch.chdir(workspace.folder)
+    assert package_hint(Index(), 'learning_tf2_py') == (
+        'learning_tf2_py lies in a/b/learning_tf2_py, which is not searched from here: '
+        'go there with cd, or name it with --workspace a/b/learning_tf2_py'
+    )
