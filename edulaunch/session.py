@@ -16,6 +16,7 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
+from edulaunch.sim.interruption import Interruption
 from edulaunch.sim.pacing import Pacer
 from edulaunch.sim.simulation import Simulation
 from edulaunch.sourcing import source
@@ -103,17 +104,24 @@ class Session:
         """Whether every launch has ended."""
         return all(launch.is_over for launch in self.launches)
 
-    def run(self, duration_s: float | None = None, speed: float = 0.0) -> None:
+    def run(self, duration_s: float | None = None, speed: float = 0.0) -> bool:
         """Let simulated time pass: `duration_s` seconds more, or until every launch has ended.
 
+        SIGINT (Ctrl-C, a notebook's interrupt button) ends it early, between two steps, and leaves a note in the recording;
+        a second one raises KeyboardInterrupt where it finds the program.
+
         :param speed: simulated seconds per real second; 0 is as fast as possible.
+        :returns: whether it was interrupted.
         """
         until = None if duration_s is None else self.sim.now_ns + round(duration_s * 1e9)
-        with streams_of_programs():
+        with streams_of_programs(), Interruption(self.sim) as interruption:
             if speed == 0 and until is not None:
                 self.sim.run(until)
             else:
-                Pacer(self.sim, speed).run(until, lambda: self.is_over)
+                Pacer(self.sim, speed).run(until, lambda: self.is_over or interruption.came)
+        if interruption.came:
+            self.recorder.note(None, 'interrupted', f'interrupted at {self.sim.elapsed_s:.2f} s of simulated time')
+        return interruption.came
 
     def interrupt(self) -> None:
         """Press Ctrl-C: every program of the terminal gets SIGINT, launch first."""
@@ -149,6 +157,8 @@ def run(
     console: Callable[[str, str], object] | None = None,
 ) -> Recording:
     """Run a launch file in the simulation and return the recording of it.
+
+    Interrupted by Ctrl-C or a notebook's interrupt button, it returns what was recorded until then; a warning says so.
 
     :param path_or_package: path of a launch file; or a package, with `file` the name of a launch file in it.
     :param arguments: launch arguments by name, as on the command line.

@@ -109,9 +109,11 @@ class Terminal:
         if stays:
             self._write('stdout', f'[{process.pid}]\n')
             return
-        session.run(COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds)
+        interrupted = session.run(COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds)
         if process.returncode is None:
-            if seconds is None:
+            if interrupted:
+                self._write('stdout', '^C\n')
+            elif seconds is None:
                 self._write(
                     'stdout', f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
                 )

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from edulaunch.recording.trajectory import Trajectory
 
 
-SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake')
-"""Kinds of notes about which ROS 2 says nothing."""
+SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted')
+"""Kinds of notes that people should hear of, and of which ROS 2 says nothing."""
 
 
 class Recording:
@@ -266,7 +266,7 @@ class Recording:
     def warnings(self) -> list[str]:
         """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
         silent = [
-            f'{note.process}: {note.text}'
+            note.text if note.process is None else f'{note.process}: {note.text}'
             for note in self.notes
             if note.kind in SILENT or (note.kind == 'incompatible' and note.text.endswith('TYPE'))
         ]

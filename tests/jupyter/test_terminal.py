@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from typing import Any
 
 import pytest
@@ -125,3 +126,17 @@ def test_unusable_words_are_explained(desk: Any, line: str, message: str) -> Non
 def test_there_is_no_recording_before_anything_ran(desk: Any) -> None:
     with pytest.raises(UnusableInput, match='nothing has run yet'):
         desk.terminal.recording()
+
+
+def press_at(desk: Any, second: float) -> None:
+    """Let the person at the notebook press its interrupt button."""
+    sim = desk.terminal._session.sim
+    sim.schedule(sim.now_ns + round(second * 1e9), lambda: signal.raise_signal(signal.SIGINT))
+
+
+def test_the_interrupt_button_is_ctrl_c_for_the_command(desk: Any) -> None:
+    desk.ros2('launch sim.launch.py --for 1')
+    press_at(desk, 1.5)
+    desk.ros2('topic hz /turtle1/pose --for 3')
+    assert desk.output.count('average rate: 62.5') == 1 and desk.said[-1] == '^C\n'
+    assert desk.terminal.recording().duration_s == pytest.approx(2.5, abs=0.05)
