@@ -1,128 +1,84 @@
-"""A layer imports only from layers below it, and nothing imports in a circle."""
+"""A room imports only rooms below it, and no file imports in a circle (layers.toml, house.py)."""
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Iterator
-from pathlib import Path
+import sys
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
-PACKAGE = ROOT / 'edulaunch'
-BELOW = {
-    'errors': set(),
-    'nearest': set(),
-    'underlay_place': set(),
-    'sim': {'errors'},
-    'interfaces': {'errors', 'underlay_place'},
-    'tf': {'errors'},
-    'worlds': {'errors'},
-    'packages': {'errors', 'interfaces', 'underlay_place'},
-    'workspace': {'packages', 'errors', 'underlay_place'},
-    'graph': {'sim', 'interfaces', 'errors'},
-    'processes': {'sim', 'graph', 'packages', 'interfaces', 'errors', 'underlay_place'},
-    'recording': {'graph', 'sim', 'interfaces', 'errors'},
-    'canvas': {'recording'},
-    'sourcing': {'errors', 'interfaces', 'packages', 'underlay_place'},
-    'plan': {'packages', 'processes', 'sim', 'graph', 'errors', 'sourcing', 'underlay_place'},
-}
+from tests.house import FACES, PACKAGE, ROOT, circles, every_import, imports, modules, room
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+LAYERS = tomllib.loads((ROOT / 'tests' / 'layers.toml').read_text(encoding='utf-8'))
+HEIGHT = {name: -index for index, line in enumerate(LAYERS['order']) for name in line}
+NEIGHBOURS: dict[str, list[str]] = LAYERS['neighbours']
 ENGINE = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording', 'canvas')
-FACES = sorted(path.name for path in (PACKAGE / 'underlay' / 'python').iterdir() if path.is_dir())
+REAL_CLOCK = {'sim/pacing.py', 'sim/guests.py', 'processes/real.py', 'processes/views/time_view.py', 'processes/watchdog.py'}
 
 
-def files(layer: str) -> list[Path]:
-    place = PACKAGE / layer
-    return sorted(place.rglob('*.py')) if place.is_dir() else [place.with_suffix('.py')]
+def wrong_arrows() -> dict[str, list[str]]:
+    """Arrows that do not lead downwards, or to a neighbour that a room may not know, with the files that draw them."""
+    wrong: dict[str, list[str]] = {}
+    for module, path in modules().items():
+        above = room(module)
+        for target in sorted(imports(module)):
+            below = room(target)
+            if above != below and not is_allowed(above, below):
+                wrong.setdefault(f'{above} -> {below}', []).append(f'{path.relative_to(ROOT)} imports {target}')
+    return wrong
 
 
-def imports(path: Path, *, at_import_time: bool = False) -> Iterator[str]:
-    """Absolute names that a file imports; with `at_import_time` only those that loading it loads."""
-
-    def walk(node: ast.AST) -> Iterator[str]:
-        for child in ast.iter_child_nodes(node):
-            if isinstance(child, ast.If) and 'TYPE_CHECKING' in ast.unparse(child.test) and at_import_time:
-                continue
-            if isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)) and at_import_time:
-                continue
-            if isinstance(child, ast.Import):
-                yield from (alias.name for alias in child.names)
-            elif isinstance(child, ast.ImportFrom):
-                if child.module and not child.level:
-                    yield from (f'{child.module}.{alias.name}' for alias in child.names)
-            else:
-                yield from walk(child)
-
-    yield from walk(ast.parse(path.read_text(encoding='utf-8')))
+def is_allowed(above: str, below: str) -> bool:
+    return HEIGHT[above] > HEIGHT[below] and below in [*NEIGHBOURS.get(above, [below]), *LAYERS['order'][-1]]
 
 
-@pytest.mark.parametrize('layer', [layer for layer in BELOW if layer != 'plan'])
-def test_a_layer_imports_only_from_below(layer: str) -> None:
-    allowed = {*BELOW[layer], layer, 'nearest'}
-    wrong = [
-        f'{path.relative_to(ROOT)} imports {name}'
-        for path in files(layer)
-        for name in imports(path)
-        if name.startswith('edulaunch.')
-        and name.split('.')[1] not in allowed
-        and not (layer == 'recording' and name.split('.')[1] in ('canvas', 'processes'))
-    ]
-    assert wrong == []
+def test_every_room_has_its_place() -> None:
+    missing = {room(module) for module in modules()} - set(HEIGHT)
+    assert not missing, f'give {sorted(missing)} a line in tests/layers.toml'
+
+
+def test_a_room_imports_only_from_below() -> None:
+    wrong = wrong_arrows()
+    standing = set(LAYERS['standing']['arrows'])
+    new = [text for arrow, texts in wrong.items() if arrow not in standing for text in texts]
+    assert new == [], 'arrows that lead up or sideways (tests/layers.toml)'
+    assert standing <= set(wrong), f'mended: take {sorted(standing - set(wrong))} out of tests/layers.toml'
+
+
+def test_no_file_imports_in_a_circle() -> None:
+    found = circles({name: imports(name, with_types=False) for name in modules()})
+    standing = LAYERS['standing']['file_circles']
+    assert [group for group in found if not any(set(group) <= set(old) for old in standing)] == []
+    mended = [old for old in standing if not any(set(group) <= set(old) for group in found)]
+    assert mended == [], 'take these out of tests/layers.toml'
+
+
+def test_a_circle_is_seen() -> None:
+    assert circles({'a': {'b'}, 'b': {'c'}, 'c': {'b'}, 'd': {'a'}}) == [['b', 'c']]
+
+
+def test_an_import_in_a_function_and_a_name_in_a_text_are_seen() -> None:
+    assert 'edulaunch.session' in imports('edulaunch')
+    assert 'launch_ros.actions' in imports('launch._known_names')
 
 
 @pytest.mark.parametrize('layer', ENGINE)
 def test_engine_layers_know_no_ros_package(layer: str) -> None:
-    wrong = [
-        f'{path.relative_to(ROOT)} imports {name}'
-        for path in files(layer)
-        for name in imports(path)
-        if name.split('.')[0] in FACES
-    ]
+    wrong = [f'{name} imports {item}' for name, item in engine_imports(layer) if item.split('.')[0] in FACES]
     assert wrong == []
-
-
-def modules() -> dict[str, Path]:
-    found = {}
-    for folder, prefix in ((PACKAGE, 'edulaunch'), (ROOT / 'grader' / 'edugrade', 'edugrade')):
-        for path in sorted(folder.rglob('*.py')):
-            if 'underlay' not in path.relative_to(folder).parts:
-                parts = [prefix, *path.relative_to(folder).with_suffix('').parts]
-                found['.'.join(parts[:-1] if parts[-1] == '__init__' else parts)] = path
-    return found
-
-
-def test_nothing_imports_in_a_circle_when_it_is_loaded() -> None:
-    known = modules()
-    graph = {
-        name: {item if item in known else item.rpartition('.')[0] for item in imports(path, at_import_time=True)}
-        & set(known) - {name}
-        for name, path in known.items()
-    }
-    state: dict[str, int] = {}
-    circles: list[str] = []
-
-    def visit(name: str, way: list[str]) -> None:
-        state[name] = 1
-        for target in sorted(graph[name]):
-            if state.get(target) == 1:
-                circles.append(' -> '.join([*way, name, target]))
-            elif target not in state:
-                visit(target, [*way, name])
-        state[name] = 2
-
-    for name in sorted(graph):
-        if name not in state:
-            visit(name, [])
-    assert circles == []
 
 
 def test_only_pacing_and_real_programs_look_at_the_real_clock() -> None:
-    allowed = {'sim/pacing.py', 'sim/guests.py', 'processes/real.py', 'processes/views/time_view.py', 'processes/watchdog.py'}
-    wrong = [
-        f'{path.relative_to(PACKAGE)} imports {name}'
-        for layer in ENGINE
-        for path in files(layer)
-        for name in imports(path)
-        if name.split('.')[0] == 'time' and str(path.relative_to(PACKAGE)) not in allowed
+    found = {name for layer in ENGINE for name, item in engine_imports(layer) if item.split('.')[0] == 'time'}
+    assert found <= REAL_CLOCK
+
+
+def engine_imports(layer: str) -> list[tuple[str, str]]:
+    """(file, what it imports) of an engine room."""
+    return [
+        (str(path.relative_to(PACKAGE)), item) for path in sorted((PACKAGE / layer).rglob('*.py')) for item in every_import(path)
     ]
-    assert wrong == []

@@ -1,0 +1,136 @@
+"""The house as the tests of its form see it: its Python files by module name, who imports whom, and how long everything is."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / 'edulaunch'
+UNDERLAY = PACKAGE / 'underlay' / 'python'
+FACES = sorted(path.name for path in UNDERLAY.iterdir() if path.is_dir() and path.name != '__pycache__')
+
+
+@cache
+def modules() -> dict[str, Path]:
+    """Every module of edulaunch, the grader and the underlay's ROS packages."""
+    places = [(ROOT, ['edulaunch']), (ROOT / 'grader', ['edugrade', 'checks']), (UNDERLAY, FACES)]
+    return {
+        _module_name(path.relative_to(base)): path
+        for base, packages in places
+        for package in packages
+        for path in sorted((base / package).rglob('*.py'))
+        if base != ROOT or 'underlay' not in path.relative_to(base).parts
+    }
+
+
+def _module_name(path: Path) -> str:
+    parts = path.with_suffix('').parts
+    return '.'.join(parts[:-1] if parts[-1] == '__init__' else parts)
+
+
+def room(module: str) -> str:
+    """The package of the house that a module is in: `edulaunch.sim`, `edugrade`, `rclpy`."""
+    parts = module.split('.')
+    return '.'.join(parts[:2]) if parts[0] == 'edulaunch' else parts[0]
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    """The file, parsed once."""
+    return ast.parse(path.read_text(encoding='utf-8'))
+
+
+def imports(module: str, *, with_types: bool = True) -> set[str]:
+    """The modules of the house that a module imports anywhere, in functions and by name too.
+
+    :param with_types: whether imports under `TYPE_CHECKING`, which never run, count.
+    """
+    known = modules()
+    found = {_longest_known(name, known) for name in _names(tree(known[module]), _package(module), with_types)}
+    return found - {None, module}  # type: ignore[return-value]
+
+
+def every_import(path: Path) -> Iterator[str]:
+    """Absolute names of everything that a file imports, of the house or not."""
+    return _names(tree(path), '', True)
+
+
+def _package(module: str) -> str:
+    return module if modules()[module].name == '__init__.py' else module.rpartition('.')[0]
+
+
+def _names(node: ast.AST, package: str, with_types: bool) -> Iterator[str]:
+    for child in ast.iter_child_nodes(node):
+        if not with_types and isinstance(child, ast.If) and 'TYPE_CHECKING' in ast.unparse(child.test):
+            continue
+        if isinstance(child, ast.Import):
+            yield from (alias.name for alias in child.names)
+        elif isinstance(child, ast.ImportFrom):
+            base = '.'.join([*_parent(package, child.level), *([child.module] if child.module else [])])
+            yield from (f'{base}.{alias.name}' for alias in child.names)
+        elif isinstance(child, ast.Constant) and isinstance(child.value, str):
+            if '.' in child.value and child.value.partition(':')[0] in modules():
+                yield child.value.partition(':')[0]
+        else:
+            yield from _names(child, package, with_types)
+
+
+def _parent(package: str, level: int) -> list[str]:
+    parts = package.split('.')
+    return parts[: len(parts) - level + 1] if level else []
+
+
+def _longest_known(name: str, known: dict[str, Path]) -> str | None:
+    while name and name not in known:
+        name = name.rpartition('.')[0]
+    return name or None
+
+
+def circles(arrows: dict[str, set[str]]) -> list[list[str]]:
+    """Groups in which everybody reaches everybody (strongly connected components of more than one), each sorted."""
+
+    def reached(start: str) -> set[str]:
+        seen: set[str] = set()
+        ahead = [start]
+        while ahead:
+            ahead += (new := arrows.get(ahead.pop(), set()) - seen)
+            seen |= new
+        return seen
+
+    ways = {name: reached(name) for name in arrows}
+    groups = {
+        tuple(sorted(other for other in ways[name] if name in ways.get(other, ()))) for name in arrows if name in ways[name]
+    }
+    return [list(group) for group in sorted(groups)]
+
+
+def code_lines(path: Path) -> int:
+    """Lines with code: without blank lines, comments and docstrings."""
+    text = path.read_text(encoding='utf-8').split('\n')
+    lines = {number for number, line in enumerate(text, 1) if line.strip() and not line.lstrip().startswith('#')}
+    for node in ast.walk(tree(path)):
+        if isinstance(node, (ast.Constant, ast.JoinedStr)) and node.end_lineno is not None:
+            lines.update(range(node.lineno, node.end_lineno + 1))
+    for node in ast.walk(tree(path)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            lines -= _docstring(node)
+    return len(lines)
+
+
+def _docstring(node: ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef) -> set[int]:
+    if ast.get_docstring(node, clean=False) is None:
+        return set()
+    first = node.body[0]
+    return set(range(first.lineno, (first.end_lineno or first.lineno) + 1))
+
+
+def long_functions(path: Path, most: int) -> Iterator[tuple[str, int]]:
+    """(name, code lines) of the functions of a file that are longer, inner functions counted with them."""
+    for node in ast.walk(tree(path)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            length = (node.end_lineno or node.lineno) - node.lineno + 1 - len(_docstring(node))
+            if length > most:
+                yield node.name, length
