@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.nearest import nearest
@@ -103,7 +104,9 @@ def _dead_programs(launch: LaunchRun) -> list[str]:
     """A node that died leaves launch's exit code at 0; we say which and why."""
     lines = []
     for row in launch.recorder.processes:
-        if row['returncode'] not in (None, 0, -2, -15) and row['name'] != launch.process.name and not _is_child(launch, row):
+        if row['returncode'] in (None, 0, -2, -15) or row['name'] == launch.process.name:
+            continue
+        if not _is_child(launch, row) and not _is_interrupted_command(launch, row):
             error = row['exception']
             place = error if error and error['file'] else row
             where = f' at {launch.process.index.source_path(place["file"])}:{place["line"]}' if place['file'] else ''
@@ -122,6 +125,12 @@ def _is_child(launch: LaunchRun, row: dict[str, Any]) -> bool:
         and (other['ended'] is None or row['started'] < other['ended'] or row['ended'] == other['ended'])
         for other in launch.recorder.processes[: launch.recorder.processes.index(row)]
     )
+
+
+def _is_interrupted_command(launch: LaunchRun, row: dict[str, Any]) -> bool:
+    """Whether this is a `ros2` command after Ctrl-C: it returns 2 then, and after wrong words, which it complains of."""
+    is_command = os.path.basename(row['argv'][0]) == 'ros2'
+    return is_command and row['returncode'] == 2 and not any(': error: ' in line for line in _said(launch, row['name']))
 
 
 def _said(launch: LaunchRun, name: str) -> list[str]:

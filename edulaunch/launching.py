@@ -40,7 +40,8 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
     process = current_process()
     outer, process.index = process.index, index
     try:
-        return str(get_share_file_path_from_package(package_name=first, file_name=file))
+        path = str(get_share_file_path_from_package(package_name=first, file_name=file))
+        return path if os.path.isfile(path) else _existing_file(os.path.realpath(path))
     except MultipleLaunchFilesError as error:
         raise UnusableInput(str(error), help='give the path of the one you mean') from None
     except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
@@ -77,15 +78,17 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     from edulaunch.workspace.hints import launch_file_hint, package_hint
 
     if package not in index.packages():
-        return package_hint(index, package)
+        path = os.path.join(package, file or '')
+        return f'write the path as one word: {path}' if file and os.path.isfile(path) else package_hint(index, package)
+    names = launch_files_of(index, package)
+    if file is None and names:
+        return f'name a launch file of {package}: {", ".join(names)}'
     not_installed = launch_file_hint(index, package, file)
     if not_installed is not None:
         return not_installed
-    names = launch_files_of(index, package)
-    if file is None:
-        return f'name a launch file of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
-    near = nearest(file, names)
-    return f'did you mean {near!r}?' if near else f'launch files of {package}: {", ".join(names) or "none"}'
+    near = None if file is None else nearest(file, names)
+    listed = f'launch files of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
+    return f'did you mean {near!r}?' if near else listed
 
 
 def launch_files_of(index: Index, package: str) -> list[str]:

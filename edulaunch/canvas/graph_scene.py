@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -82,7 +81,7 @@ def _topics(recording: Recording, nodes: Mapping[str, NodeRecord], unused: bool)
     """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
-    misfits = _misfits(recording)
+    misfits = {misfit.topic: misfit.why.lower() for misfit in recording.misfits}
     for topic in recording.topics.values():
         publishers = [node for node in topic.publishers if node in nodes]
         subscribers = [node for node in topic.subscriptions if node in nodes]
@@ -97,28 +96,6 @@ def _topics(recording: Recording, nodes: Mapping[str, NodeRecord], unused: bool)
         elif topic.name in misfits:
             marks[key] = f'{misfits[topic.name]} does not fit'
     return edges, marks
-
-
-MISFIT = re.compile(
-    r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)'
-)
-"""The recorder's note of two ends that cannot talk."""
-
-
-def _misfits(recording: Recording) -> dict[str, str]:
-    """Topics on which a publisher and a subscription cannot talk, with the reason ('type' or a QoS policy).
-
-    A node that subscribes with several types hears its publisher all the same.
-    """
-    nodes = {node.name: node for node in recording.nodes}
-    found = {}
-    for match in filter(None, (MISFIT.fullmatch(note.text) for note in recording.notes if note.kind == 'incompatible')):
-        topic, why = match['topic'], match['why'].lower()
-        sent = {kind for name, kind in nodes[match['publisher']].publishers if name == topic}
-        heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == topic}
-        if why != 'type' or not sent & heard:
-            found[topic] = why
-    return found
 
 
 def _services(nodes: Mapping[str, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:

@@ -9,6 +9,7 @@ from importlib import import_module
 
 from edulaunch import __version__
 from edulaunch.errors import EdulaunchError, UnusableInput
+from edulaunch.nearest import did_you_mean
 
 VERBS = {
     'completion': 'Print the script that completes commands with the Tab key',
@@ -36,7 +37,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = _parser(words[0] if words else None)
     arguments, others = parser.parse_known_args(words)
     if others and (not hasattr(arguments, 'rest') or any(word.startswith('-') for word in others)):
-        parser.error(f'unrecognized arguments: {" ".join(others)}')
+        parser.error(_unrecognized(others, arguments.verb))
     if others:
         arguments.rest += others  # launch arguments may stand behind options too
     if arguments.verb is None:
@@ -51,6 +52,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         sys.stderr.close()
         return 141
+
+
+def _unrecognized(words: Sequence[str], verb: str) -> str:
+    """What argparse says of words that are no option, with the option that was meant."""
+    sub = argparse.ArgumentParser(prog=verb)
+    import_module(f'edulaunch.cli.{verb}').add_arguments(sub)
+    wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
+    near = did_you_mean(f'--{wrong.lstrip("-")}', sub._option_string_actions)
+    return f'unrecognized arguments: {" ".join(words)}' + (f'\n  help: {near}' if near else '')
 
 
 def _parser(wanted: str | None) -> argparse.ArgumentParser:

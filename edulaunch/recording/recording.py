@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
     from edulaunch.interfaces.registry import Registry
+    from edulaunch.recording.misfits import Misfit
     from edulaunch.recording.trajectory import Trajectory
 
 
@@ -262,13 +263,21 @@ class Recording:
         """What the engine noticed, in order."""
         return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
 
+    @cached_property
+    def misfits(self) -> list[Misfit]:
+        """Publishers and subscriptions of one topic that could not be joined, in order of time."""
+        from edulaunch.recording.misfits import misfits
+
+        return list(misfits(self))
+
     @property
     def warnings(self) -> list[str]:
         """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
+        strangers = [misfit.note for misfit in self.misfits if misfit.why == 'TYPE']
         silent = [
             note.text if note.process is None else f'{note.process}: {note.text}'
             for note in self.notes
-            if note.kind in SILENT or (note.kind == 'incompatible' and note.text.endswith('TYPE'))
+            if note.kind in SILENT or note in strangers
         ]
         return [*self.launch.warnings, *dict.fromkeys(silent)]
 

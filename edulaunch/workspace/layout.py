@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from fnmatch import fnmatch
 
 from edulaunch.workspace.finding import Mistake
 from edulaunch.workspace.sources import SourcePackage
 
+LAUNCH_PATTERN = '*launch.[pxy][yma]*'
 DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', 'meshes')
 BUILD_SIGNS = {
     'install': ('local_setup.bash', 'setup.bash', '.colcon_install_layout'),
@@ -47,15 +49,24 @@ def _not_installed(package: SourcePackage) -> Iterator[Mistake]:
 
 
 def install_help(package: SourcePackage, path: str) -> str:
-    """What to add to the build file so that a data file is installed."""
-    folder = os.path.dirname(package.relative(path)) or 'launch'
+    """What to do so that a data file is installed: a line for the build file; a file that lies beside that is moved first."""
+    folder, name = os.path.split(package.relative(path))
+    place = folder or ('launch' if package.is_launch_file(path) else 'config')
+    move = '' if folder else f'move it into the folder {place}, and '
+    ending = os.path.splitext(name)[1]
+    if not folder and any(f'/{place}/' in target and target.endswith(ending) for target in package.contents.files):
+        return f'move it into the folder {place}, as the files that are installed'
     if package.is_python:
-        ending = '*launch.[pxy][yma]*' if package.is_launch_file(path) else '*'
-        return (
-            f"add (os.path.join('share', package_name, {folder!r}), glob({os.path.join(folder, ending)!r})) "
-            'to data_files of setup.py'
-        )
-    return f'add install(DIRECTORY {folder.split(os.sep)[0]} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt'
+        pattern = os.path.join(place, _pattern(package, path, name))
+        return f"{move}add (os.path.join('share', package_name, {place!r}), glob({pattern!r})) to data_files of setup.py"
+    return f'{move}add install(DIRECTORY {place.split(os.sep)[0]} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt'
+
+
+def _pattern(package: SourcePackage, path: str, name: str) -> str:
+    """What glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
+    if not package.is_launch_file(path):
+        return '*'
+    return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]
 
 
 def _no_python(path: str) -> Iterator[Mistake]:

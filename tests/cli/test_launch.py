@@ -293,3 +293,61 @@ def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_pat
         'warning: turtlesim_node-1: /turtle1/pose: /turtlesim (turtlesim/msg/Pose) and /hears (geometry_msgs/msg/Pose) '
         'cannot talk because of TYPE\n'
     )
+
+
+def test_a_robot_that_hears_both_types_is_not_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['launch', str(ROOT / 'solutions' / 'circle.launch.py'), '--fast', '--for', '2']) == 0
+    assert capsys.readouterr().err == ''
+
+
+def test_a_command_that_ctrl_c_ended_did_not_die(run) -> None:
+    words = ['ros2', 'topic', 'pub', '/chatter', 'std_msgs/msg/String', 'data: hello']
+    _, _, err = run(describe(f'ExecuteProcess(cmd={words})'))
+    assert err == ''
+    _, _, err = run(describe(f'ExecuteProcess(cmd={words[:3]})'))
+    assert err == (
+        'warning: ros2-1 died with exit code 2 (ros2 topic pub: error: the following arguments are required: '
+        'topic_name, message_type) at @/my.launch.py:5\n'
+    )
+
+
+def test_the_heading_of_the_arguments_comes_before_what_an_included_file_says(run, tmp_path: Path) -> None:
+    inner = tmp_path / 'inner.launch.py'
+    inner.write_text(f'print("inner is read")\n{describe()}')
+    _, out, _ = run(describe("DeclareLaunchArgument('speed')", f"IncludeLaunchDescription('{inner}')"), '-s')
+    assert out.splitlines()[:4] == ["Arguments (pass arguments as '<name>:=<value>'):", 'inner is read', '', "    'speed':"]
+
+
+def test_an_option_with_one_hyphen_too_few_is_named(run, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(['launch', 'turtlesim', 'multisim.launch.py', '-for', '2'])
+    assert caught.value.code == 2
+    assert capsys.readouterr().err.endswith("unrecognized arguments: -for 2\n  help: did you mean '--for'?\n")
+
+
+def test_a_path_in_two_words_is_told_as_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'my.launch.py').write_text(describe())
+    assert main(['launch', str(tmp_path), 'my.launch.py']) == 2
+    assert f'help: write the path as one word: {tmp_path}/my.launch.py\n' in capsys.readouterr().err
+
+
+def test_a_package_without_a_file_name_lists_its_launch_files(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['launch', 'turtlesim']) == 2
+    assert capsys.readouterr().err.endswith('help: name a launch file of turtlesim: multisim.launch.py\n')
+
+
+def test_a_launch_file_that_was_deleted_meanwhile(tmp_path: Path) -> None:
+    from edulaunch.session import Session
+
+    package = tmp_path / 'robo'
+    (package / 'launch').mkdir(parents=True)
+    (package / 'launch' / 'go.launch.py').write_text(describe())
+    (package / 'package.xml').write_text('<package format="3"><name>robo</name></package>')
+    (package / 'CMakeLists.txt').write_text(
+        'project(robo)\nfind_package(ament_cmake)\ninstall(DIRECTORY launch DESTINATION share/robo)\nament_package()\n'
+    )
+    with Session(workspaces=[tmp_path]) as session:
+        session.index.share('robo')
+        (package / 'launch' / 'go.launch.py').unlink()
+        with pytest.raises(UnusableInput, match='does not exist|was not found'):
+            session.launch('robo', 'go.launch.py')

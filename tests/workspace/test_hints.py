@@ -127,3 +127,32 @@ def test_a_package_that_lies_deeper_below_the_current_folder_is_named_before_one
         'learning_tf2_py lies in a/b/learning_tf2_py, which is not searched from here: '
         'go there with cd, or name it with --workspace a/b/learning_tf2_py'
     )
+
+
+@pytest.mark.parametrize(
+    ('file', 'data', 'help'),
+    [
+        ('launch/go.launch.py', '', "add (os.path.join('share', package_name, 'launch'), glob('launch/*launch.[pxy][yma]*'))"),
+        ('launch/go.launch', '', "add (os.path.join('share', package_name, 'launch'), glob('launch/*.launch'))"),
+        ('launch/go.py', '', "add (os.path.join('share', package_name, 'launch'), glob('launch/*.py'))"),
+        ('starts/go.launch.py', '', "add (os.path.join('share', package_name, 'starts'), glob('starts/*launch.[pxy][yma]*'))"),
+        (
+            'go.launch.py',
+            '',
+            "move it into the folder launch, and add (os.path.join('share', package_name, 'launch'), "
+            "glob('launch/*launch.[pxy][yma]*'))",
+        ),
+        (
+            'go.launch.py',
+            "('share/robo/launch', glob('launch/*')),",
+            'move it into the folder launch, as the files that are installed',
+        ),
+    ],
+)
+def test_what_is_advised_finds_the_launch_file(workspace: Any, file: str, data: str, help: str) -> None:
+    workspace.python('robo', data=data)
+    workspace.write('robo/launch/other.launch.py')
+    workspace.write(f'robo/{file}', 'def generate_launch_description():\n    return None\n')
+    said = launch_file_hint(Index([], [workspace.folder]), 'robo', file.rpartition('/')[2])
+    assert said is not None
+    assert said.partition('not installed: ')[2].removesuffix(' to data_files of setup.py') == help

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from launch.launch_description import LaunchDescription
 
 Arguments = Iterable[str]
+HEADING = "Arguments (pass arguments as '<name>:=<value>'):"
 
 
 class MultipleLaunchFilesError(Exception):
@@ -94,12 +95,14 @@ def print_a_launch_file(*, launch_file_path: str) -> None:
 
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
     """Write the launch arguments: what `ros2 launch -s` shows."""
-    _print(arguments_text(load_launch_file(launch_file_path)))
+    description = load_launch_file(launch_file_path)
+    _print(HEADING)  # first: an included file that cannot be read is complained of below it
+    _print(arguments_text(description).removeprefix(HEADING + '\n'))
 
 
 def arguments_text(launch_description: LaunchDescription) -> str:
     """The launch arguments of a description as `ros2 launch -s` shows them."""
-    lines = ["Arguments (pass arguments as '<name>:=<value>'):"]
+    lines = [HEADING]
     arguments = launch_description.get_launch_arguments()
     for argument in arguments:
         star = '*' if argument._conditionally_included else ''

@@ -1,0 +1,36 @@
+"""Ends of a topic that could not be joined: they have different types, or their quality of service does not fit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from edulaunch.recording.recording import Recording
+    from edulaunch.recording.records import Note
+
+_TEXT = re.compile(
+    r'(?P<topic>\S+): (?P<publisher>\S+) \(.*?\) and (?P<subscriber>\S+) \(.*?\) cannot talk because of (?P<why>.+)'
+)
+
+
+class Misfit(NamedTuple):
+    """The recorder's note of such ends, with the topic and the reason ('TYPE' or the policy)."""
+
+    note: Note
+    topic: str
+    why: str
+
+
+def misfits(recording: Recording) -> Iterator[Misfit]:
+    """In order of time. A node that subscribes with several types hears its publisher all the same: that is no misfit."""
+    nodes = {node.name: node for node in recording.nodes}
+    for note in recording.notes:
+        match = _TEXT.fullmatch(note.text) if note.kind == 'incompatible' else None
+        if match is None:
+            continue
+        sent = {kind for name, kind in nodes[match['publisher']].publishers if name == match['topic']}
+        heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}
+        if match['why'] != 'TYPE' or not sent & heard:
+            yield Misfit(note, match['topic'], match['why'])
