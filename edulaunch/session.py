@@ -24,7 +24,7 @@ from edulaunch.underlay_place import underlay_prefix
 
 PathLike = str | os.PathLike[str]
 LONGEST_SHUTDOWN_S = 30.0
-TURN_LIMIT_S = 10.0
+TURN_LIMIT_S = 2.0
 
 
 class Session:
@@ -38,7 +38,8 @@ class Session:
         a text, which is there from the start; a list of (simulated seconds, text), each typed at its time; or an open text
         file such as `sys.stdin` (while a program waits for it, simulated time keeps pace with real time).
     :param console: called as console(stream, text) with everything that launch prints.
-    :param turn_limit_s: a program that keeps its turn for so many seconds of real time is stopped; 0: none is.
+    :param turn_limit_s: a program that keeps its turn for so many seconds of processor time is stopped, a few times later when
+        it still works on something (see `Watchdog`); 0: none is.
     """
 
     def __init__(

@@ -16,6 +16,7 @@ from edulaunch.processes.programs import run_program
 from edulaunch.processes.python_commands import python_command
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.simulation import Simulation
+from edulaunch.sim.task import running_task
 
 if TYPE_CHECKING:
     from types import CodeType
@@ -150,6 +151,9 @@ class Host:
         process = Process(self, spec, self.next_pid(), argv, self._ros2 if program is None else _runner(program))  # type: ignore[arg-type]
         process.on_output = on_output
         process.on_exit = on_exit
+        starter = running_task()
+        if starter is not None and isinstance(starter.owner, Process):
+            starter.owner.speaks_for += 2
         return self.adopt(process)
 
     def adopt(self, process: Process) -> Process:

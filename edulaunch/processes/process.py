@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from edulaunch.processes.loader import Loader
     from edulaunch.processes.overlay import Overlay
 
+MOST_WRITES = 10_000
+MOST_TEXT = 4_000_000
+"""How many times, and how many characters, a program may write while no simulated time passes; and for each that it started."""
 DEADLY = (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP, signal.SIGALRM, signal.SIGUSR1, signal.SIGUSR2)
 """What ends a program that has no handler for it."""
 OnOutput = Callable[[str, str], object]
@@ -30,8 +33,8 @@ class Process:
     Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `sourced_path` (AMENT_PREFIX_PATH
     as sourcing left it), `cwd` (None: that of the launcher), `returncode` (None while it runs; negative for a signal, as in
     `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdin`, `stdout`, `stderr`, `is_writing` (while its output is
-    handed on), `is_gone` (dead, yet its stack unwinds), `is_heard` (its output is recorded; that of a child is, as far as it
-    reaches the program that started it), `loader`.
+    handed on), `speaks_for` (of how many programs it may have to write the output), `is_gone` (dead, yet its stack unwinds),
+    `is_heard` (its output is recorded; that of a child is, as far as it reaches the program that started it), `loader`.
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -59,6 +62,8 @@ class Process:
         self.stdout = OutputStream(self, 'stdout')
         self.stderr = OutputStream(self, 'stderr')
         self.is_writing = False
+        self.speaks_for = 1
+        self._wrote_at_ns, self._writes, self._wrote = 0, 0, 0
         self.is_gone = False
         self.is_heard = True
         self.addresses = Addresses()
@@ -91,9 +96,13 @@ class Process:
         return self.host.overlay(self.index)
 
     def write(self, stream: str, text: str) -> None:
-        """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it."""
+        """Write to 'stdout' or 'stderr', as the program itself does; recorded, and told to whoever started it.
+
+        :raises RunawayProgram: inside a program that writes on and on without letting time pass.
+        """
         if self.is_gone:
             return
+        self._count(text)
         before, self.is_writing = self.is_writing, True
         try:
             text = self.steady(text)
@@ -103,6 +112,20 @@ class Process:
                 self.on_output(stream, text)
         finally:
             self.is_writing = before
+
+    def _count(self, text: str) -> None:
+        """A loop that writes and never waits would fill the memory, and others would have to read all of it, long before the
+        watchdog sees it.
+        """
+        if self._wrote_at_ns != self.sim.now_ns:
+            self._wrote_at_ns, self._writes, self._wrote = self.sim.now_ns, 0, 0
+        self._writes += 1
+        self._wrote += len(text)
+        too_much = self._writes > MOST_WRITES * self.speaks_for or self._wrote > MOST_TEXT * self.speaks_for
+        if too_much and self.returncode is None:
+            task = running_task()
+            if task is not None and task.owner is self:
+                raise RunawayProgram(f'wrote {self._writes - 1} times in one instant')
 
     def steady(self, text: str) -> str:
         """A text of the program without what would differ from run to run: addresses of objects."""
@@ -244,6 +267,7 @@ class Process:
         from edulaunch.processes.traceback_text import runaway_text
 
         text, place = runaway_text(self, error)
+        self._wrote_at_ns = 0
         self.write('stderr', text)
         self.state['exception'] = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
 

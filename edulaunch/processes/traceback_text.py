@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import traceback
 from collections.abc import Iterator
 from types import TracebackType
@@ -12,12 +11,11 @@ from edulaunch.errors import RunawayProgramError
 from edulaunch.processes.origin import Origin
 from edulaunch.processes.suggestion import with_suggestion
 from edulaunch.processes.traceback_groups import framed, members_of, within
+from edulaunch.processes.whose_code import is_engine, is_library
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-_ENGINE = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
-_STANDARD = os.path.dirname(os.__file__) + os.sep
 CAUSE = '\nThe above exception was the direct cause of the following exception:\n\n'
 CONTEXT = '\nDuring handling of the above exception, another exception occurred:\n\n'
 
@@ -90,23 +88,22 @@ def _told_by_python(error: BaseException) -> list[str]:
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:
     """Frames that are not the engine's."""
-    return [frame for frame in traceback.extract_tb(error.__traceback__) if not _is_engine(frame.filename)]
+    return [frame for frame in traceback.extract_tb(error.__traceback__) if not is_engine(frame.filename)]
 
 
 def _unread_file(error: BaseException) -> str | None:
     """The student's file that is no Python."""
     unread = error.filename if isinstance(error, SyntaxError) else None
-    return None if unread is None or _is_engine(unread) else unread
+    return None if unread is None or is_engine(unread) else unread
 
 
 def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | None]:
     """What to say of a program that was stopped because it kept its turn, and where it was."""
     text, place = student_traceback(error)
     frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
-    seconds = process.host.watchdog.seconds if process.host.watchdog is not None else 0
     where = f' at {place}' if place is not None else ''
     told = RunawayProgramError(
-        f'{process.name} kept its turn for {seconds:g} s of real time without waiting for anything; it was stopped{where}.',
+        f'{process.name} {error} without waiting for anything; it was stopped{where}.',
         help='a loop must wait: time.sleep(), rclpy.spin_once(), rate.sleep() or a timer give the others their turn',
     )
     return f'{frames}RunawayProgramError: {told}\n', place
@@ -114,10 +111,6 @@ def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
     """The last frame of a traceback in a student's file; when there is none, the last that is not in the engine."""
-    own = [frame for frame in traceback.extract_tb(trace) if not _is_engine(frame.filename)]
-    last = next((frame for frame in reversed(own) if not frame.filename.startswith(_STANDARD)), own[-1] if own else None)
+    own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
+    last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)
     return None if last is None else Origin(last.filename, last.lineno or 0)
-
-
-def _is_engine(filename: str) -> bool:
-    return filename.startswith((_ENGINE, '<frozen', '<interface '))

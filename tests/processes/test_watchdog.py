@@ -33,7 +33,9 @@ def test_it_is_stopped_where_it_is_and_the_others_go_on(watched: Any) -> None:
     watched.start(watched.write('other.py', 'import time\ntime.sleep(2)\nprint("alive")'), 'other-2')
     wrote = watched.run(STUCK + '\n    spin()\n')
     assert watched.codes == {'program-1': 1, 'other-2': 0}
-    assert 'RunawayProgramError: program-1 kept its turn for 0.2 s of real time' in wrote and 'in spin\n' in wrote
+    assert (
+        'RunawayProgramError: program-1 kept its turn for too long without waiting for anything' in wrote and 'in spin\n' in wrote
+    )
     assert f'it was stopped at {watched.folder}/program-1.py:' in wrote and wrote.splitlines()[-1].startswith(
         '  help: a loop must wait'
     )
@@ -60,3 +62,77 @@ def test_it_waits_for_people(watched: Any) -> None:
 
     watched.host._stdin = {'program-1': Slow()}
     assert watched.run('print(input())') == 'typed\n'
+
+
+NOBODY_COMES = """
+    import time
+    class Waits:
+        seen = None
+        def loop(self):
+            while not self.seen:
+                {body}
+    time.sleep(1)
+    Waits().loop()
+    """
+
+
+@pytest.mark.parametrize('body', ['print("waiting")', 'print("x" * 100_000)', 'import sys; sys.stderr.write("a\\nb\\n")'])
+def test_who_writes_on_and_on_is_stopped_at_once_in_the_same_place(world: Any, body: str) -> None:
+    """Without a watchdog: it is a matter of counting."""
+    world.start(world.write('other.py', 'import time\ntime.sleep(2)\nprint("alive")'), 'other-2')
+    wrote = world.run(NOBODY_COMES.format(body=body))
+    assert world.codes == {'program-1': 1, 'other-2': 0}
+    assert len(wrote) < 5_000_000
+    assert 'times in one instant without waiting for anything; it was stopped at' in wrote[-400:]
+    assert f'{world.folder}/program-1.py:7' in wrote[-400:]
+
+
+def test_as_much_in_many_instants_is_nobodys_business(world: Any) -> None:
+    wrote = world.run('import time\nfor _ in range(300):\n    for _ in range(100): print("x")\n    time.sleep(0.01)\n')
+    assert wrote.count('x') == 30_000 and world.codes == {'program-1': 0}
+
+
+def test_who_speaks_for_others_may_write_as_much_as_all_of_them(world: Any) -> None:
+    child = world.write('child.py', 'for _ in range(6000): print("x")')
+    wrote = world.run(
+        f'import subprocess\na, b = subprocess.Popen([{child!r}]), subprocess.Popen([{child!r}])\na.wait(), b.wait()'
+    )
+    assert wrote.count('x') == 12_000 and world.codes == {'program-1': 0}
+
+
+def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Lets the processor's time of the watched thread pass by itself, 10 ms at each look; returns when somebody was stopped."""
+    times, stopped = [0.0], []
+
+    def processor_s(self: Watchdog) -> float:
+        times[0] += 0.01
+        return times[0]
+
+    end = Watchdog._end
+
+    def note(self: Watchdog, task: Any) -> None:
+        stopped.append(round(times[0], 3))
+        end(self, task)
+
+    monkeypatch.setattr(Watchdog, '_processor_s', processor_s)
+    monkeypatch.setattr(Watchdog, '_end', note)
+    return stopped
+
+
+@pytest.mark.parametrize(
+    'text, factor',
+    [
+        ('while True:\n    pass', 1),
+        ('seen = None\nwhile not seen:\n    pass', 1),
+        ('class A:\n    seen = 0\na = A()\nwhile not a.seen:\n    pass', 1),
+        ('count = 0\nwhile True:\n    count += 1', 3),
+        ('class A:\n    seen = 0\na = A()\nwhile True:\n    a.seen += 1', 3),
+        ('import json\ntext = json.dumps(list(range(1000)))\nwhile True:\n    json.loads(text, parse_int=lambda x: int(x))', 3),
+    ],
+)
+def test_where_nothing_changes_less_time_is_given(watched: Any, monkeypatch: pytest.MonkeyPatch, text: str, factor: int) -> None:
+    stopped = limits(monkeypatch)
+    watched.host.watchdog.seconds = 0.08
+    watched.run(text)
+    assert watched.codes == {'program-1': 1}
+    assert 0.08 * factor <= stopped[0] <= 0.08 * factor + 0.2
