@@ -10,7 +10,7 @@ from random import Random
 
 from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
-from edugrade.library.following import require_copy, require_near
+from edugrade.library.following import require_copy, require_near, require_pursuit
 from edugrade.library.frames import require_frame
 from edugrade.library.launched import find_processes, refuse_dead, require_process
 from edugrade.library.movement import turtle_track
@@ -19,6 +19,7 @@ from edugrade.library.parameters import require_parameter
 
 TURN = 0.5  # rad/s, of the teacher
 SETTLED_S = 12.0
+ELSE = 'look whether something else than the listener drives turtle2'
 BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf2_py', 'turtle_tf2_listener')
 
 
@@ -40,7 +41,7 @@ def teacher_drives(run: Evidence) -> None:
     for name, recording in run.items():
         radius = float(run.scenario(name).arguments['speed']) / TURN
         circle = fit_circle([(x, y) for t, x, y in turtle_track(recording, '/teacher/turtle1/pose') if t > 2.0])
-        if circle is None or abs(circle.radius - radius) > 0.05 * radius:
+        if not (circle is not None and abs(circle.radius - radius) <= 0.05 * radius):
             seen = 'no circle' if circle is None else f'a circle of {circle.radius:.2f} m'
             raise Failure(
                 'the teacher does not drive as it should',
@@ -108,15 +109,8 @@ def turtle2_follows(run: Evidence) -> None:
     for name, recording in run.items():
         speed = float(run.scenario(name).arguments['speed'])
         # The listener covers half of the distance in each second: at a speed v it lags 2 v behind.
-        require_near(
-            run,
-            name,
-            turtle_track(recording, '/turtle1/pose'),
-            '/turtle2',
-            2 * speed + 0.3,
-            SETTLED_S,
-            'look whether something else than the listener drives turtle2',
-        )
+        require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S, ELSE)
+        require_pursuit(run, name, '/turtle1', '/turtle2', SETTLED_S, ELSE)
 
 
 def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:

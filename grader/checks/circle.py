@@ -10,10 +10,10 @@ from collections.abc import Iterable
 from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
-from edugrade.library.arguments import require_argument
+from edugrade.library.arguments import require_argument, require_default
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.launched import find_processes, included_files, node_names, refuse_dead, require_process
-from edugrade.library.movement import length, odometry_track
+from edugrade.library.movement import length, odometry_track, since
 
 ARGUMENT = 'circle_radius'
 PACKAGE, EXECUTABLE = 'part3_beyond_basics', 'param_circle.py'
@@ -28,10 +28,16 @@ def scenarios(random: Random) -> list[Scenario]:
     return [Scenario('small', {ARGUMENT: f'{small:.2f}'}), Scenario('large', {ARGUMENT: f'{large:.2f}'})]
 
 
-@check(points=2)
+@check(points=1)
 def argument_is_declared(run: Evidence) -> None:
     """The launch argument circle_radius is declared, with a default"""
-    require_argument(run, ARGUMENT, '1.0', default='1.0')
+    require_argument(run, ARGUMENT, '1.0')
+
+
+@check(points=1, needs=[argument_is_declared])
+def default_is_one_metre(run: Evidence) -> None:
+    """Without an argument the radius is 1.0"""
+    require_default(run, ARGUMENT, '1.0')
 
 
 @check(points=2)
@@ -88,7 +94,7 @@ def circle_is_driven(run: Evidence) -> None:
     """The robot drives circles of the radii asked for (measured from /odom)"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
-    if any(abs(seen - asked) > TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
+    if not all(abs(seen - asked) <= TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
         raise Mismatch(
             'the radius that the robot drives',
             _metres(wanted),
@@ -112,9 +118,9 @@ def _radius_parameter(run: Evidence, scenario: str) -> object:
 
 
 def _measured_radius(run: Evidence, scenario: str) -> float:
-    track = [sample for sample in odometry_track(run[scenario]) if sample[0] >= SETTLED_S]
+    track = since(odometry_track(run[scenario]), SETTLED_S)
     expected = f'a circle, when launched with {run.scenario(scenario).words}'
-    if length(track) < SHORTEST_TRACK_M:
+    if not length(track) >= SHORTEST_TRACK_M:
         raise Failure(
             'the robot does not move',
             expected=expected,
@@ -123,7 +129,7 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
             try_=f"compare the topic that {EXECUTABLE} publishes with the robot's: /cmd_vel",
         )
     circle = fit_circle([(x, y) for _, x, y in track])
-    if circle is None or circle.residual > TOLERANCE * circle.radius:
+    if not (circle is not None and circle.residual <= TOLERANCE * circle.radius):
         seen = 'a line' if circle is None else f'{circle.residual:.2f} m off the best circle'
         raise Failure(
             'the robot moves, but not on a circle',
@@ -146,5 +152,13 @@ def _metres(values: Iterable[float]) -> str:
 RUBRIC = Rubric(
     title='A circle of any radius',
     scenarios=scenarios,
-    checks=[argument_is_declared, world_is_there, node_is_started, no_node_dies, radius_is_passed, circle_is_driven],
+    checks=[
+        argument_is_declared,
+        default_is_one_metre,
+        world_is_there,
+        node_is_started,
+        no_node_dies,
+        radius_is_passed,
+        circle_is_driven,
+    ],
 )

@@ -10,7 +10,7 @@ from __future__ import annotations
 from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
-from edugrade.library.following import require_near
+from edugrade.library.following import require_near, require_pursuit
 from edugrade.library.frames import require_frame
 from edugrade.library.launched import refuse_dead, refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
@@ -19,6 +19,7 @@ LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower spawns at about 2 s and has caught up long before
 # The square is driven at 1 m/s; a follower that drives half the distance in a second lags 1 to 1.7 m behind.
 BOUNDS_M = {'standing': 0.25, 'moving': 2.5}
+LISTEN = "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]"
 
 
 def scenarios(random: Random) -> list[Scenario]:
@@ -86,7 +87,7 @@ def follower_is_on_tf(run: Evidence) -> None:
 def leader_moves_when_asked(run: Evidence) -> None:
     """turtle1 stands still, and drives when launched with move:=true"""
     standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
-    if standing > 0.1 or moving < 2.0:
+    if not (standing <= 0.1 and moving >= 2.0):
         raise Failure(
             'turtle1 does not do as the launch argument move says',
             where=run.source.place,
@@ -106,6 +107,7 @@ def standing_leader_is_reached(run: Evidence) -> None:
 def moving_leader_is_followed(run: Evidence) -> None:
     """turtle2 stays close behind turtle1 while turtle1 moves"""
     _require_near(run, 'moving')
+    require_pursuit(run, 'moving', '/turtle1', '/turtle2', SETTLED_S, LISTEN)
 
 
 def _require_frame(run: Evidence, turtle: str) -> None:
@@ -113,15 +115,7 @@ def _require_frame(run: Evidence, turtle: str) -> None:
 
 
 def _require_near(run: Evidence, name: str) -> None:
-    require_near(
-        run,
-        name,
-        turtle_track(run[name], LEADER),
-        '/turtle2',
-        BOUNDS_M[name],
-        SETTLED_S,
-        "start turtle_tf2_listener with parameters=[{'target_frame': 'turtle1'}]",
-    )
+    require_near(run, name, turtle_track(run[name], LEADER), '/turtle2', BOUNDS_M[name], SETTLED_S, LISTEN)
 
 
 RUBRIC = Rubric(

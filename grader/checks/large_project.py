@@ -14,9 +14,12 @@ from edugrade.library.launched import refuse_dead, require_process
 from edugrade.library.node_graph import loose_ends, require_node
 from edugrade.library.parameters import require_parameter
 
+from edulaunch.recording.records import Parameter
+
 LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 WATER = {'background_r': 150, 'background_g': 86, 'background_b': 255}
 GOALS = ('carrot1', 'turtle1')
+ABSENT = Parameter(None, 'not declared')
 SETTLED_S = 15.0
 BOUND_M = 0.3
 TOP, CONFIG = 'launch/large_project.launch.py', 'config/turtlesim.yaml'
@@ -51,7 +54,7 @@ def water_comes_from_the_file(run: Evidence) -> None:
     """Both worlds have the colours of config/turtlesim.yaml"""
     for node in ('/sim', '/turtlesim2/sim'):
         parameters = run.first.parameters(node)
-        seen = {name: parameters[name] for name in WATER}
+        seen = {name: parameters.get(name, ABSENT) for name in WATER}
         wrong = {
             name: parameter
             for name, parameter in seen.items()

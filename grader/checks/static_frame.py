@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
 from edugrade.library.arguments import require_argument
-from edugrade.library.frames import frames_at_end, numbers, require_frame, tilt, yaw
+from edugrade.library.frames import numbers, require_frame, tilt, transforms, yaw
 from edugrade.library.launched import refuse_dead
 
 if TYPE_CHECKING:
@@ -72,15 +72,16 @@ def camera_is_in_its_place(run: Evidence) -> None:
     """The camera is 0.1 m above the laser and looks to the left"""
     for name in run:
         _require_place(run, name, 'camera', (0.0, 0.0, 0.1), "in its arguments, write '--z', '0.1'")
-        _require_turn(run, frames_at_end(run, name)['camera'])
+        for sent in transforms(run, name)['camera']:
+            _require_turn(run, sent.frame)
 
 
 @check(points=1, needs=[laser_is_on_tf, camera_is_on_tf])
 def frames_are_static(run: Evidence) -> None:
     """Both frames are static: said once, known for ever"""
     for name in run:
-        frames = frames_at_end(run, name)
-        moving = [child for child in ('laser', 'camera') if not frames[child].is_static]
+        sent = transforms(run, name)
+        moving = [child for child in ('laser', 'camera') if not all(item.frame.is_static for item in sent[child])]
         if moving:
             raise Failure(
                 f'{" and ".join(moving)} comes again and again',
@@ -92,8 +93,9 @@ def frames_are_static(run: Evidence) -> None:
 
 
 def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, float, float], try_: str) -> None:
-    frame = frames_at_end(run, name)[child]
-    if max(abs(seen - asked) for seen, asked in zip(frame.translation, wanted, strict=True)) > TOLERANCE_M:
+    for frame in (sent.frame for sent in transforms(run, name)[child]):
+        if all(abs(seen - asked) <= TOLERANCE_M for seen, asked in zip(frame.translation, wanted, strict=True)):
+            continue
         raise Mismatch(
             f'the place of {child} in {frame.parent}, when launched with {run.scenario(name).words},',
             f'(x, y, z) = {numbers(wanted)}',
@@ -104,7 +106,7 @@ def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, fl
 
 
 def _require_turn(run: Evidence, frame: Frame) -> None:
-    if abs(yaw(frame) - pi / 2) > TOLERANCE_RAD or tilt(frame) > TOLERANCE_RAD:
+    if not (abs(yaw(frame) - pi / 2) <= TOLERANCE_RAD and tilt(frame) <= TOLERANCE_RAD):
         lean = f', leaning by {tilt(frame):.2f} rad' if tilt(frame) > TOLERANCE_RAD else ''
         raise Mismatch(
             'the direction of the camera',

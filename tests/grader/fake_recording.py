@@ -31,6 +31,7 @@ class FakeRecording:
     radius: Any = None
     frames: dict[str, Frame] = field(default_factory=dict)
     duration_s: float = 20.0
+    start_ns: int = 0
 
     @property
     def includes(self) -> list[str]:
@@ -48,6 +49,22 @@ class FakeRecording:
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
         return self.frames
+
+    def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
+        return tf_wires(self.frames_at, self.duration_s, topic)
+
+
+def tf_wires(frames_at: Callable[[float], Mapping[str, Frame]], duration_s: float, topic: str) -> list[tuple[int, Any]]:
+    """What was published on /tf every half second, and on /tf_static whenever it changed, so that these frames were there."""
+    found: list[tuple[int, Any]] = []
+    before: list[Any] = []
+    for time_s in [step / 2 for step in range(int(duration_s * 2) + 1)]:
+        known = [(name, frame) for name, frame in frames_at(time_s).items() if frame.is_static == (topic == '/tf_static')]
+        rows = [(0, 0, frame.parent, name, *frame.translation, *frame.rotation) for name, frame in known]
+        if rows and not (topic == '/tf_static' and rows == before):
+            found.append((int(time_s * 10**9), (rows,)))
+        before = rows
+    return found
 
 
 def process(package: str, executable: str, **changes: Any) -> ProcessRecord:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from math import cos, sin
 from typing import Any
 
-from fake_recording import FILE, Track, process
+from fake_recording import FILE, Track, process, tf_wires
 
 from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord, TopicRecord
 
@@ -27,6 +27,7 @@ class FakeRun:
     values: dict[str, dict[str, Parameter]] = field(default_factory=dict)
     frames: Callable[[float], Mapping[str, Frame]] = lambda time_s: {}
     duration_s: float = 20.0
+    start_ns: int = 0
 
     def series(self, topic: str, *fields: str) -> Track:
         return self.tracks.get(topic, [])
@@ -36,6 +37,9 @@ class FakeRun:
 
     def frames_at(self, time_s: float) -> Mapping[str, Frame]:
         return self.frames(time_s)
+
+    def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
+        return tf_wires(self.frames_at, self.duration_s, topic)
 
 
 def program(number: int, package: str, executable: str, **changes: Any) -> ProcessRecord:
@@ -72,6 +76,12 @@ def stays(x: float, y: float) -> Track:
 def circles(radius: float, turn: float, speed: float = 1.0) -> Track:
     """A circle about (5, 5); with `speed` below 1 it falls behind."""
     return [(t, 5 + radius * sin(turn * t * speed), 5 - radius * cos(turn * t * speed)) for t in TIMES]
+
+
+def late(track: Track, by_s: float) -> Track:
+    """The same way, some time later: what a follower drives."""
+    behind = round(by_s * 10)
+    return [(time, *track[max(0, index - behind)][1:]) for index, (time, _, _) in enumerate(track)]
 
 
 def statuses(results: Any) -> dict[str, str]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from edugrade import Scenario
 from fake_recording import FILE, graded
-from fake_runs import FakeRun, circles, frame, node, program, statuses, stays
+from fake_runs import FakeRun, circles, frame, late, node, program, statuses, stays
 
 from edulaunch.recording.records import Parameter, TopicRecord
 
@@ -22,7 +23,7 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
         **{
             'processes': [MIMIC, BROADCASTER, LISTENER],
             'nodes': [node('/listener', LISTENER)],
-            'tracks': dict.fromkeys(('/teacher/turtle1/pose', '/turtle1/pose', '/turtle2/pose'), track),
+            'tracks': {'/teacher/turtle1/pose': track, '/turtle1/pose': track, '/turtle2/pose': late(track, 1.0)},
             'frames': lambda time_s: {'turtle1': frame('world', 5.0, 5.0), 'turtle2': frame('world', 5.0, 5.0)},
             'values': {'/listener': {'target_frame': Parameter('turtle1', 'x')}},
             **changes,
@@ -95,3 +96,18 @@ def test_a_follower_that_stays_behind_is_measured() -> None:
         return run(scenario, tracks={**run(scenario).tracks, '/turtle2/pose': stays(12.0, 5.0)})
 
     assert statuses(graded('broken_follow', lazy)) == {'turtle2_follows': 'failed'}
+
+
+@pytest.mark.parametrize('place', [(5.0, 5.0), (5.2, 4.9)])
+def test_a_turtle_that_stands_in_the_middle_of_the_circle_does_not_follow(place: tuple[float, float]) -> None:
+    results = graded('broken_follow', lambda s: run(s, tracks={**run(s).tracks, '/turtle2/pose': stays(*place)}))
+    assert statuses(results) == {'turtle2_follows': 'failed'}
+    assert results['turtle2_follows'].reason.startswith('turtle2 does not follow turtle1')
+
+
+def test_a_turtle_that_dies_early_does_not_follow_to_the_end() -> None:
+    def short(scenario: Scenario) -> FakeRun:
+        tracks = run(scenario).tracks
+        return run(scenario, tracks={**tracks, '/turtle2/pose': [s for s in tracks['/turtle2/pose'] if s[0] < 15.0]})
+
+    assert statuses(graded('broken_follow', short)) == {'turtle2_follows': 'failed'}

@@ -48,7 +48,7 @@ def test_both_broadcasters_at_once_are_named() -> None:
 
 
 def test_the_default_is_the_fixed_one() -> None:
-    result = graded('carrot', lambda s: run(s, launch=declared('carrot', 'moving')))['argument_is_declared']
+    result = graded('carrot', lambda s: run(s, launch=declared('carrot', 'moving')))['default_is_fixed']
     assert (result.expected, result.seen, result.where) == ('fixed', 'moving', (FILE, 3))
 
 
@@ -69,3 +69,27 @@ def test_a_carrot_that_does_not_swing_is_not_the_moving_one() -> None:
     still = run(Scenario('fixed', {'carrot': 'fixed'})).frames
     results = graded('carrot', lambda s: run(s, frames=still))
     assert results['moving_carrot_swings'].seen == '2.0 m to the left and 2.0 m to the left'
+
+
+def test_a_wrong_default_costs_its_own_point_only() -> None:
+    assert statuses(graded('carrot', lambda s: run(s, launch=declared('carrot', 'moving')))) == {'default_is_fixed': 'failed'}
+
+
+def test_carrots_that_are_right_in_the_last_instant_only_do_not_count() -> None:
+    def late(scenario: Scenario) -> FakeRun:
+        right = run(scenario).frames
+        aside = {**right(0.0), 'carrot1': frame('turtle1', 5.0, 0.0)}
+        return run(scenario, frames=lambda time_s: right(time_s) if time_s >= 18.0 else aside)
+
+    results = statuses(graded('carrot', late))
+    assert results['fixed_carrot_hangs'] == results['moving_carrot_swings'] == 'failed'
+
+
+def test_a_carrot_that_is_not_a_number_hangs_nowhere() -> None:
+    def nowhere(scenario: Scenario) -> FakeRun:
+        frames = run(scenario).frames
+        return run(scenario, frames=lambda time_s: {**frames(time_s), 'carrot1': frame('turtle1', float('nan'), float('nan'))})
+
+    results = statuses(graded('carrot', nowhere))
+    assert results['fixed_carrot_hangs'] == results['moving_carrot_swings'] == 'failed'
+    assert 'grader_broke' not in results.values()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from edugrade import Scenario
 from fake_recording import FakeRecording, arc, circle_run, graded, process
 
@@ -82,10 +83,45 @@ def test_an_argument_needs_a_default() -> None:
     assert results['argument_is_declared'].where == ('/student/a.launch.py', 3)
 
 
-def test_the_default_is_the_one_that_the_task_names() -> None:
-    argument = DeclaredArgument('circle_radius', "'2.0'", '', None, '/student/a.launch.py', 3)
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
-    assert results['argument_is_declared'].try_ == "write default_value='1.0'"
+def defaulted(described: str) -> Any:
+    argument = DeclaredArgument('circle_radius', described, '', None, '/student/a.launch.py', 3)
+    return graded('circle', lambda scenario: circle_run(radius(scenario), launch=LaunchRecord(declared=[argument])))
+
+
+def test_the_default_is_the_one_that_the_task_names_and_costs_one_point() -> None:
+    results = defaulted("'2.0'")
+    assert results['default_is_one_metre'].try_ == "write default_value='1.0'"
+    assert statuses(results) == {'default_is_one_metre': 'failed'}
+    assert results['default_is_one_metre'].points == 1
+
+
+@pytest.mark.parametrize('described', ["'1.0'", "'1.00'", "'1'", "'1' + '.0'", "'1e0'"])
+def test_a_default_counts_as_the_number_it_is(described: str) -> None:
+    assert statuses(defaulted(described)) == {}
+
+
+@pytest.mark.parametrize('described', ["'nan'", "'inf'", "'10'", "''", "LaunchConfig('other')"])
+def test_another_default_does_not(described: str) -> None:
+    assert statuses(defaulted(described)) == {'default_is_one_metre': 'failed'}
+
+
+NAN, HUGE = float('nan'), 1e200
+
+
+@pytest.mark.parametrize('where', [NAN, HUGE, float('inf')])
+def test_a_position_that_is_not_a_number_earns_nothing(where: float) -> None:
+    track = [(t / 10, where * ((t % 3) - 1), where) for t in range(200)]
+    results = graded('circle', lambda scenario: circle_run(radius(scenario), tracks={'/odom': track}))
+    assert results['circle_is_driven'].earned == 0
+    assert 'grader_broke' not in statuses(results).values()
+
+
+def test_a_single_nan_in_a_good_track_is_named() -> None:
+    def spoilt(scenario: Scenario) -> FakeRecording:
+        return circle_run(radius(scenario), tracks={'/odom': [*arc(radius(scenario)), (20.0, NAN, 0.0)]})
+
+    result = graded('circle', spoilt)['world_is_there']
+    assert (result.reason, result.seen) == ('a position on /odom is not a number', 'nan or inf at 20.00 s')
 
 
 def test_another_node_is_named() -> None:
@@ -114,7 +150,9 @@ def test_a_node_started_by_ros2_run_counts() -> None:
 def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:
     from edulaunch.recording import Recording
 
-    names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s')]
+    names = [name for name in vars(FakeRecording()) if name not in ('tracks', 'radius', 'frames', 'duration_s', 'start_ns')]
     assert [
-        name for name in [*names, 'series', 'parameters', 'frames_at', 'includes', 'topics'] if not hasattr(Recording, name)
+        name
+        for name in [*names, 'series', 'wires', 'parameters', 'frames_at', 'includes', 'topics']
+        if not hasattr(Recording, name)
     ] == []

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import cos, sin
 from typing import Any
 
+import pytest
 from edugrade import Scenario
 from fake_recording import FakeRecording, Track, graded, process
 
@@ -82,3 +84,23 @@ def test_two_broadcasters_of_one_name_are_refused() -> None:
     results = graded('follow', lambda scenario: run(scenario, nodes=nodes))
     assert results['follower_is_on_tf'].status == 'failed'
     assert results['follower_is_on_tf'].seen == 'turtle_tf2_broadcaster-2 and turtle_tf2_broadcaster-3 share it'
+
+
+def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
+    def middle(scenario: Scenario) -> FakeRecording:
+        if not scenario.arguments:
+            return run(scenario)
+        first = [(t, 5.5 + cos(t), 5.5 + sin(t)) for t in TIMES]
+        return run(scenario, tracks={'/turtle1/pose': first, '/turtle2/pose': [(t, 5.5, 5.5) for t in TIMES]})
+
+    results = graded('follow', middle)
+    assert statuses(results) == {'moving_leader_is_followed': 'failed'}
+    assert results['moving_leader_is_followed'].seen == '0.00 m driven towards it'
+
+
+@pytest.mark.parametrize('track', ['/turtle1/pose', '/turtle2/pose'])
+def test_poses_that_are_not_numbers_follow_nobody(track: str) -> None:
+    nowhere = [(t, float('nan'), float('nan')) for t in TIMES]
+    results = graded('follow', lambda scenario: run(scenario, tracks={**run(scenario).tracks, track: nowhere}))
+    assert results['moving_leader_is_followed'].earned == results['standing_leader_is_reached'].earned == 0
+    assert 'grader_broke' not in statuses(results).values()

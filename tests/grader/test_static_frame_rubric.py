@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 from typing import Any
 
+import pytest
 from edugrade import Scenario
 from fake_recording import graded
 from fake_runs import FakeRun, declared, frame, statuses
@@ -19,7 +20,7 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
         **changes,
     }
     kept = {name: item for name, item in frames.items() if item is not None}
-    return FakeRun(launch=declared('height', '0.5'), frames=lambda time_s: kept)
+    return FakeRun(launch=declared('height', '0.5'), frames=lambda time_s: kept, duration_s=scenario.duration_s)
 
 
 def test_a_correct_launch_passes_everything() -> None:
@@ -65,3 +66,56 @@ def test_without_frames_nothing_is_known() -> None:
     results = graded('static_frame', lambda scenario: run(scenario, laser=None, camera=None))
     assert results['laser_is_on_tf'].seen == 'no frames at all'
     assert results['frames_are_static'].status == 'not_run'
+
+
+def sent_from(time_s: float, scenario: Scenario, **wrong: Any) -> FakeRun:
+    """The right frames from a time on, wrong ones or none before it."""
+    right, before = run(scenario), run(scenario, **wrong)
+    return FakeRun(
+        launch=right.launch,
+        duration_s=scenario.duration_s,
+        frames=lambda now: right.frames(now) if now >= time_s else before.frames(now),
+    )
+
+
+def test_a_frame_that_is_right_in_the_last_instant_only_comes_too_late() -> None:
+    results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=None))
+    assert results['laser_is_on_tf'].seen.startswith('first sent at 4.50 s')
+
+
+def test_a_frame_that_was_elsewhere_first_is_not_in_its_place() -> None:
+    low = frame('base_link', 0.2, 0.0, 0.0, is_static=True)
+    results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=low))
+    assert statuses(results) == {'laser_is_in_its_place': 'failed'}
+    assert results['laser_is_in_its_place'].seen == '(0.20, 0.00, 0.00)'
+
+
+def test_a_frame_that_hung_elsewhere_first_is_told_with_its_time() -> None:
+    wrong = frame('world', 0.2, 0.0, 0.5, is_static=True)
+    results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=wrong))
+    assert results['laser_is_on_tf'].seen == 'world at 0.00 s'
+
+
+@pytest.mark.parametrize('number', [float('nan'), float('inf'), 1e200])
+def test_a_frame_that_is_not_a_number_is_in_no_place(number: float) -> None:
+    wrong = {
+        'laser': frame('base_link', number, number, number, is_static=True),
+        'camera': frame('laser', 0.0, 0.0, number, (number,) * 4, is_static=True),
+    }
+    results = graded('static_frame', lambda scenario: run(scenario, **wrong))
+    assert statuses(results) == {'laser_is_in_its_place': 'failed', 'camera_is_in_its_place': 'failed'}
+    turned = frame('laser', 0.0, 0.0, 0.1, (0.0, 0.0, number, number), is_static=True)
+    assert statuses(graded('static_frame', lambda s: run(s, camera=turned))) == {'camera_is_in_its_place': 'failed'}
+
+
+def test_a_moving_frame_that_stops_coming_is_not_there_to_the_end() -> None:
+    def stops(scenario: Scenario) -> FakeRun:
+        moving = run(scenario, camera=frame('laser', 0.0, 0.0, 0.1, LEFT))
+        gone = run(scenario, camera=None)
+        return FakeRun(
+            launch=moving.launch,
+            duration_s=scenario.duration_s,
+            frames=lambda now: moving.frames(now) if now < 2.0 else gone.frames(now),
+        )
+
+    assert graded('static_frame', stops)['camera_is_on_tf'].seen == 'first sent at 0.00 s, last at 1.50 s'

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ..evidence import Evidence
 from ..failure import Mismatch, Missing
 
+if TYPE_CHECKING:
+    from edulaunch.recording.records import DeclaredArgument
 
-def require_argument(run: Evidence, name: str, example: str, default: str | None = None) -> None:
+_JOINT = "' + '"  # between the parts of a text, as `ros2 launch --show-args` prints them
+
+
+def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument:
     """A launch argument is declared, with a default.
 
     :param example: a default value for the advice.
-    :param default: the default that is asked for, if it is a certain one.
     :raises Missing: when it is not declared, or has no default.
-    :raises Mismatch: when it has another default.
     """
     declared = {argument.name: argument for argument in run.first.launch.declared}
     argument = declared.get(name)
@@ -25,16 +30,44 @@ def require_argument(run: Evidence, name: str, example: str, default: str | None
             where=run.source.place,
             try_=f"add DeclareLaunchArgument('{name}', default_value='{example}', description='...')",
         )
-    where = None if argument.file is None else (argument.file, argument.line)
     if argument.default is None:
         raise Missing(
             f'the default value of "{name}"',
             expected=f"default_value='{example}'",
             seen='none',
-            where=where,
+            where=_place(argument),
             try_='give it a default_value, so that the file can be launched without arguments too',
         )
-    if default is not None and argument.default not in (default, repr(default)):
+    return argument
+
+
+def require_default(run: Evidence, name: str, default: str) -> None:
+    """A launch argument has a certain default: the same text, in one part or several, or the same number.
+
+    :raises Missing: as :func:`require_argument`.
+    :raises Mismatch: when it has another default.
+    """
+    argument = require_argument(run, name, default)
+    seen = written_text(argument.default or '')
+    if not (seen == default or _is_same_number(seen, default)):
         raise Mismatch(
-            f'the default value of "{name}"', default, argument.default, where=where, try_=f"write default_value='{default}'"
+            f'the default value of "{name}"', default, seen, where=_place(argument), try_=f"write default_value='{default}'"
         )
+
+
+def written_text(described: str) -> str:
+    """The text behind a description such as ``'1' + '.0'``; another substitution stays as it is described."""
+    if len(described) >= 2 and described[0] == described[-1] == "'":
+        return described[1:-1].replace(_JOINT, '')
+    return described
+
+
+def _is_same_number(seen: str, wanted: str) -> bool:
+    try:
+        return float(seen) == float(wanted)
+    except ValueError:
+        return False
+
+
+def _place(argument: DeclaredArgument) -> tuple[str, int | None] | None:
+    return None if argument.file is None else (argument.file, argument.line)

@@ -33,7 +33,8 @@ def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
         return None
     u, v = centre
     radius = sqrt(u * u + v * v + sum(x * x + y * y for x, y in centred) / count)
-    residual = sqrt(sum((hypot(x - u, y - v) - radius) ** 2 for x, y in centred) / count)
+    offs = [hypot(x - u, y - v) - radius for x, y in centred]
+    residual = sqrt(sum(off * off for off in offs) / count)
     return Circle(mean_x + u, mean_y + v, radius, residual)
 
 
@@ -48,6 +49,7 @@ def _centre(centred: Sequence[tuple[float, float]]) -> tuple[float, float] | Non
         sxz += x * z
         syz += y * z
     determinant = sxx * syy - sxy * sxy
-    if determinant <= 1e-9 * (sxx + syy) ** 2:  # the points' spread has no second direction
+    spread = sxx + syy
+    if not determinant > 1e-9 * spread * spread:  # no second direction; or not a number, for points beyond 1e77 m
         return None
     return (sxz * syy - syz * sxy) / (2 * determinant), (syz * sxx - sxz * sxy) / (2 * determinant)

@@ -4,24 +4,51 @@ from __future__ import annotations
 
 from ..evidence import Evidence
 from ..failure import Failure
-from .movement import Track, distances, farthest, length, turtle_track
+from .movement import Track, distances, farthest, length, progress_towards, since, turtle_track
+
+LAST_S = 1.0  # a turtle is there to the end when its last pose is not older than this
+LEAST_SHARE = 0.4  # of the way of a moving goal; whoever cuts its corners travels less than the goal
 
 
 def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
-    """From a time on, a follower is never farther from its goal than `bound_m` metres.
+    """From a time on until the end, a follower is never farther from its goal than `bound_m` metres.
 
     :param goal: where the goal is over time.
     :param follower: the turtle, such as ``/turtle2``.
     :raises Failure: with the largest distance and when it was.
     """
-    worst = farthest(distances(goal, turtle_track(run[scenario], f'{follower}/pose')), since_s)
-    if worst is None or worst[1] > bound_m:
+    track = turtle_track(run[scenario], f'{follower}/pose')
+    worst = farthest(distances(goal, track), since_s)
+    is_there = worst is not None and track[-1][0] >= run[scenario].duration_s - LAST_S
+    if not (worst is not None and is_there and worst[1] <= bound_m):
         name = follower.strip('/')
-        seen = f'no {name} then' if worst is None else f'{worst[1]:.2f} m at {worst[0]:.2f} s'
+        seen = f'{worst[1]:.2f} m at {worst[0]:.2f} s' if worst is not None and is_there else f'no {name} then'
         raise Failure(
             f'{name} is too far from its goal, when launched with {run.scenario(scenario).words}',
             expected=f'at most {bound_m:g} m from {since_s:g} s on',
             seen=seen,
+            where=run.source.place,
+            try_=try_,
+        )
+
+
+def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
+    """From a time on a turtle drives towards a moving one, for at least LEAST_SHARE of the way that the goal travels.
+
+    Whoever stands in the middle of the goal's path is near it, and does not follow.
+
+    :param goal: the moving turtle, such as ``/turtle1``; `follower` likewise.
+    :raises Failure: with both ways.
+    """
+    recording = run[scenario]
+    leader = turtle_track(recording, f'{goal}/pose')
+    track = since(turtle_track(recording, f'{follower}/pose'), since_s)
+    way, towards = length(since(leader, since_s)), progress_towards(leader, track)
+    if not towards >= LEAST_SHARE * way > 0.0:
+        raise Failure(
+            f'{follower.strip("/")} does not follow {goal.strip("/")}, when launched with {run.scenario(scenario).words}',
+            expected=f'it drives towards {goal.strip("/")} from {since_s:g} s on, which travels {way:.2f} m',
+            seen=f'{towards:.2f} m driven towards it',
             where=run.source.place,
             try_=try_,
         )
@@ -35,7 +62,7 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
     """
     for scenario, recording in run.items():
         there, here = (length(turtle_track(recording, f'{turtle}/pose')) for turtle in (original, copy))
-        if there < 0.5 or abs(here - there) > 0.05 * there:
+        if not (there >= 0.5 and abs(here - there) <= 0.05 * there):
             seen = f'{original} travels {there:.2f} m, {copy} {here:.2f} m'
             raise Failure(
                 f'{copy} does not do what {original} does, when launched with {run.scenario(scenario).words}',

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from math import atan2, cos, hypot, sin
+from collections.abc import Mapping, Sequence
+from math import asin, atan2, cos, hypot, sin
 from re import sub
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence
 from ..failure import Failure, Missing
 
 if TYPE_CHECKING:
+    from edulaunch.recording import Recording
     from edulaunch.recording.records import Frame
 
 Frames = Mapping[str, 'Frame']
+LAST_S = 1.0  # a moving frame is there to the end when it was last sent this long before it, or later
+
+
+class Sent(NamedTuple):
+    """A transform that was published, and when."""
+
+    time_s: float
+    frame: Frame
 
 
 def frames_at_end(run: Evidence, scenario: str) -> Frames:
@@ -22,16 +31,34 @@ def frames_at_end(run: Evidence, scenario: str) -> Frames:
     return run.once(('frames', scenario), lambda: recording.frames_at(recording.duration_s))
 
 
+def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
+    """All that was ever sent about each frame, in order, by the frame's name; the static ones first."""
+    return run.once(('transforms', scenario), lambda: _transforms(run[scenario]))
+
+
+def _transforms(recording: Recording) -> dict[str, list[Sent]]:
+    from edulaunch.recording.frames import TOPICS, transform_wires
+    from edulaunch.recording.records import Frame
+
+    found: dict[str, list[Sent]] = {}
+    for topic, is_static in TOPICS:
+        for time_s, (sec, nanosec, parent, child, x, y, z, *rotation) in transform_wires(recording, topic):
+            stamp_s = (sec * 10**9 + nanosec - recording.start_ns) / 1e9
+            found.setdefault(child, []).append(Sent(time_s, Frame(parent, (x, y, z), tuple(rotation), is_static, stamp_s)))
+    return found
+
+
 def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: str = '') -> None:
-    """In every run tf knows a frame, and it hangs in the right parent.
+    """In every run tf knows a frame by half of the time, to the end, and always in the right parent.
 
     :param hint_seen: what else was seen that explains why it is missing.
     :raises Missing: when there is no such frame; names those there are.
-    :raises Failure: when it hangs elsewhere.
+    :raises Failure: when it hangs elsewhere, even for a moment, comes late, or stops coming.
     """
     for scenario in run:
-        frames = frames_at_end(run, scenario)
-        if child not in frames:
+        sent = transforms(run, scenario).get(child)
+        if sent is None:
+            frames = frames_at_end(run, scenario)
             known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames at all'
             raise Missing(
                 f'the frame {child}',
@@ -42,14 +69,32 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
                 seen='\n'.join(filter(None, (known, hint_seen))),
                 expected=f'the frame {child} in the frame {parent}',
             )
-        if frames[child].parent != parent:
+        words = run.scenario(scenario).words
+        elsewhere = next((item for item in sent if item.frame.parent != parent), None)
+        if elsewhere is not None:
+            now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
-                f'{child} hangs in another frame, when launched with {run.scenario(scenario).words}',
+                f'{child} hangs in another frame, when launched with {words}',
                 expected=parent,
-                seen=frames[child].parent,
+                seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
                 try_=try_,
             )
+        _require_all_the_time(run, scenario, child, sent, try_)
+
+
+def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequence[Sent], try_: str) -> None:
+    duration_s = run[scenario].duration_s
+    first_s, last_s = min(item.time_s for item in sent), max(item.time_s for item in sent)
+    stays = all(item.frame.is_static for item in sent) or last_s >= duration_s - LAST_S
+    if not (first_s <= duration_s / 2 and stays):
+        raise Failure(
+            f'{child} is not there all the time, when launched with {run.scenario(scenario).words}',
+            expected=f'from {duration_s / 2:g} s at the latest until the end',
+            seen=f'first sent at {first_s:.2f} s, last at {last_s:.2f} s',
+            where=run.source.place,
+            try_=try_,
+        )
 
 
 def _misspelt(child: str, frames: Frames) -> list[str]:
@@ -66,7 +111,7 @@ def yaw(frame: Frame) -> float:
 def tilt(frame: Frame) -> float:
     """How far, in radians, a frame's z axis leans away from that of its parent."""
     x, y, _, _ = frame.rotation
-    return 2 * atan2(hypot(x, y), 1.0)
+    return 2 * asin(min(1.0, hypot(x, y)))
 
 
 def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | None:

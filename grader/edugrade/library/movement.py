@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from math import hypot
+from math import hypot, isfinite
 from typing import TYPE_CHECKING, cast
+
+from ..failure import Failure
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -14,13 +16,40 @@ Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 
 
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
-    """Where a robot was, by its odometry; empty when nobody published any."""
-    return cast(Track, recording.series(topic, 'pose.pose.position.x', 'pose.pose.position.y'))
+    """Where a robot was, by its odometry; empty when nobody published any.
+
+    :raises Failure: when the topic carries something else, or a position that is not a finite number.
+    """
+    return _track(recording, topic, 'pose.pose.position.x', 'pose.pose.position.y')
 
 
 def turtle_track(recording: Recording, topic: str) -> Track:
-    """Where a turtle was, by its pose topic; empty when nobody published any."""
-    return cast(Track, recording.series(topic, 'x', 'y'))
+    """Where a turtle was, by its pose topic; empty when nobody published any.
+
+    :raises Failure: when the topic carries something else, or a position that is not a finite number.
+    """
+    return _track(recording, topic, 'x', 'y')
+
+
+def _track(recording: Recording, topic: str, x: str, y: str) -> Track:
+    try:
+        track = cast(Track, recording.series(topic, x, y))
+        wrong = next((time for time, *place in track if not all(map(isfinite, place))), None)
+    except (AttributeError, TypeError):
+        raise Failure(
+            f'{topic} carries messages without a position',
+            expected=f'messages with {x} and {y} only',
+            seen=f'messages of the type {recording.topics[topic].type}',
+            try_=f'publish what is no position on another topic than {topic}',
+        ) from None
+    if wrong is not None:
+        raise Failure(
+            f'a position on {topic} is not a number',
+            expected='finite numbers',
+            seen=f'nan or inf at {wrong:.2f} s',
+            try_='look for a velocity or a pose that is nan or inf, such as 0.0 / 0.0 in numpy',
+        )
+    return track
 
 
 def length(track: Track) -> float:
@@ -28,15 +57,33 @@ def length(track: Track) -> float:
     return sum(hypot(b[1] - a[1], b[2] - a[2]) for a, b in zip(track, track[1:], strict=False))
 
 
+def since(track: Track, since_s: float) -> Track:
+    """The part of a track from a time on."""
+    return [sample for sample in track if sample[0] >= since_s]
+
+
 def distances(leader: Track, follower: Track) -> list[tuple[float, float]]:
     """(time, distance) at each sample of the follower, to the leader's newest sample then."""
+    return [(b[0], hypot(a[1] - b[1], a[2] - b[2])) for a, b in pairs(leader, follower)]
+
+
+def pairs(leader: Track, follower: Track) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]:
+    """Each sample of the follower with the leader's newest sample then: (leader's, follower's)."""
     times = [sample[0] for sample in leader]
-    found = []
-    for time, x, y in follower:
-        newest = bisect_right(times, time) - 1
-        if newest >= 0:
-            found.append((time, hypot(leader[newest][1] - x, leader[newest][2] - y)))
-    return found
+    newest = [bisect_right(times, sample[0]) - 1 for sample in follower]
+    return [(leader[index], sample) for index, sample in zip(newest, follower, strict=True) if index >= 0]
+
+
+def progress_towards(leader: Track, follower: Track) -> float:
+    """Metres that the follower travelled towards the leader, less those away from it; sideways counts nothing."""
+    total = 0.0
+    joined = pairs(leader, follower)
+    for (goal, here), (_, there) in zip(joined, joined[1:], strict=False):
+        x, y = goal[1] - here[1], goal[2] - here[2]
+        far = hypot(x, y)
+        if far > 0.0:
+            total += ((there[1] - here[1]) * x + (there[2] - here[2]) * y) / far
+    return total
 
 
 def farthest(samples: Sequence[tuple[float, float]], since_s: float) -> tuple[float, float] | None:

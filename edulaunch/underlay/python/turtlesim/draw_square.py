@@ -9,6 +9,7 @@ from typing import Any
 import rclpy
 from geometry_msgs.msg import Twist
 from rclcpp_like import CppNode, run_program
+from rclpy.task import Future
 from std_srvs.srv import Empty
 
 from turtlesim.msg import Pose
@@ -29,15 +30,27 @@ class DrawSquare(CppNode):
         self._commands = self.create_publisher(Twist, 'turtle1/cmd_vel', 7)
         self._poses = self.create_subscription(Pose, 'turtle1/pose', self._on_pose, 7)
         self._reset = self.create_client(Empty, 'reset')
-        self._reset_reply = self._reset.call_async(Empty.Request())
+        self._reset_reply: Future | None = None
+        self._ask_for_a_reset()
         self._timer = self.create_timer(0.016, self._on_timer)
+
+    def _ask_for_a_reset(self) -> bool:
+        """Ask once there is somebody to ask: as with a real middleware, a request made before turtlesim is there is not lost.
+
+        Returns whether the reset is over.
+        """
+        if self._reset_reply is None:
+            if not self._reset.service_is_ready():
+                return False
+            self._reset_reply = self._reset.call_async(Empty.Request())
+        return bool(self._reset_reply.done())
 
     def _on_pose(self, pose: Pose) -> None:
         self._pose = pose
 
     def _on_timer(self) -> None:
         pose = self._pose
-        if pose is None or not self._reset_reply.done():
+        if not self._ask_for_a_reset() or pose is None:
             return
         if self._goal is None:
             self._set_goal(_ahead(pose))
