@@ -1,37 +1,76 @@
-"""The counterpart of sourcing ROS 2's setup files: putting the underlay on the path, and telling what overlays are."""
+"""The counterpart of sourcing ROS 2's setup files: putting the underlay, and workspaces over it, on the path."""
 
 from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 from importlib.machinery import PathFinder
+from typing import TYPE_CHECKING
 
 from edulaunch.errors import ForeignRosError
-from edulaunch.underlay_place import put_on_prefix_path, underlay_python
+from edulaunch.underlay_place import (
+    note_sourced,
+    put_on_prefix_path,
+    sourced_workspaces,
+    underlay_prefix,
+    underlay_python,
+)
+
+if TYPE_CHECKING:
+    from edulaunch.packages import Index
 
 
-def source() -> None:
+_INDEXES: list[Index] = []
+"""Of the workspaces that were sourced: their generated prefixes stand as long as these objects."""
+
+
+def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
     """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. Doing it twice is doing it once.
 
+    :param workspaces: folders with packages, built by colcon or not: their modules, interfaces and programs are there afterwards,
+        too, as after `source install/setup.bash`. A workspace in which something was written since is sourced anew.
     :raises ForeignRosError: when an `rclpy` that is not ours can be imported already; nothing is changed then.
     """
     from edulaunch.interfaces.importer import installed_registry
 
     place = underlay_python()
-    if place in sys.path and installed_registry() is not None:
-        return
-    foreign = _foreign_rclpy(place)
-    if foreign is not None:
-        raise ForeignRosError(
-            f'a ROS 2 installation is on the Python path: rclpy at {foreign}. edulaunch does not shadow it.',
-            help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment',
-        )
-    from edulaunch.interfaces import install
+    if place not in sys.path or installed_registry() is None:
+        foreign = _foreign_rclpy(place)
+        if foreign is not None:
+            raise ForeignRosError(
+                f'a ROS 2 installation is on the Python path: rclpy at {foreign}. edulaunch does not shadow it.',
+                help='open a terminal in which ROS 2 is not sourced (check: printenv PYTHONPATH), or a fresh virtual environment',
+            )
+        from edulaunch.interfaces import install
 
-    if place not in sys.path:
-        sys.path.insert(0, place)
-    install()
-    put_on_prefix_path()
+        if place not in sys.path:
+            sys.path.insert(0, place)
+        install()
+        put_on_prefix_path()
+    if workspaces:
+        _source_workspaces(workspaces)
+
+
+def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
+    from edulaunch.interfaces import install
+    from edulaunch.packages import Index
+    from edulaunch.packages.discovery import install_folders
+    from edulaunch.processes.overlay import Overlay
+
+    built, sources = install_folders(workspaces)
+    note_sourced(sources)
+    index = Index(built, sourced_workspaces())
+    _INDEXES[:] = [index]
+    for package in index.packages():
+        index.prefix(package)
+    roots = [path for path in index.python_roots() if path not in sys.path]
+    position = sys.path.index(underlay_python())
+    sys.path[position:position] = roots
+    overlay = Overlay(index)
+    if overlay.interface_packages:
+        install(overlay.registry)
+    put_on_prefix_path([path for path in index.search_paths() if path != underlay_prefix()])
 
 
 def _foreign_rclpy(ours: str) -> str | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 
 
 def underlay_prefix() -> str:
@@ -16,17 +17,26 @@ def underlay_python() -> str:
 
 
 _SOURCED: list[str] = []
+_WORKSPACES: list[str] = []
 
 
-def put_on_prefix_path() -> None:
-    """Add the underlay to this interpreter's AMENT_PREFIX_PATH, as sourcing ROS 2 does."""
-    folders = [folder for folder in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if folder]
-    if underlay_prefix() not in folders:
-        folders.append(underlay_prefix())
-    os.environ['AMENT_PREFIX_PATH'] = os.pathsep.join(folders)
+def put_on_prefix_path(prefixes: Sequence[str] = ()) -> None:
+    """Put prefixes in front of this interpreter's AMENT_PREFIX_PATH, and the underlay behind it, as sourcing ROS 2 does."""
+    before = [folder for folder in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if folder]
+    os.environ['AMENT_PREFIX_PATH'] = os.pathsep.join(dict.fromkeys((*prefixes, *before, underlay_prefix())))
     _SOURCED[:] = [os.environ['AMENT_PREFIX_PATH']]
 
 
 def sourced_path() -> str:
     """AMENT_PREFIX_PATH as sourcing left it in this interpreter, whatever a program has made of it since."""
     return _SOURCED[0] if _SOURCED else os.environ.get('AMENT_PREFIX_PATH', '')
+
+
+def note_sourced(workspaces: Sequence[str]) -> None:
+    """Remember source workspaces that were sourced, for programs that this interpreter starts by itself."""
+    _WORKSPACES.extend(path for path in workspaces if path not in _WORKSPACES)
+
+
+def sourced_workspaces() -> list[str]:
+    """The source workspaces that were sourced in this interpreter, in order of search."""
+    return list(_WORKSPACES)

@@ -12,7 +12,7 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import AmbientTask, Task, current_task
-from edulaunch.underlay_place import sourced_path, underlay_prefix
+from edulaunch.underlay_place import sourced_path, sourced_workspaces, underlay_prefix
 
 
 class AmbientProcess(Process):
@@ -34,9 +34,9 @@ class AmbientProcess(Process):
 
 
 def make_ambient_process(task: AmbientTask) -> Process:
-    """A process around `task`, with a graph, an index of the underlay and a host of its own."""
+    """A process around `task`, with a graph, an index of what was sourced and a host of its own."""
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
-    host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], []), env=dict(os.environ))
+    host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], sourced_workspaces()), env=dict(os.environ))
     return ambient_process_on(host, task)
 
 
