@@ -9,13 +9,7 @@ from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING
 
 from edulaunch.errors import ForeignRosError
-from edulaunch.underlay_place import (
-    note_sourced,
-    put_on_prefix_path,
-    sourced_workspaces,
-    underlay_prefix,
-    underlay_python,
-)
+from edulaunch.underlay_place import note_sourced, put_on_prefix_path, sourced_workspaces, underlay_prefix, underlay_python
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index
@@ -56,7 +50,7 @@ def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
     from edulaunch.interfaces import install
     from edulaunch.packages import Index
     from edulaunch.packages.discovery import install_folders
-    from edulaunch.processes.overlay import Overlay
+    from edulaunch.packages.importable import interfaces_of
 
     built, sources = install_folders(workspaces)
     note_sourced(sources)
@@ -67,9 +61,9 @@ def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
     roots = [path for path in index.python_roots() if path not in sys.path]
     position = sys.path.index(underlay_python())
     sys.path[position:position] = roots
-    overlay = Overlay(index)
-    if overlay.interface_packages:
-        install(overlay.registry)
+    own, registry = interfaces_of(index)
+    if own:
+        install(registry)
     put_on_prefix_path([path for path in index.search_paths() if path != underlay_prefix()])
 
 

@@ -12,13 +12,18 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.nearest import did_you_mean
 
 VERBS = {
+    'colcon': 'Say what of building is not needed here',
     'completion': 'Print the script that completes commands with the Tab key',
+    'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
     'launch': 'Run a launch file, as `ros2 launch` does',
     'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'Show what a launch file would start, without starting anything',
+    'python': 'Run Python with rclpy and the packages of the workspace',
     'recording': 'Look into a recording',
     'rosdep': 'Name the dependencies of packages that are not here',
 }
+VERBATIM = ('colcon', 'python')
+"""Verbs that hand on all their words, options and all."""
 EXAMPLES = """examples:
   edulaunch launch turtlesim multisim.launch.py --for 5
   edulaunch launch solutions/circle.launch.py circle_radius:=0.8 --fast --for 60 --record circle.rec
@@ -35,8 +40,12 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
     parser = _parser(words[0] if words else None)
-    arguments, others = parser.parse_known_args(words)
-    if others and (not hasattr(arguments, 'rest') or any(word.startswith('-') for word in others)):
+    verbatim = words[:1] != [] and words[0] in VERBATIM and words[1:] not in (['-h'], ['--help'])
+    arguments, others = parser.parse_known_args(words[:1] if verbatim else words)
+    if verbatim:
+        arguments.rest = words[1:]
+    wrong = not hasattr(arguments, 'rest') or any(word.startswith('-') for word in others)
+    if others and wrong and not hasattr(arguments, 'takes_anything'):
         parser.error(_unrecognized(others, arguments.verb))
     if others:
         arguments.rest += others  # launch arguments may stand behind options too

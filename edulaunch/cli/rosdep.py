@@ -13,10 +13,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
     check = verbs.add_parser('check', help='name each dependency that neither the underlay nor the workspace has')
     check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
+    for verb in ('init', 'install', 'update'):
+        other = verbs.add_parser(verb, help='says that this is not needed')
+        other.add_argument('rest', nargs='*', metavar='WORD', help='what you would tell rosdep')
+        other.set_defaults(takes_anything=True)
 
 
 def main(arguments: argparse.Namespace) -> int:
     """Print what is missing. 0 when nothing is, else 1."""
+    if arguments.what != 'check':
+        from edulaunch.workspace.not_needed import answer
+
+        print(answer(['rosdep', arguments.what]))
+        return 0
     from edulaunch.workspace.dependencies import missing_dependencies
 
     if not os.path.isdir(arguments.path):

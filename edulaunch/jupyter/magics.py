@@ -42,6 +42,24 @@ class RosMagics(Magics):
         """Use the packages of a workspace: `%source my_ws` or, as in a shell, `%source my_ws/install/setup.bash`."""
         self._told(lambda: self.terminal.source(line.strip().strip('\'"')))
 
+    @no_var_expand
+    @line_magic
+    def colcon(self, line: str) -> None:
+        """Says what of `colcon build` is not needed here."""
+        self._told(lambda: self.terminal.set_up(f'colcon {line}'))
+
+    @no_var_expand
+    @line_magic
+    def rosdep(self, line: str) -> None:
+        """Says what of `rosdep install` is not needed here."""
+        self._told(lambda: self.terminal.set_up(f'rosdep {line}'))
+
+    @no_var_expand
+    @line_magic
+    def apt(self, line: str) -> None:
+        """Says what of `apt install ros-jazzy-...` is here already."""
+        self._told(lambda: self.terminal.set_up(f'apt {line}'))
+
     @line_magic
     def recording(self, line: str) -> Recording:
         """The Recording of the simulated machine from its start until now."""

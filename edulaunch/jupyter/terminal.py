@@ -15,6 +15,7 @@ from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
 from edulaunch.session import Session
+from edulaunch.workspace.not_needed import answer
 
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
@@ -60,6 +61,9 @@ class Terminal:
         :param path: a workspace, its `install` folder, a setup file in that, or a package.
         :raises UnusableInput: when there is no such folder.
         """
+        if path.startswith('/opt/ros/'):
+            self.set_up(f'source {path}')
+            return
         folder = os.path.dirname(path) if os.path.basename(path).startswith(('setup.', 'local_setup.')) else path
         if os.path.basename(folder.rstrip('/')) == 'install' and not os.path.isdir(folder):
             folder = os.path.dirname(folder.rstrip('/'))  # nothing has to be built here
@@ -68,6 +72,16 @@ class Terminal:
                 f'{path!r}: there is no such workspace', help='%source takes a folder with packages, such as my_ws'
             )
         self._sourced.append(os.path.abspath(folder or '.'))
+
+    def set_up(self, line: str) -> None:
+        """Answer a command that sets up a real ROS 2 machine: a sentence about what is not needed here.
+
+        :raises UnusableInput: for another command.
+        """
+        said = answer(line.split())
+        if said is None:
+            raise UnusableInput(f'{line!r} sets up nothing of ROS 2', help=f'for a command of your own machine: !{line}')
+        self._write('stdout', f'{said}\n')
 
     def recording(self) -> Recording:
         """What happened on the machine until now.

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from edulaunch.interfaces.running import answer_with
+from edulaunch.packages.importable import interfaces_of
 from edulaunch.sim.task import running_task
 
 if TYPE_CHECKING:
@@ -16,11 +16,7 @@ if TYPE_CHECKING:
 
 
 class Overlay:
-    """The importable part of one index.
-
-    Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
-    the workspace only when that has types which the underlay lacks.
-    """
+    """The importable part of one index."""
 
     def __init__(self, index: Index) -> None:
         self._index = index
@@ -31,31 +27,18 @@ class Overlay:
         return self._index.python_modules()
 
     @cached_property
+    def _interfaces(self) -> tuple[frozenset[str], Registry]:
+        return interfaces_of(self._index)
+
+    @property
     def interface_packages(self) -> frozenset[str]:
         """Packages whose interfaces come from a workspace."""
-        from edulaunch.interfaces.underlay import underlay_registry
+        return self._interfaces[0]
 
-        shared, folders = underlay_registry(), self._interface_folders
-        return frozenset(name for name in folders if not shared.has(name) or _adds(folders[name], name, shared))
-
-    @cached_property
-    def _interface_folders(self) -> dict[str, str]:
-        from edulaunch.underlay_place import underlay_prefix
-
-        inside = os.path.join(underlay_prefix(), 'share')
-        return {os.path.basename(folder): folder for folder in self._index.interface_roots() if os.path.dirname(folder) != inside}
-
-    @cached_property
+    @property
     def registry(self) -> Registry:
         """The interfaces that programs over this index see."""
-        from edulaunch.interfaces.registry import Registry
-        from edulaunch.interfaces.underlay import underlay_registry
-
-        own = self.interface_packages
-        if not own:
-            return underlay_registry()
-        roots = list(dict.fromkeys(os.path.dirname(folder) for folder in self._interface_folders.values()))
-        return Registry(roots, underlay_registry(), leave=frozenset(self._interface_folders) - own)
+        return self._interfaces[1]
 
     @cached_property
     def finder(self) -> InterfaceFinder:
@@ -63,17 +46,6 @@ class Overlay:
         from edulaunch.interfaces.importer import InterfaceFinder
 
         return InterfaceFinder(self.registry)
-
-
-def _adds(folder: str, package: str, shared: Registry) -> bool:
-    """Whether a share folder has an interface that the underlay's package of that name lacks."""
-    return any(
-        name.removesuffix(f'.{kind}') not in shared.names(package, kind)
-        for kind in ('msg', 'srv', 'action')
-        if os.path.isdir(os.path.join(folder, kind))
-        for name in sorted(os.listdir(os.path.join(folder, kind)))
-        if name.endswith(f'.{kind}')
-    )
 
 
 def _registry_of_the_running_program() -> Registry | None:

@@ -27,8 +27,10 @@ class _Sourcing:
             from edulaunch.packages.discovery import find_workspaces
         except ImportError:
             return None  # a Python of another environment
-        program = sys.argv[0] if os.path.isfile(sys.argv[0]) else None
-        source(find_workspaces(os.getcwd(), os.environ, program))
+        workspaces = find_workspaces(os.getcwd(), os.environ, sys.argv[0] if os.path.isfile(sys.argv[0]) else None)
+        if self._names is None and not workspaces:
+            return None
+        source(workspaces)
         specs = (finder.find_spec(name, None) for finder in list(sys.meta_path) if hasattr(finder, 'find_spec'))
         return next((spec for spec in specs if spec is not None), None)
 
