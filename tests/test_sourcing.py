@@ -29,7 +29,7 @@ def test_folders_that_colcon_installed_into_are_told_from_sources(tmp_path: Path
 
 def test_a_session_watches_its_programs_unless_told_not_to() -> None:
     with Session() as session, Session(turn_limit_s=0) as unwatched:
-        assert session.host.watchdog is not None and session.host.watchdog.seconds == 10.0
+        assert session.host.watchdog is not None and session.host.watchdog.seconds == 2.0
         assert unwatched.host.watchdog is None
 
 
