@@ -20,6 +20,6 @@ def include_if_there(assumptions: Assumptions, action: Any, context: LaunchConte
     try:
         return type(action).execute(action, context)
     except Exception:
-        if not assumptions.lacks_file(action.launch_description_source.location):
+        if not assumptions.lacks_file(action.launch_description_source.described_location):
             raise
         return [SetLaunchConfiguration(name, value) for name, value in action.launch_arguments]

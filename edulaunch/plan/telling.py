@@ -95,7 +95,7 @@ def _subject(action: Any) -> str:
     for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
         value = getattr(action, attribute, None)
         if value is not None:
-            return _described(getattr(value, 'location', value))
+            return _described(getattr(value, 'described_location', value))
     return ''
 
 

@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, LogInfo
+from launch import LaunchContext, LaunchDescription, LaunchDescriptionSource
+from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, LogInfo, TimerAction
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration, ThisLaunchFileDir
 
-HEAD = 'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch.substitutions import *\n'
+HEAD = ''.join(f'from launch{name} import *\n' for name in ('', '.actions', '.conditions', '.substitutions'))
 
 
 @pytest.fixture
@@ -71,12 +71,40 @@ def test_arguments_of_nested_includes_count_as_given(launch_it: Any, write: Any)
     assert launch_it(IncludeLaunchDescription(outer)) == (0, [])
 
 
-def test_conditional_arguments_are_not_required(launch_it: Any, write: Any) -> None:
+def test_arguments_of_a_file_that_is_included_under_a_condition_are_required(launch_it: Any, write: Any) -> None:
     path = write('a.launch.py', "DeclareLaunchArgument('needed')")
     include = IncludeLaunchDescription(path, condition=IfCondition('false'))
     arguments = LaunchDescription([include]).get_launch_arguments()
-    assert [(argument.name, argument._conditionally_included) for argument in arguments] == [('needed', True)]
-    assert launch_it(include) == (0, [])
+    assert [(argument.name, argument._conditionally_included) for argument in arguments] == [('needed', False)]
+    outer = write('outer.launch.py', f"IncludeLaunchDescription({path!r}, condition=IfCondition('false'))")
+    code, lines = launch_it(IncludeLaunchDescription(outer))
+    assert (code, 'missing required argument' in lines[0]) == (1, True)
+
+
+def test_arguments_that_stand_in_a_conditional_branch_are_not_required(launch_it: Any, write: Any) -> None:
+    group = GroupAction([DeclareLaunchArgument('a')], condition=IfCondition('false'))
+    timer = TimerAction(period=1.0, actions=[DeclareLaunchArgument('b')])
+    own = DeclareLaunchArgument('c', condition=IfCondition('false'))
+    arguments = LaunchDescription([group, timer, own, DeclareLaunchArgument('d')]).get_launch_arguments()
+    assert [(one.name, one._conditionally_included) for one in arguments] == [('a', True), ('b', True), ('c', True), ('d', False)]
+    path = write('b.launch.py', "GroupAction([DeclareLaunchArgument('a')], condition=IfCondition('false'))")
+    assert launch_it(IncludeLaunchDescription(path)) == (0, [])
+
+
+def test_a_description_from_a_script_has_its_location_as_its_folder() -> None:
+    context = LaunchContext()
+    IncludeLaunchDescription(LaunchDescriptionSource(LaunchDescription(), '<script>')).visit(context)
+    assert context.locals.current_launch_file_directory == '<script>'
+
+
+def test_a_source_says_where_it_loads_from_and_fails_without_a_way() -> None:
+    source = LaunchDescriptionSource(None, LaunchConfiguration('p'))
+    assert 'launch.substitutions.launch_configuration.LaunchConfiguration' in source.location
+    context = LaunchContext()
+    context.launch_configurations['p'] = 'here'
+    with pytest.raises(RuntimeError, match="no way to load one from 'here'"):
+        source.get_launch_description(context)
+    assert source.location == 'here'
 
 
 def test_the_first_declaration_of_a_name_wins_and_a_reset_hides_the_rest(write: Any) -> None:

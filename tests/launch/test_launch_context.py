@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 import asyncio
+import subprocess
+import sys
 from typing import Any
 
 import pytest
-from launch import Event, EventHandler, LaunchContext
+from launch import Condition, Event, EventHandler, LaunchContext
 from launch.actions import LogInfo
+from launch.conditions import IfCondition, UnlessCondition
+from launch.substitutions import LaunchConfiguration
+from launch.utilities import is_a_subclass, isclassinstance
+
+from edulaunch.underlay_place import underlay_python
 
 
 def test_locals_are_read_through_attributes_and_hide_globals() -> None:
@@ -79,3 +86,34 @@ def test_events_wait_in_a_queue() -> None:
     context.emit_event_sync(first)
     asyncio.run(context.emit_event(second))
     assert [context._event_queue.get_nowait() for _ in range(2)] == [first, second]
+
+
+def test_a_handler_of_any_class_can_be_registered() -> None:
+    context, handler = LaunchContext(), object()
+    context.register_event_handler(handler)  # type: ignore[arg-type]
+    assert list(context._event_handlers) == [handler]
+    context.unregister_event_handler(handler)  # type: ignore[arg-type]
+    with pytest.raises(ValueError):
+        context.unregister_event_handler(handler)  # type: ignore[arg-type]
+
+
+def test_conditions_describe_themselves() -> None:
+    described = [kind(LaunchConfiguration('x')).describe() for kind in (IfCondition, UnlessCondition)]
+    assert described == ["IfCondition(LaunchConfig('x'))", "UnlessCondition(LaunchConfig('x'))"]
+    assert Condition().describe() == '<launch.condition.Condition object at 0x>'
+
+
+def test_everything_is_an_instance_of_a_class() -> None:
+    assert [isclassinstance(one) for one in (0, None, 'foo', {}, LaunchContext())] == [True] * 5
+    assert (is_a_subclass(1, int), is_a_subclass(int, int), is_a_subclass(1, float)) == (True, True, False)
+
+
+def test_the_underlay_alone_is_enough_for_launch_and_its_interfaces() -> None:
+    code = (
+        'import launch.actions, osrf_pycommon, launch_ros; osrf_pycommon.process_utils.get_loop\n'
+        'import lifecycle_msgs.msg, composition_interfaces.srv, builtin_interfaces.msg'
+    )
+    done = subprocess.run(
+        [sys.executable, '-c', f'import sys; sys.path.insert(0, {underlay_python()!r})\n{code}'], capture_output=True, text=True
+    )
+    assert (done.returncode, done.stderr) == (0, '')

@@ -20,6 +20,7 @@ from launch.utilities.type_utils import (
     is_instance_of,
     is_normalized_substitution,
     is_substitution,
+    is_valid_scalar_type,
     normalize_typed_substitution,
     perform_typed_substitution,
 )
@@ -66,9 +67,32 @@ def test_texts_that_cannot_be_converted(text: str, data_type: Any, message: str)
 
 
 def test_a_text_may_stay_a_text() -> None:
-    assert coerce_to_type('x', int, can_be_str=True) == 'x'
+    assert coerce_to_type('x', int, True) == 'x'
     assert get_typed_value(['1', 'x'], List[int]) == [1, 'x']
-    assert coerce_list(['1', '2'], List[int]) == [1, 2]
+    assert coerce_list(['1', '2'], int) == [1, 2]
+    assert [coerce_to_type('[x, 2.0]', kind, can_be_str=True) for kind in (None, List[float])] == [['x', 2.0]] * 2
+
+
+@pytest.mark.parametrize(
+    ('convert', 'value'),
+    [
+        (coerce_to_type, ['a']),
+        (coerce_list, 'a'),
+        (coerce_list, [1, 2]),
+        (lambda value: get_typed_value(value, None), {'a'}),
+        (lambda value: get_typed_value(value, int), ['1', '2']),
+        (lambda value: perform_typed_substitution(LaunchContext(), value, int), 1.0),
+        (lambda value: perform_typed_substitution(LaunchContext(), value, int), object),
+    ],
+)
+def test_what_is_no_text_cannot_be_converted(convert: Any, value: Any) -> None:
+    with pytest.raises(TypeError):
+        convert(value)
+
+
+def test_scalar_types() -> None:
+    kinds = (int, float, bool, str, bytes, None, list, List[float])
+    assert [is_valid_scalar_type(kind) for kind in kinds] == [True] * 4 + [False] * 4
 
 
 @pytest.mark.parametrize(

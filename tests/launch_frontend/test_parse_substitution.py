@@ -129,3 +129,9 @@ def test_a_syntax_error_is_no_visit_error():
     with pytest.raises(SubstitutionSyntaxError) as caught:
         parse_substitution('$(var x')
     assert not isinstance(caught.value, VisitError)
+
+
+def test_the_items_of_a_list_are_of_one_type():
+    assert parse_if_substitutions(['$(env HOME)', 1])[1] == 1
+    with pytest.raises(ValueError, match='must be of one type'):
+        parse_if_substitutions(['$(env HOME)', 1, 1.0])

@@ -93,3 +93,11 @@ def test_no_text_breaks_the_parser(text):
         parse_template(text)
     except SubstitutionSyntaxError as error:
         assert 'Unexpected end-of-input' in str(error) or 'No terminal matches' in str(error)
+
+
+def test_inside_quotes_the_arguments_of_a_call_are_bare_and_the_other_quote_is_a_character():
+    assert parse_template('$(env "a_$(test \'b\')")') == (Call('env', (('a_', Call('test', (("'b'",),))),)),)
+    assert parse_template('$(env \'a_$(test "b" c)\')') == (Call('env', (('a_', Call('test', (('"b"',), ('c',)))),)),)
+    assert parse_template('$(env "a_$(test \\"b\\")" \'$(env D)_q\')')[0].arguments[0] == ('a_', Call('test', (('"b"',),)))
+    with pytest.raises(UnexpectedCharacters):
+        parse_template('$(env "$(test "b")")')

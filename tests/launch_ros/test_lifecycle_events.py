@@ -6,6 +6,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from launch import LaunchContext
+from launch.actions import OpaqueFunction
 from launch_ros.actions import LifecycleNode, LifecycleTransition, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState, StateTransition
@@ -60,3 +62,43 @@ def test_the_target_is_a_lifecycle_node() -> None:
     other: Any = Node(package='p', executable='e')
     with pytest.raises(RuntimeError, match="^OnStateTransition requires a 'LifecycleNode' action as the target$"):
         OnStateTransition(entities=[], target_lifecycle_node=other)
+
+
+def test_the_transitions_of_each_node_follow_each_other_and_end_with_an_error() -> None:
+    context = LaunchContext()
+    actions = LifecycleTransition(lifecycle_node_names=['/m', '/n'], transition_ids=['1', 3]).execute(context)
+    assert [type(action).__name__ for action in actions] == ['RegisterEventHandler'] * 4 + ['EmitEvent'] * 2
+    for action in actions[:4]:
+        action.visit(context)
+    assert len(context._event_handlers) == 6
+    handled = [
+        [
+            type(entity).__name__
+            for handler in list(context._event_handlers)
+            if handler.matches(event)
+            for entity in handle(handler, event, context)
+        ]
+        for event in (
+            transition(start_state='unconfigured', goal_state='configuring'),
+            transition(start_state='configuring', goal_state='inactive'),
+            transition(start_state='deactivating', goal_state='inactive'),
+            transition(start_state='activating', goal_state='errorprocessing'),
+        )
+    ]
+    assert handled == [[], ['EmitEvent'], [], ['OpaqueFunction']]
+    assert len(context._event_handlers) == 3, 'those of the other node'
+
+
+def handle(handler: Any, event: Any, context: Any) -> Any:
+    entities = handler.handle(event, context)
+    for entity in entities:
+        if isinstance(entity, OpaqueFunction):
+            entity.visit(context)
+    return entities
+
+
+def test_one_transition_has_its_handler_too() -> None:
+    actions = LifecycleTransition(lifecycle_node_names=['m'], transition_ids=['1']).execute(LaunchContext())
+    assert [type(action).__name__ for action in actions] == ['RegisterEventHandler', 'EmitEvent']
+    with pytest.raises(ValueError, match='^expected integer for lifecycle transition, got x$'):
+        LifecycleTransition(lifecycle_node_names=['m'], transition_ids=['x']).execute(LaunchContext())

@@ -38,12 +38,12 @@ from lifecycle_msgs.srv import ChangeState
 rclpy.init()
 node = rclpy.create_node('m')
 publisher = node.create_publisher(TransitionEvent, '~/transition_event', 10)
-GOALS = {1: 'inactive', 3: 'active'}
+STEPS = {1: ('configuring', 'inactive'), 3: ('activating', 'active')}
 
 def change(request, response):
     print('transition', request.transition.id)
     event = TransitionEvent()
-    event.goal_state.label = GOALS[request.transition.id]
+    event.start_state.label, event.goal_state.label = STEPS[request.transition.id]
     publisher.publish(event)
     response.success = True
     return response

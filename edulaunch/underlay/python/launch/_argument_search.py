@@ -29,8 +29,8 @@ def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bo
     :param conditional: whether the entities themselves are only there under a condition.
     """
     found: FoundArguments = []
-    for argument, is_conditional, includes in _first_ones(_findings(entities)):
-        argument._conditionally_included = conditional or is_conditional
+    for argument, is_conditional, includes in _first_ones(_findings(entities, conditional)):
+        argument._conditionally_included = is_conditional
         found.append((argument, list(includes) or None))
     return found
 
@@ -42,8 +42,12 @@ def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
     return list(first.values())
 
 
-def _findings(entities: Iterable[LaunchDescriptionEntity]) -> list[Finding]:
-    """All below the entities; nothing is seen after a `ResetLaunchConfigurations`."""
+def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> list[Finding]:
+    """All below the entities; nothing is seen after a `ResetLaunchConfigurations`.
+
+    As upstream, only what stands directly in a conditional branch counts as conditional: the arguments of a file that is
+    included under a condition do not, and are checked even when the condition is false.
+    """
     findings: list[Finding] = []
     for entity in entities:
         role = getattr(entity, '_search_role', '')
@@ -51,7 +55,7 @@ def _findings(entities: Iterable[LaunchDescriptionEntity]) -> list[Finding]:
             break
         if role == 'argument':
             argument: Any = entity
-            findings.append((argument, argument.condition is not None, ()))
+            findings.append((argument, conditional or argument.condition is not None, ()))
         below = _below(entity)
         if role == 'include':
             include: Any = entity
@@ -61,16 +65,16 @@ def _findings(entities: Iterable[LaunchDescriptionEntity]) -> list[Finding]:
 
 
 def _below(entity: Any) -> list[Finding]:
-    findings = _inside(entity.describe_sub_entities())
+    findings = _inside(entity.describe_sub_entities(), False)
     for _, entities in entity.describe_conditional_sub_entities():
-        findings += [(argument, True, includes) for argument, _, includes in _inside(entities)]
+        findings += _inside(entities, True)
     return findings
 
 
-def _inside(entities: Any) -> list[Finding]:
+def _inside(entities: Any, conditional: bool) -> list[Finding]:
     only: Any = entities[0] if isinstance(entities, list) and len(entities) == 1 else None
     loaded: Loaded | None = getattr(only, '_loaded', None)
-    return list(_findings(entities) if loaded is None else _below_loaded(only, loaded))
+    return list(_findings(entities, conditional) if loaded is None else _below_loaded(only, loaded))
 
 
 def _below_loaded(description: LaunchDescription, loaded: Loaded) -> list[Finding]:
@@ -80,6 +84,6 @@ def _below_loaded(description: LaunchDescription, loaded: Loaded) -> list[Findin
     if loaded.findings is None or not is_current(loaded.files):
         loaded.is_searched = True
         with loads_watched() as files:
-            loaded.findings = _first_ones(_findings([description]))
+            loaded.findings = _first_ones(_findings([description], False))
         loaded.files, loaded.is_searched = files, False
     return loaded.findings

@@ -52,7 +52,7 @@ class HandlerTable:
             rank = self._first
         self._ranks.setdefault(id(handler), []).append(rank)
         groups = self._groups
-        for event_type, action in handler._event_keys or _ANY:
+        for event_type, action in getattr(handler, '_event_keys', None) or _ANY:
             key = event_type, id(action) if action is not None else 0
             group = groups.get(key)
             if group is None:
@@ -76,7 +76,7 @@ class HandlerTable:
         ranks.remove(rank)
         if not ranks:
             del self._ranks[id(handler)]
-        for event_type, action in handler._event_keys or _ANY:
+        for event_type, action in getattr(handler, '_event_keys', None) or _ANY:
             key = event_type, id(action) if action is not None else 0
             group = self._groups[key]
             del group[rank]

@@ -25,6 +25,10 @@ class Condition(StableRepr):
         """The condition in words, for a plan. (edulaunch only.)"""
         return f'if {type(self).__name__} says so'
 
+    def describe(self) -> str:
+        """What people read; here as `repr` writes it."""
+        return repr(self)
+
     def evaluate(self, context: LaunchContext) -> bool:
         """True or False, now."""
         return self._predicate(context) if self._predicate is not None else False

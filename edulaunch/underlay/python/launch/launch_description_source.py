@@ -36,7 +36,14 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The path; before it is known, the substitutions in words."""
+        """The path; before it is known, the `str` of its substitutions."""
+        if self.__expanded_location is None:
+            return ' + '.join(str(part) for part in self.__location)
+        return self.__expanded_location
+
+    @property
+    def described_location(self) -> str:
+        """The path; before it is known, as people would write it. (edulaunch only.)"""
         if self.__expanded_location is None:
             return ' + '.join(part.describe() for part in self.__location)
         return self.__expanded_location
@@ -49,6 +56,7 @@ class LaunchDescriptionSource:
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """The description, loaded at the first call.
 
+        :raises RuntimeError: when there is none, and no way to load it.
         :raises Exception: whatever loading it raises.
         """
         if self.__expanded_location is None:
@@ -81,6 +89,6 @@ class LaunchDescriptionSource:
     def _get_launch_description(self, location: str) -> LaunchDescription:
         """Load the file. To be overridden.
 
-        :raises Exception: when that fails.
+        :raises RuntimeError: here, where no way to load one is known.
         """
-        raise FileNotFoundError(f"no launch description, and no way to load one from '{location}'")
+        raise RuntimeError(f"LaunchDescriptionSource: no launch description, and no way to load one from '{location}'")

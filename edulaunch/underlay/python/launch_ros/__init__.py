@@ -1,6 +1,12 @@
-"""Launch actions for ROS nodes: the interface of ROS 2's launch_ros."""
+"""Launch actions for ROS nodes: the interface of ROS 2's launch_ros.
+
+Where this is found, `lifecycle_msgs`, `composition_interfaces` and the other interface packages are too, as in ROS 2, whose
+launch_ros depends on them: also when the underlay was put on the path by hand.
+"""
 
 from launch._lazy import lazy_exports
+
+from edulaunch.interfaces.importer import installed_registry
 
 _EXPORTS = {
     'actions': '',
@@ -18,3 +24,8 @@ _EXPORTS = {
 }
 __all__ = list(_EXPORTS)
 __getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+
+if installed_registry() is None:
+    from edulaunch.interfaces import install
+
+    install()

@@ -24,4 +24,4 @@ def typed(value: str | list[str], data_type: Any, can_be_str: bool) -> Any:
             return value
         if value.isdecimal() and value.isascii() and (value[0] != '0' or value == '0'):
             return int(value)
-    return get_typed_value(value, data_type, can_be_str=can_be_str)
+    return get_typed_value(value, data_type, can_be_str)

@@ -1,1 +1,13 @@
 """The parts of osrf_pycommon that launch and its extensions use."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+
+def __getattr__(name: str) -> Any:
+    if name != 'process_utils':
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    # Upstream it is there once launch was imported, which imports it.
+    return import_module(f'{__name__}.{name}')

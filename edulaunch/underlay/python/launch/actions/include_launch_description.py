@@ -69,7 +69,7 @@ class IncludeLaunchDescription(Action):
 
     def describe(self) -> str:
         """`IncludeLaunchDescription(/path/to/the.launch.py)`."""
-        return f'IncludeLaunchDescription({self.__source.location})'
+        return f'IncludeLaunchDescription({self.__source.described_location})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """The description, when its file can be found and loaded without a running launch."""
@@ -96,12 +96,14 @@ class IncludeLaunchDescription(Action):
         try:
             description = self.__source.get_launch_description(context)
         except Exception:
-            if is_left_out(self.__source.location):
+            if is_left_out(self.__source.described_location):
                 return []
             raise
         location = os.path.abspath(self.__source.location)
         note_include(location)
-        context.extend_locals({'current_launch_file_path': location, 'current_launch_file_directory': os.path.dirname(location)})
+        # A description made in a script has a location like '<script>', which is passed on as it is.
+        folder = os.path.dirname(location) if os.path.exists(location) else self.__source.location
+        context.extend_locals({'current_launch_file_path': location, 'current_launch_file_directory': folder})
         try:
             self.__check_required_arguments(description, context)
         except AttributeError as error:

@@ -28,5 +28,9 @@ class IfCondition(Condition):
     def _shown(self) -> str:
         return 'if ' + ' + '.join(part.describe() for part in self.__predicate_expression)
 
+    def describe(self) -> str:
+        """`IfCondition(LaunchConfig('x'))`."""
+        return f'IfCondition({" + ".join(part.describe() for part in self.__predicate_expression)})'
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         return evaluate_condition_expression(context, self.__predicate_expression)

@@ -27,5 +27,9 @@ class UnlessCondition(Condition):
     def _shown(self) -> str:
         return 'unless ' + ' + '.join(part.describe() for part in self.__predicate_expression)
 
+    def describe(self) -> str:
+        """`UnlessCondition(LaunchConfig('x'))`."""
+        return f'UnlessCondition({" + ".join(part.describe() for part in self.__predicate_expression)})'
+
     def _predicate_func(self, context: LaunchContext) -> bool:
         return not evaluate_condition_expression(context, self.__predicate_expression)

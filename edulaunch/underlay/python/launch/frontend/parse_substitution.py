@@ -36,6 +36,8 @@ def parse_if_substitutions(value: Any) -> Any:
     """As :func:`parse_substitution` for a text that contains `$(...)`; a plain text stays a (unescaped) text.
 
     Other scalars are returned as they are; a list is treated item by item.
+
+    :raises ValueError: when the items of a list, but for those with substitutions, are not all of one type.
     """
     if isinstance(value, str):
         if '$(' not in value and '\\' not in value:
@@ -45,7 +47,10 @@ def parse_if_substitutions(value: Any) -> Any:
             return parsed[0].text
         return parsed
     if isinstance(value, list):
-        return [parse_if_substitutions(item) for item in value]
+        items = [parse_if_substitutions(item) for item in value]
+        if len({type(item) for item in items if not isinstance(item, list)}) > 1:
+            raise ValueError(f'the items of a list must be of one type, got {value}')
+        return items
     return value
 
 

@@ -7,7 +7,9 @@ r"""The grammar of `$(...)`: from a text to literal pieces and calls.
     argument   = (call | bare)+ | "'" quoted* "'" | '"' quoted* '"'
     bare       = no space ' " \ $ ( )              quoted: anything but its own quote
 
-Exactly one space stands before an argument and none before the closing parenthesis, as upstream.
+Exactly one space stands before an argument and none before the closing parenthesis, as upstream. The arguments of a call
+inside quotes are always bare; there the other kind of quote is a character like any other: in "$(env 'a')" the name is 'a' with
+its quotes.
 """
 
 from __future__ import annotations
@@ -33,7 +35,8 @@ Template = tuple[str | Call, ...]
 
 _NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
 _OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
-_BARE = re.compile(r'[^ \'"\\$()]+')
+_BARE = {'': re.compile(r'[^ \'"\\$()]+'), "'": re.compile(r"[^ '\\$()]+"), '"': re.compile(r'[^ "\\$()]+')}
+"""By the quotes around the call."""
 _QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\$"]+|\$(?!\())+')}
 
 
@@ -54,12 +57,13 @@ def parse_template(text: str) -> Template:
 class _Reader:
     """A recursive-descent parser over one text."""
 
-    __slots__ = ('text', 'position', 'depth')
+    __slots__ = ('text', 'position', 'depth', 'quote')
 
     def __init__(self, text: str) -> None:
         self.text = text
         self.position = 0
         self.depth = 0
+        self.quote = ''
 
     def pieces(self, literal: re.Pattern[str]) -> Template:
         """Calls, escapes and runs of `literal`, up to the first character that is neither."""
@@ -108,13 +112,15 @@ class _Reader:
     def argument(self) -> Template:
         """One argument, bare or in quotes."""
         quote = self.text[self.position : self.position + 1]
-        if quote not in ("'", '"'):
-            pieces = self.pieces(_BARE)
+        if self.quote or quote not in ("'", '"'):
+            pieces = self.pieces(_BARE[self.quote])
             if not pieces:
                 raise self.unexpected('an argument (after exactly one space)')
             return pieces
         self.position += 1
+        self.quote = quote
         pieces = self.pieces(_QUOTED[quote])
+        self.quote = ''
         if not self.text.startswith(quote, self.position):
             raise self.unexpected(f'the closing quote {quote}')
         self.position += 1

@@ -43,12 +43,17 @@ def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
     """
     is_list = is_typing_list(data_type)
     scalar_type = (getattr(data_type, '__args__', None) or (None,))[0] if is_list else data_type
-    if scalar_type not in ScalarTypesTuple:
+    if not is_valid_scalar_type(scalar_type):
         raise ValueError(f'Unrecognized data type: {data_type}')
     return scalar_type, is_list
 
 
-def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
+def is_valid_scalar_type(data_type: Any) -> bool:
+    """Whether it is one of :data:`ScalarTypesTuple`."""
+    return data_type in ScalarTypesTuple
+
+
+def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
     """Whether the value is a scalar of an allowed type, or a list whose items all have one and the same
     allowed type.
 
@@ -62,7 +67,7 @@ def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
     return len(types) <= 1 and all(one in ScalarTypesTuple for one in types)
 
 
-def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool = False) -> bool:
+def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = False) -> bool:
     """Whether the value has the type; None stands for any allowed type, and True counts as an int, as in
     Python.
 
@@ -70,7 +75,7 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool 
     :raises ValueError: for a type that is not allowed.
     """
     if data_type is None:
-        return is_instance_of_valid_type(value, can_be_str=can_be_str)
+        return is_instance_of_valid_type(value, can_be_str)
     scalar_type, is_list = extract_type(data_type)
     accepted = (scalar_type, str) if can_be_str else (scalar_type,)
     if not is_list:
@@ -78,15 +83,18 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, *, can_be_str: bool 
     return isinstance(value, list) and all(isinstance(item, accepted) for item in value)
 
 
-def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> AllowedValueType:
+def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: bool = False) -> AllowedValueType:
     """Convert a text.
 
     :param data_type: None means: by YAML's rules, whatever comes out.
-    :param can_be_str: give back the text itself when it cannot be converted.
+    :param can_be_str: give back the text itself when it cannot be converted; a list may hold texts beside its type.
+    :raises TypeError: when `value` is no text.
     :raises ValueError: when it cannot be converted.
     """
+    if not isinstance(value, str):
+        raise TypeError(f"value='{value}' is not a string, it is a {type(value)}")
     try:
-        converted: AllowedValueType = _convert(value, data_type)
+        converted: AllowedValueType = _convert(value, data_type, can_be_str)
         return converted
     except ValueError:
         if can_be_str:
@@ -94,14 +102,12 @@ def coerce_to_type(value: str, data_type: AllowedTypesType = None, *, can_be_str
         raise
 
 
-def _convert(value: str, data_type: AllowedTypesType) -> Any:
-    if not isinstance(value, str):
-        raise ValueError(f"value='{value}' is not a string, it is a {type(value)}")
+def _convert(value: str, data_type: AllowedTypesType, can_be_str: bool) -> Any:
     if data_type is None:
-        return _convert_by_yaml(value)
+        return _convert_by_yaml(value, can_be_str)
     scalar_type, is_list = extract_type(data_type)
     if is_list:
-        return _convert_to_list(value, scalar_type)
+        return _convert_to_list(value, scalar_type, can_be_str)
     return _convert_to_bool(value) if scalar_type is bool else scalar_type(value)
 
 
@@ -114,19 +120,20 @@ def _convert_to_bool(value: str) -> bool:
     raise ValueError(f"Cannot convert value '{value}' to '{bool}'")
 
 
-def _convert_by_yaml(value: str) -> Any:
+def _convert_by_yaml(value: str, can_be_str: bool) -> Any:
     if value == '':
         return ''
     output = _load(value, f"Failed to convert '{value}' using yaml rules")
-    if not is_instance_of_valid_type(output):
+    if not is_instance_of_valid_type(output, can_be_str):
         raise ValueError(f"Failed to convert '{value}' using yaml rules: output type is not allowed, got {type(output)}")
     return output
 
 
-def _convert_to_list(value: str, item_type: type) -> list[Any]:
+def _convert_to_list(value: str, item_type: type, can_be_str: bool) -> list[Any]:
     output = _load(value, f"Cannot convert value '{value}' to a list of '{item_type}'")
     # Exactly the type: in a list of numbers 1 is not a float, and true is not an int.
-    if not isinstance(output, list) or any(type(item) is not item_type for item in output):
+    accepted = (item_type, str) if can_be_str else (item_type,)
+    if not isinstance(output, list) or any(type(item) not in accepted for item in output):
         raise ValueError(f"Cannot convert value '{value}' to a list of '{item_type}', got {output}")
     return output
 
@@ -140,23 +147,32 @@ def _load(value: str, message: str) -> Any:
         raise ValueError(f'{message}: {error}') from None
 
 
-def coerce_list(value: list[str], data_type: AllowedTypesType = None, *, can_be_str: bool = False) -> list[Any]:
-    """Convert each text of a list to the (item) type.
+def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str: bool = False) -> list[Any]:
+    """Convert each text of a list.
 
+    :param data_type: of the items.
+    :raises TypeError: when `value` is no list of texts.
     :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
     """
-    item_type = extract_type(data_type)[0] if data_type is not None else None
-    output = [coerce_to_type(item, item_type, can_be_str=can_be_str) for item in value]
-    if not is_instance_of_valid_type(output, can_be_str=can_be_str):
+    if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+        raise TypeError(f"value='{value}' is not a list of strings")
+    output = [coerce_to_type(item, data_type, can_be_str) for item in value]
+    if not is_instance_of_valid_type(output, can_be_str):
         raise ValueError(f"cannot convert value '{value}' to a list of one type, got {output}")
     return output
 
 
-def get_typed_value(value: str | list[str], data_type: AllowedTypesType, *, can_be_str: bool = True) -> Any:
-    """Convert a text or a list of texts; see :func:`coerce_to_type` and :func:`coerce_list`."""
-    if isinstance(value, list):
-        return coerce_list(value, data_type, can_be_str=can_be_str)
-    return coerce_to_type(value, data_type, can_be_str=can_be_str)
+def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_str: bool = True) -> Any:
+    """Convert a text or a list of texts; see :func:`coerce_to_type` and :func:`coerce_list`.
+
+    :raises TypeError: for a list when the type is that of a single value, and for what is neither text nor list.
+    """
+    if not isinstance(value, list):
+        return coerce_to_type(value, data_type, can_be_str)
+    item_type, is_list = (None, True) if data_type is None else extract_type(data_type)
+    if not is_list:
+        raise TypeError(f"value='{value}' is a list, and cannot be converted to '{data_type}'")
+    return coerce_list(value, item_type, can_be_str)
 
 
 def is_substitution(x: Any) -> bool:
@@ -203,7 +219,8 @@ def perform_typed_substitution(
 ) -> AllowedValueType:
     """Evaluate what :func:`normalize_typed_substitution` returned.
 
-    :raises ValueError: when the text of a substitution cannot be converted.
+    :raises TypeError: when a literal has not the type.
+    :raises ValueError: when the text of a substitution cannot be converted, or a list differs in type.
     """
     if type(value) is data_type:
         return value  # type: ignore[no-any-return]
@@ -212,7 +229,7 @@ def perform_typed_substitution(
     if isinstance(value, list):
         return _perform_list(context, value, data_type)
     if data_type is not None:
-        _checked(value, data_type, ValueError)
+        _checked(value, data_type)
     return value  # type: ignore[no-any-return]
 
 

@@ -2,28 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from launch.action import Action
 from launch.actions.emit_event import EmitEvent
+from launch.actions.opaque_function import OpaqueFunction
 from launch.actions.register_event_handler import RegisterEventHandler
+from launch.event_handler import EventHandler
+from launch.logging import get_logger
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from ..events.lifecycle.change_state import ChangeState
+from ..events.lifecycle.state_transition import StateTransition
 from ..events.matches_node_name import matches_node_name
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
-# After which state a transition has succeeded.
-_GOALS = {1: 'inactive', 2: 'unconfigured', 3: 'active', 4: 'inactive', 5: 'finalized', 6: 'finalized', 7: 'finalized'}
+_STEPS = {
+    1: ('configuring', 'inactive'),
+    2: ('cleaningup', 'unconfigured'),
+    3: ('activating', 'active'),
+    4: ('deactivating', 'inactive'),
+    **dict.fromkeys((5, 6, 7), ('shuttingdown', 'finalized')),
+}
+"""The state during a transition, and that after its success."""
 
 
 class LifecycleTransition(Action):
     """Make each of the nodes go through the transitions in order; the next one is asked for when the one
-    before has succeeded.
+    before has succeeded. An error of a node ends this for the node.
 
     :param lifecycle_node_names: full names.
     :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or texts.
@@ -42,27 +54,69 @@ class LifecycleTransition(Action):
         ]
 
     def execute(self, context: LaunchContext) -> list[Action]:
-        """Ask for the first transitions, and register handlers for the rest."""
+        """Handlers that ask for each next transition, and the events that ask for the first ones.
+
+        :raises ValueError: for a transition that is no number.
+        """
+        numbers = [_number(perform_substitutions(context, number)) for number in self.__transition_ids]
+        names = [perform_substitutions(context, name) for name in self.__lifecycle_node_names]
+        sequences = [_Sequence(name, numbers) for name in names]
+        for sequence in sequences:
+            context.register_event_handler(sequence.on_error)
+        return [
+            *(RegisterEventHandler(sequence.handlers[step]) for step in range(len(numbers)) for sequence in sequences),
+            *(sequence.asking[0] for sequence in sequences),
+        ]
+
+
+def _number(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise ValueError(f'expected integer for lifecycle transition, got {text}') from None
+
+
+class _Sequence:
+    """The transitions of one node.
+
+    :ivar asking: the action that asks for each transition.
+    :ivar handlers: what is done when each has succeeded: the next one is asked for, and after the last one nothing is left.
+    :ivar on_error: forgets the handlers when the node processes an error.
+    """
+
+    def __init__(self, name: str, numbers: list[int]) -> None:
         from ..event_handlers import OnStateTransition
-        from ..events.lifecycle.state_transition import StateTransition
 
-        numbers = [int(perform_substitutions(context, number)) for number in self.__transition_ids]
-        actions: list[Action] = []
-        for substitutions in self.__lifecycle_node_names:
-            matcher = matches_node_name(perform_substitutions(context, substitutions))
-            for before, number in zip(numbers, numbers[1:], strict=False):
+        self.name = name
+        self._is_of_node = matches_node_name(name)
+        self.asking = [
+            EmitEvent(event=ChangeState(lifecycle_node_matcher=self._is_of_node, transition_id=number)) for number in numbers
+        ]
+        nexts: list[Action] = [*self.asking[1:], OpaqueFunction(function=self._forget)]
+        self.handlers = [
+            OnStateTransition(matcher=self._reached(*_STEPS[number]), entities=[then], handle_once=True)
+            for number, then in zip(numbers, nexts, strict=True)
+        ]
+        self.on_error = EventHandler(
+            matcher=self._reached(None, 'errorprocessing'), entities=[OpaqueFunction(function=self._give_up)], handle_once=True
+        )
 
-                def reached(event: Any, goal: str = _GOALS[before], node: Any = matcher) -> bool:
-                    return isinstance(event, StateTransition) and node(event.action) and event.goal_state == goal
+    def _reached(self, start: str | None, goal: str) -> Callable[[Any], bool]:
+        def matcher(event: Any) -> bool:
+            return (
+                isinstance(event, StateTransition)
+                and self._is_of_node(event.action)
+                and event.goal_state == goal
+                and start in (None, event.start_state)
+            )
 
-                actions.append(
-                    RegisterEventHandler(
-                        OnStateTransition(
-                            matcher=reached,
-                            handle_once=True,
-                            entities=[EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=number))],
-                        )
-                    )
-                )
-            actions.append(EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=numbers[0])))
-        return actions
+        return matcher
+
+    def _forget(self, context: LaunchContext) -> None:
+        for handler in (*self.handlers, self.on_error):
+            with suppress(ValueError):  # it has done its work
+                context.unregister_event_handler(handler)
+
+    def _give_up(self, context: LaunchContext) -> None:
+        get_logger(__name__).info(f"Stopping transitions for {self.name} because 'error occured during transitions'")
+        self._forget(context)
