@@ -43,7 +43,7 @@ def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
     """
     is_list = is_typing_list(data_type)
     scalar_type = (getattr(data_type, '__args__', None) or (None,))[0] if is_list else data_type
-    if not is_valid_scalar_type(scalar_type):
+    if scalar_type not in ScalarTypesTuple:
         raise ValueError(f'Unrecognized data type: {data_type}')
     return scalar_type, is_list
 
