@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
+import re
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+from edulaunch.processes.inputs import TypedInput
 
 
 def logged(text: str) -> list[str]:
@@ -12,7 +17,6 @@ def logged(text: str) -> list[str]:
 
 
 def read(bag: Path) -> list[tuple[int, str, object]]:
-    pytest.importorskip('rosbags')
     from rosbags.highlevel import AnyReader
 
     with AnyReader([bag]) as reader:
@@ -22,7 +26,6 @@ def read(bag: Path) -> list[tuple[int, str, object]]:
 
 
 def test_record_all_logs_what_it_hears_and_writes_on_ctrl_c(machine) -> None:
-    pytest.importorskip('rosbags')
     typed = machine.run('ros2 bag record -a', 0.5)
     typed.interrupt()
     assert logged(typed.err) == [
@@ -38,9 +41,19 @@ def test_record_all_logs_what_it_hears_and_writes_on_ctrl_c(machine) -> None:
         'Recording stopped',
     ]
     assert typed.code == 0
-    assert sorted(path.name for path in (machine.folder / 'rosbag2_2023_11_14-22_13_21').iterdir()) == [
-        'metadata.yaml',
-        'rosbag2_2023_11_14-22_13_21.mcap',
+    [bag] = machine.folder.iterdir()
+    assert re.fullmatch(r'rosbag2_\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d', bag.name)
+    assert sorted(path.name for path in bag.iterdir()) == ['metadata.yaml', f'{bag.name}.mcap']
+
+
+def test_bags_of_one_second_do_not_collide(machine, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('time.strftime', lambda form: 'rosbag2_2026_11_22-08_00_00')
+    for _ in range(3):
+        machine.run('ros2 bag record -a').interrupt()
+    assert sorted(path.name for path in machine.folder.iterdir()) == [
+        'rosbag2_2026_11_22-08_00_00',
+        'rosbag2_2026_11_22-08_00_00_1',
+        'rosbag2_2026_11_22-08_00_00_2',
     ]
 
 
@@ -67,18 +80,6 @@ def test_a_topic_is_found_when_it_appears(machine) -> None:
     assert typed.writes[-2][0] == 1.3 and typed.writes[-2][1].endswith("Subscribed to topic '/late'\n")
 
 
-def test_without_rosbags_the_recorder_says_so_and_goes_on(machine, monkeypatch) -> None:
-    from importlib import util
-
-    found = util.find_spec
-    monkeypatch.setattr('edulaunch.cli.ros2.bag.record.find_spec', lambda name: None if name == 'rosbags' else found(name))
-    typed = machine.run('ros2 bag record -a')
-    typed.interrupt()
-    warnings = [line for line in typed.err.splitlines() if line.startswith('[WARN]')]
-    assert len(warnings) == 1 and 'pip install edulaunch[bags]' in warnings[0]
-    assert typed.code == 0 and list(machine.folder.iterdir()) == []
-
-
 def test_record_wants_topics_and_a_new_folder(machine) -> None:
     assert 'write `ros2 bag record -a`' in machine.fails('ros2 bag record')
     (machine.folder / 'old').mkdir()
@@ -91,7 +92,6 @@ def test_regex_and_exclude_choose_topics(machine) -> None:
 
 
 def test_play_repeats_what_was_recorded(machine) -> None:
-    pytest.importorskip('rosbags')
     recorder = machine.start('ros2 bag record -o drive /turtle1/cmd_vel')
     machine.run("ros2 topic pub -t 2 -r 2 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2}}'", 1.0)
     recorder.interrupt()
@@ -104,3 +104,91 @@ def test_play_repeats_what_was_recorded(machine) -> None:
 
 def test_info_of_no_bag(machine) -> None:
     assert machine.fails('ros2 bag info nix').startswith("[ERROR] [ros2bag]: bag path 'nix' does not exist!\n")
+
+
+@pytest.fixture
+def bag(machine) -> Any:
+    """A bag `drive` with three commands, half a second apart: the first one goes by while the topic is found."""
+    recorder = machine.start('ros2 bag record -o drive /turtle1/cmd_vel')
+    machine.run("ros2 topic pub -t 4 -r 2 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2}}'", 2.0)
+    recorder.interrupt()
+    return machine
+
+
+def heard(machine, options: str, topic: str = '/turtle1/cmd_vel') -> list[float]:
+    """When messages arrive, counted from the start of `ros2 bag play drive OPTIONS`."""
+    listener = machine.start(f'ros2 topic echo {topic} geometry_msgs/msg/Twist --field linear.x')
+    began = machine.now()
+    machine.run(f'ros2 bag play drive {options}', 4.0)
+    return [round(time - began, 3) for time, _ in listener.writes]
+
+
+@pytest.mark.parametrize(
+    ('options', 'topic', 'times'),
+    [
+        ('', '/turtle1/cmd_vel', [0.0, 0.5, 1.0]),
+        ('-r 2 --delay 1', '/turtle1/cmd_vel', [1.0, 1.25, 1.5]),
+        ('--start-offset 0.3', '/turtle1/cmd_vel', [0.2, 0.7]),
+        ('--playback-duration 0.6', '/turtle1/cmd_vel', [0.0, 0.5]),
+        ('--remap /turtle1/cmd_vel:=/other', '/other', [0.0, 0.5, 1.0]),
+        ('--exclude-topics /turtle1/cmd_vel', '/turtle1/cmd_vel', []),
+        ('-e cmd --topics /nothing', '/turtle1/cmd_vel', [0.0, 0.5, 1.0]),
+        ('--start-paused', '/turtle1/cmd_vel', []),
+    ],
+)
+def test_play_chooses_topics_names_and_times(bag, options: str, topic: str, times: list[float]) -> None:
+    assert heard(bag, options, topic) == times
+
+
+def test_play_gives_the_time_of_the_bag_out_as_a_clock(bag) -> None:
+    clock = bag.start('ros2 topic echo /clock rosgraph_msgs/msg/Clock --field clock')
+    bag.run('ros2 bag play drive --clock 10', 2.0)
+    times = [int(line.removeprefix('nanosec: ')) for line in clock.out.splitlines() if line.startswith('nanosec')]
+    assert len(times) == 11 and {(after - before) % 10**9 for before, after in itertools.pairwise(times)} == {10**8}
+
+
+def test_space_pauses_and_goes_on(bag) -> None:
+    listener = bag.start('ros2 topic echo /turtle1/cmd_vel geometry_msgs/msg/Twist --field linear.x')
+    player = bag.start('ros2 bag play drive')
+    began = bag.now()
+    player.process.stdin = TypedInput([(began + 0.2, ' '), (began + 2.2, ' ')])
+    bag.session.run(4.0)
+    assert [round(time - began, 1) for time, _ in listener.writes] == [0.0, 2.5, 3.0]
+    assert [text for text in logged(player.err) if 'play.' in text] == ['Pausing play.', 'Resuming play.']
+
+
+INTROSPECTED = """
+import rclpy
+from example_interfaces.srv import AddTwoInts
+from rclpy.qos import qos_profile_system_default
+from rclpy.service_introspection import ServiceIntrospectionState
+
+def add(request, response):
+    print('asked')
+    response.sum = request.a + request.b
+    return response
+
+rclpy.init()
+node = rclpy.create_node('adder')
+service = node.create_service(AddTwoInts, 'add_two_ints', add)
+service.configure_introspection(node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS)
+rclpy.spin(node)
+"""
+
+
+def test_calls_of_a_service_are_recorded_and_made_again(machine) -> None:
+    (machine.folder / 'adder.py').write_text(INTROSPECTED)
+    server = machine.run('python3 adder.py')
+    recorder = machine.run('ros2 bag record -o calls --service /add_two_ints', 0.5)
+    machine.run("ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts '{a: 2, b: 3}'", 1.0)
+    recorder.interrupt()
+    assert 'Service: /add_two_ints | Type: example_interfaces/srv/AddTwoInts | Event Count: 2 | ' in (
+        machine.read('ros2 bag info calls')
+    )
+    machine.run('ros2 bag play calls --publish-service-requests', 1.0)
+    assert server.out == 'asked\nasked\n'
+
+
+def test_an_empty_bag_lasts_no_time(machine) -> None:
+    machine.run('ros2 bag record -o nothing /nix').interrupt()
+    assert 'Duration:          0.000000000s\n' in machine.read('ros2 bag info nothing')

@@ -6,42 +6,40 @@ import argparse
 import os
 from typing import Any
 
+from edulaunch.cli.ros2.bag.storage import EVENT_TOPIC, EVENT_TYPE, found_bag
 from edulaunch.cli.ros2.names import say_lines
-from edulaunch.cli.ros2.output import with_help
-from edulaunch.processes.current import current_process
 
 WIDTH = 19
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The bag, and how much to say of it."""
     parser.add_argument('bag_path', help='Bag to open')
+    parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
 
 
-def main(arguments: argparse.Namespace) -> str | None:
-    """Print the summary that its metadata.yaml gives."""
+def main(arguments: argparse.Namespace) -> None:
+    """Print the summary: files, times, the messages of each topic and the events of each service."""
     import yaml
 
-    folder = os.path.join(current_process().spec.cwd or '', arguments.bag_path)
-    path = os.path.join(folder, 'metadata.yaml')
-    if not os.path.isfile(path):
-        return with_help(
-            f"[ERROR] [ros2bag]: bag path '{arguments.bag_path}' does not exist!"
-            if not os.path.exists(folder)
-            else f"[ERROR] [ros2bag]: '{arguments.bag_path}' has no metadata.yaml",
-            'give the folder that `ros2 bag record` made',
-        )
-    with open(path, encoding='utf-8') as file:
+    folder = found_bag(arguments.bag_path)
+    with open(os.path.join(folder, 'metadata.yaml'), encoding='utf-8') as file:
         content = yaml.safe_load(file)['rosbag2_bagfile_information']
-    say_lines(_lines(folder, content))
-    return None
+    if arguments.topic_name:
+        say_lines([each['topic_metadata']['name'] for each in content['topics_with_message_count']])
+    else:
+        say_lines(_lines(folder, content))
 
 
 def _lines(folder: str, content: dict[str, Any]) -> list[str]:
     files = content['relative_file_paths']
     size = sum(os.path.getsize(os.path.join(folder, name)) for name in files)
     start, length = content['starting_time']['nanoseconds_since_epoch'], content['duration']['nanoseconds']
-    topics = [_topic_line(each) for each in content['topics_with_message_count']]
+    if not content['message_count']:  # the times of nothing are the largest numbers there are
+        start = length = 0
+    listed = content['topics_with_message_count']
+    events = [each for each in listed if each['topic_metadata']['name'].endswith(EVENT_TOPIC)]
+    topics = [each for each in listed if each not in events]
     rows = (
         ('Files:', '\n'.join(files)),
         ('Bag size:', _size(size)),
@@ -51,17 +49,18 @@ def _lines(folder: str, content: dict[str, Any]) -> list[str]:
         ('Start:', _moment(start)),
         ('End:', _moment(start + length)),
         ('Messages:', str(content['message_count'])),
-        ('Topic information:', '\n'.join(topics)),
-        ('Service:', '0'),
+        ('Topic information:', '\n'.join(f'Topic: {_described(each, "Count")}' for each in topics)),
+        ('Service:', str(len(events))),
+        ('Service information:', '\n'.join(f'Service: {_described(each, "Event Count")}' for each in events)),
     )
-    return ['', *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows), 'Service information: ']
+    return ['', *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows)]
 
 
-def _topic_line(entry: dict[str, Any]) -> str:
+def _described(entry: dict[str, Any], count: str) -> str:
     about = entry['topic_metadata']
     return (
-        f'Topic: {about["name"]} | Type: {about["type"]} | Count: {entry["message_count"]} | '
-        f'Serialization Format: {about["serialization_format"]}'
+        f'{about["name"].removesuffix(EVENT_TOPIC)} | Type: {about["type"].removesuffix(EVENT_TYPE)} | '
+        f'{count}: {entry["message_count"]} | Serialization Format: {about["serialization_format"]}'
     )
 
 

@@ -3,94 +3,55 @@
 from __future__ import annotations
 
 import argparse
-import os
-from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node
-from edulaunch.cli.ros2.interface_class import interface_class
-from edulaunch.cli.ros2.output import with_help
-from edulaunch.errors import InterfaceError
-from edulaunch.processes.current import current_process
+from edulaunch.cli.ros2.bag.player import Player
+from edulaunch.cli.ros2.numbers import positive
 
-if TYPE_CHECKING:
-    from rclpy.node import Node
+CLOCK_HZ = 40.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options of ROS 2 that choose messages and their times."""
+    """Which messages, under which names, and how fast."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument(
-        '-r', '--rate', type=_positive, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
+        '-r', '--rate', type=positive, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
     )
     parser.add_argument('--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.')
+    parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='topic', help='Topics that are not played.')
+    parser.add_argument('-e', '--regex', default='', help='Play only topics and services matching the regular expression.')
+    parser.add_argument('-x', '--exclude-regex', default='', help='Do not play topics and services matching it.')
+    parser.add_argument('-m', '--remap', nargs='+', default=[], metavar='old:=new', help='Play topics under other names.')
+    parser.add_argument('-s', '--storage', metavar='ID', help='accepted; the storage is found out from the bag')
+    parser.add_argument('--publish-service-requests', action='store_true', help='Send the recorded requests of services.')
+    _add_times(parser)
+
+
+def _add_times(parser: argparse.ArgumentParser) -> None:
+    """From when to when, how often, and under which clock."""
+    parser.add_argument(
+        '--clock',
+        type=positive,
+        nargs='?',
+        const=CLOCK_HZ,
+        metavar='HZ',
+        help=f'Publish to /clock at a rate in Hz, as the time of the simulation. (default: {CLOCK_HZ:g} when given)',
+    )
     parser.add_argument(
         '--start-offset', type=float, default=0.0, help='Start the playback player this many seconds into the bag file.'
     )
+    parser.add_argument('--playback-duration', type=float, default=-1.0, help='Playback duration, in seconds (default: all).')
     parser.add_argument('-l', '--loop', action='store_true', help='enables loop playback when playing a bagfile.')
     parser.add_argument('-d', '--delay', type=float, default=0.0, help='Sleep duration before play (each loop), in seconds.')
+    parser.add_argument('-p', '--start-paused', action='store_true', help='Start the playback player in a paused state.')
+    parser.add_argument('--disable-keyboard-controls', action='store_true', help='disables keyboard controls for playback.')
+    parser.add_argument('--read-ahead-queue-size', type=int, default=1000, help='accepted; the whole bag is read first')
 
 
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError('Value must be positive')
-    return value
-
-
-def main(arguments: argparse.Namespace) -> str | None:
-    """Publish each message at its time; ends after the last one unless looping."""
-    folder = os.path.join(current_process().spec.cwd or '', arguments.bag_path)
-    if not os.path.isfile(os.path.join(folder, 'metadata.yaml')):
-        return with_help(
-            f"[ERROR] [ros2bag]: bag path '{arguments.bag_path}' does not exist!", 'give the folder that `ros2 bag record` made'
-        )
-    if find_spec('rosbags') is None:
-        return with_help("bags cannot be read, because 'rosbags' is not installed", 'pip install edulaunch[bags]')
+def main(arguments: argparse.Namespace) -> None:
+    """Publish each message at its time; ends after the last one unless looping. SPACE pauses and goes on."""
     with cli_node.cli_node(name='rosbag2_player') as node:
-        log = node.get_logger()
-        log.info(f'Set rate to {arguments.rate:g}')
-        messages = _load(node, folder, arguments)
-        while messages:
-            cli_node.pause(node, arguments.delay)
-            log.info('Playback until timestamp: -1')
-            _play(node, messages, arguments)
-            if not arguments.loop or not node.context.ok():
-                break
-    return None
-
-
-def _load(node: Node, folder: str, arguments: argparse.Namespace) -> list[tuple[int, Any, Any]]:
-    """(nanoseconds after the beginning, publisher, message) of all that is to be played, in order of time."""
-    from rosbags.rosbag2 import Reader
-
-    from edulaunch.interfaces.cdr import deserialize
-
-    publishers: dict[int, Any] = {}
-    found = []
-    with Reader(folder) as reader:
-        for connection in reader.connections:
-            if arguments.topics is None or connection.topic in arguments.topics:
-                publishers[connection.id] = _publisher(node, connection)
-        begin = reader.start_time + round(arguments.start_offset * 1e9)
-        for connection, time_ns, data in reader.messages():
-            publisher = publishers.get(connection.id)
-            if publisher is not None and time_ns >= begin:
-                found.append((time_ns - begin, publisher, deserialize(bytes(data), publisher.msg_type)))
-    return found
-
-
-def _publisher(node: Node, connection: Any) -> Any:
-    try:
-        return node.create_publisher(interface_class(connection.msgtype, 'msg'), connection.topic, 10)
-    except InterfaceError as error:
-        node.get_logger().warning(f"Ignoring a topic '{connection.topic}', reason: {error.message}.")
-        return None
-
-
-def _play(node: Node, messages: list[tuple[int, Any, Any]], arguments: argparse.Namespace) -> None:
-    begin_ns = current_process().sim.now_ns
-    for offset_ns, publisher, message in messages:
-        if not cli_node.pause_until(node, begin_ns + round(offset_ns / arguments.rate)):
-            return
-        publisher.publish(message)
+        player = Player(node, arguments)
+        player.load(arguments.bag_path)
+        while player.messages and player.play_once() and arguments.loop:
+            pass

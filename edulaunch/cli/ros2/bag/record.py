@@ -6,21 +6,16 @@ import argparse
 import os
 import re
 from contextlib import suppress
-from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from edulaunch.cli.ros2 import cli_node, names
+from edulaunch.cli.ros2.bag.keys import Keys
+from edulaunch.cli.ros2.bag.storage import EVENT_TOPIC, folder_of, new_folder
 from edulaunch.cli.ros2.bag.topic import BagMessage, BagTopic
 from edulaunch.cli.ros2.output import with_help
-from edulaunch.processes.current import current_process
 
 if TYPE_CHECKING:
     from rclpy.node import Node
-
-MISSING = (
-    "no bag is written, because 'rosbags' is not installed (pip install edulaunch[bags]); "
-    'the recording of the run itself has all messages'
-)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,6 +24,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
     parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
     parser.add_argument('--all-topics', action='store_true', help='Record all topics.')
+    parser.add_argument('--services', '--service', nargs='+', default=[], metavar='Service', help='List of services to record.')
+    parser.add_argument('--all-services', action='store_true', help='Record all services via their event topics.')
+    parser.add_argument('--topic-types', nargs='+', default=[], metavar='Type', help='List of topic types to record.')
     parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
     parser.add_argument(
         '-x', '--exclude', '--exclude-regex', default='', help='Exclude topics containing provided regular expression.'
@@ -56,14 +54,17 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
 
 
 def main(arguments: argparse.Namespace) -> str | None:
-    """Record until interrupted; then write the bag into the folder where the command runs."""
-    wanted = [*arguments.topics, *arguments.more_topics]
-    if not (wanted or arguments.all or arguments.all_topics or arguments.regex):
+    """Record until interrupted; then write the bag into the folder where the command runs. SPACE pauses and goes on."""
+    wanted = [*arguments.topics, *arguments.more_topics, *map(_event_topic, arguments.services)]
+    if not (
+        wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
+    ):
         return with_help(
-            'Must specify only one option out of --all, --all-topics, --topics, --topic-types, or --regex',
+            'Must specify only one option out of --all, --all-topics, --all-services, --topics, --services, --topic-types, or '
+            '--regex',
             'write `ros2 bag record -a` to record everything',
         )
-    folder = _folder(arguments.output)
+    folder = new_folder() if arguments.output is None else folder_of(arguments.output)
     if os.path.exists(folder):
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
     with cli_node.cli_node(name='rosbag2_recorder') as node:
@@ -74,14 +75,8 @@ def main(arguments: argparse.Namespace) -> str | None:
     return None
 
 
-def _folder(output: str | None) -> str:
-    process = current_process()
-    if output is None:
-        from datetime import datetime, timezone
-
-        moment = datetime.fromtimestamp(process.sim.now_ns // 1_000_000_000, timezone.utc)
-        output = f'rosbag2_{moment:%Y_%m_%d-%H_%M_%S}'
-    return os.path.abspath(os.path.join(process.spec.cwd or '', output))
+def _event_topic(service: str) -> str:
+    return service.rstrip('/') + EVENT_TOPIC
 
 
 class BagRecorder:
@@ -92,45 +87,55 @@ class BagRecorder:
         self._wanted = wanted
         self._arguments = arguments
         self._log = node.get_logger()
+        self._is_paused = self._is_complete = False
         self.topics: dict[str, BagTopic] = {}
         self.messages: list[BagMessage] = []
 
     def record(self) -> None:
         """Listen until ROS 2 is shut down. Raises KeyboardInterrupt on Ctrl-C."""
-        if find_spec('rosbags') is None:
-            self._log.warning(MISSING)
         self._log.info('Press SPACE for pausing/resuming')
         self._log.info('Listening for topics...')
         self._log.info('Event publisher thread: Starting')
         self._subscribe()
         self._log.info('Recording...')
-        while self._is_searching() and cli_node.pause(self._node, self._arguments.polling_interval / 1000):
-            self._subscribe()
-        while cli_node.pause(self._node, 3600.0):
-            pass
+        keys, every_s = Keys(), self._arguments.polling_interval / 1000
+        while cli_node.pause(self._node, every_s):
+            if ' ' in keys.pressed():
+                self._pause()
+            if self._is_searching():
+                self._subscribe()
+
+    def _pause(self) -> None:
+        self._is_paused = not self._is_paused
+        self._log.info('Pausing recording.' if self._is_paused else 'Resuming recording.')
+        for topic in self.topics.values():
+            topic.is_paused = self._is_paused
 
     def _is_searching(self) -> bool:
-        if self._arguments.no_discovery:
+        if self._is_complete or self._arguments.no_discovery:
             return False
         if self._wanted and all(topic in self.topics for topic in self._wanted):
             self._log.info('All requested topics are subscribed. Stopping discovery...')
-            return False
-        return True
+            self._is_complete = True
+        return not self._is_complete
 
     def _subscribe(self) -> None:
         for topic, types in self._node.get_topic_names_and_types():
-            if topic not in self.topics and len(types) == 1 and self._is_wanted(topic):
+            if topic not in self.topics and len(types) == 1 and self._is_wanted(topic, types[0]):
                 self._listen(topic)
 
-    def _is_wanted(self, topic: str) -> bool:
-        chosen, graph = self._arguments, self._node._rclpy.graph
-        if topic not in graph.publishers or (
-            names.is_hidden(topic) and not chosen.include_hidden_topics and topic not in self._wanted
-        ):
+    def _is_wanted(self, topic: str, type_name: str) -> bool:
+        chosen, is_event = self._arguments, topic.endswith(EVENT_TOPIC)
+        if topic not in self._node._rclpy.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
             return False
-        if chosen.exclude and re.search(chosen.exclude, topic):
+        if topic in self._wanted:
+            return True
+        if is_event:
+            return bool(chosen.all or chosen.all_services)
+        if names.is_hidden(topic) and not chosen.include_hidden_topics:
             return False
-        return topic in self._wanted or chosen.all or chosen.all_topics or bool(chosen.regex and re.search(chosen.regex, topic))
+        by_name = chosen.regex and re.search(chosen.regex, topic)
+        return bool(chosen.all or chosen.all_topics or by_name or type_name in chosen.topic_types)
 
     def _listen(self, topic: str) -> None:
         graph = self._node._rclpy.graph
@@ -138,10 +143,9 @@ class BagRecorder:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str, storage: str) -> None:
-        """Write the bag, if it can be written, and say that the recording is over."""
+        """Write the bag, and say that the recording is over."""
         self._log.info('Event publisher thread: Exiting')
-        if find_spec('rosbags') is not None:
-            from edulaunch.cli.ros2.bag.writing import write_bag
+        from edulaunch.cli.ros2.bag.writing import write_bag
 
-            write_bag(folder, storage, list(self.topics.values()), self.messages)
+        write_bag(folder, storage, list(self.topics.values()), self.messages)
         self._log.info('Recording stopped')

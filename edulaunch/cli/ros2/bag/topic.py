@@ -26,6 +26,7 @@ class BagTopic:
         self.offered = [publisher.qos for publisher in publishers]
         self._keep = messages.append
         self._sim = node.process.sim
+        self.is_paused = False
         self._queue: Any = ()
         subscription = first.graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
         self._queue = subscription.queue
@@ -33,7 +34,9 @@ class BagTopic:
 
     def _on_ready(self) -> None:
         while self._queue:
-            self._keep((self._sim.now_ns, self.name, self._queue.popleft()[0]))
+            wire = self._queue.popleft()[0]
+            if not self.is_paused:
+                self._keep((self._sim.now_ns, self.name, wire))
 
 
 def _suitable(offered: list[qos.QoS]) -> qos.QoS:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node, names
 from edulaunch.cli.ros2.fill_message import FillError, fill_message, parse_values
 from edulaunch.cli.ros2.interface_class import interface_class
+from edulaunch.cli.ros2.numbers import positive
 from edulaunch.cli.ros2.output import complain, say, with_help
 from edulaunch.errors import InterfaceError
 from edulaunch.nearest import did_you_mean
@@ -28,14 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group = parser.add_mutually_exclusive_group()
     group.add_argument('values', nargs='?', default='{}', help='Values to fill the service request with in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
-    parser.add_argument('-r', '--rate', metavar='N', type=_positive, help='Repeat the call at a specific rate in Hz')
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError('Value must be positive')
-    return value
+    parser.add_argument('-r', '--rate', metavar='N', type=positive, help='Repeat the call at a specific rate in Hz')
 
 
 def main(arguments: argparse.Namespace) -> str | None:

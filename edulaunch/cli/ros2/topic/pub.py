@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node, qos_options
 from edulaunch.cli.ros2.fill_message import FillError, fill_message, parse_values
 from edulaunch.cli.ros2.interface_class import interface_class
+from edulaunch.cli.ros2.numbers import positive
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.errors import InterfaceError
 from edulaunch.processes.current import current_process
@@ -25,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     group = parser.add_mutually_exclusive_group()
     group.add_argument('values', nargs='?', default='{}', help='Values to fill the message with in YAML format')
     group.add_argument('--stdin', action='store_true', help='Read values from standard input')
-    parser.add_argument('-r', '--rate', metavar='N', type=_positive, default=1.0, help='Publishing rate in Hz (default: 1)')
+    parser.add_argument('-r', '--rate', metavar='N', type=positive, default=1.0, help='Publishing rate in Hz (default: 1)')
     parser.add_argument(
         '-p', '--print', metavar='N', type=int, default=1, help='Only print every N-th published message (default: 1)'
     )
@@ -44,19 +45,12 @@ def _add_times(parser: argparse.ArgumentParser) -> None:
         default=None,
         help='Wait until finding the specified number of matching subscriptions (default: 1 when using -1 or -t, else 0)',
     )
-    parser.add_argument('--max-wait-time-secs', type=_positive, default=None, help='Longest wait for matching subscriptions')
+    parser.add_argument('--max-wait-time-secs', type=positive, default=None, help='Longest wait for matching subscriptions')
     parser.add_argument(
         '--keep-alive', metavar='N', type=float, default=0.1, help='Keep publishing node alive for N seconds after the last msg'
     )
     parser.add_argument('-n', '--node-name', help='Name of the created publishing node')
     qos_options.add_arguments(parser, 'default')
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError('Value must be positive')
-    return value
 
 
 def main(arguments: argparse.Namespace) -> str | None:
