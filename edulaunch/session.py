@@ -18,7 +18,7 @@ from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.interruption import Interruption
 from edulaunch.sim.pacing import Pacer
-from edulaunch.sim.simulation import Simulation
+from edulaunch.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.sourcing import source
 from edulaunch.underlay_place import underlay_prefix
 
@@ -40,6 +40,7 @@ class Session:
     :param console: called as console(stream, text) with everything that launch prints.
     :param turn_limit_s: a program that keeps its turn for so many seconds of processor time is stopped, a few times later when
         it still works on something (see `Watchdog`); 0: none is.
+    :param start_ns: what the clock shows at the beginning, in ns since 1970.
     """
 
     def __init__(
@@ -51,14 +52,15 @@ class Session:
         stdin: Mapping[str, str | Sequence[tuple[float, str]] | TextIO] | None = None,
         console: Callable[[str, str], object] | None = None,
         turn_limit_s: float = TURN_LIMIT_S,
+        start_ns: int = EPOCH_NS,
     ) -> None:
         source()
-        self.sim = Simulation(seed)
+        self.sim = Simulation(seed, start_ns)
         self.recorder = Recorder(self.sim)
         self.graph = Graph(self.sim, self.recorder)
         self.index = index_for(workspaces)
         self.console = console
-        self.host = Host(self.sim, self.graph, self.index, env=_environment(env), ros2=_ros2_command, stdin=stdin)
+        self.host = Host(self.sim, self.graph, self.index, env=machine_environment(env), ros2=_ros2_command, stdin=stdin)
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []
@@ -192,7 +194,7 @@ def index_for(workspaces: Sequence[PathLike]) -> Index:
     return Index([*built, underlay_prefix()], sources)
 
 
-def _environment(env: Mapping[str, str] | None) -> dict[str, str]:
+def machine_environment(env: Mapping[str, str] | None) -> dict[str, str]:
     """The environment of the simulated machine: ROS 2 Jazzy is sourced in it, and there is a user."""
     found = dict(os.environ if env is None else env)
     found.setdefault('USER', 'student')

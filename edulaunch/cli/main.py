@@ -16,6 +16,7 @@ VERBS = {
     'completion': 'Print the script that completes commands with the Tab key',
     'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
     'launch': 'Run a launch file, as `ros2 launch` does',
+    'machine': 'Look at the machine that the terminals share, pause or stop it',
     'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'Show what a launch file would start, without starting anything',
     'python': 'Run Python with rclpy and the packages of the workspace',
@@ -29,6 +30,7 @@ EXAMPLES = """examples:
   edulaunch launch solutions/circle.launch.py circle_radius:=0.8 --fast --for 60 --record circle.rec
   edulaunch launch solutions/circle.launch.py -s
   edulaunch recording info circle.rec
+  edulaunch ros2 topic list    (any command of ros2, also where a real ROS 2 is sourced)
 
 exit codes: 0 all went well, 1 the launch failed, 2 the input cannot be used, 130 interrupted"""
 
@@ -39,6 +41,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         if hasattr(stream, 'reconfigure'):
             stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
+    if words[:1] == ['ros2']:
+        from edulaunch.machine.client import run
+
+        return run(words)
     parser = _parser(words[0] if words else None)
     verbatim = words[:1] != [] and words[0] in VERBATIM and words[1:] not in (['-h'], ['--help'])
     arguments, others = parser.parse_known_args(words[:1] if verbatim else words)

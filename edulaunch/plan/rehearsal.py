@@ -48,7 +48,7 @@ class RehearsalHost(Host):
         self._nodes: deque[ImaginaryProcess] = deque()
         self._ended_names: set[str] = set()
 
-    def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Any:
+    def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, **_: Any) -> Any:
         """Note the process; it is there at once."""
         process = ImaginaryProcess(spec, self.next_pid(), on_exit)
         self.imaginary.append(process)

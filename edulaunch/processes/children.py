@@ -71,6 +71,8 @@ class Child:
         self.stdin: InputEnd | None = None
         if input is not None:
             program.stdin = Input(input.decode() if isinstance(input, bytes) else input)
+        elif stdin is None:
+            inherit_terminal(process, program)
         elif stdin == subprocess.PIPE:
             program.stdin = PipedInput()
             self.stdin = InputEnd(program.stdin)
@@ -117,6 +119,15 @@ class Child:
             self.stdin.close()
         self.wait(timeout)
         return tuple(None if pipe is None else pipe.read() for pipe in (self.stdout, self.stderr))  # type: ignore[return-value]
+
+    @property
+    def is_passed_on(self) -> bool:
+        """Whether the program that started it hands it the Ctrl-C that it gets itself."""
+        return bool(self._program.is_passed_on)
+
+    @is_passed_on.setter
+    def is_passed_on(self, passed_on: bool) -> None:
+        self._program.is_passed_on = passed_on
 
     def send_signal(self, signum: int) -> None:
         """Send a signal; nothing happens after the end."""
@@ -193,6 +204,12 @@ class Pipe:
 
     def close(self) -> None:
         """Nothing to do."""
+
+
+def inherit_terminal(process: Process, child: Any) -> None:
+    """Let a program read the keyboard of the one that started it, if that has one."""
+    if getattr(process.stdin, 'is_inherited', False) and hasattr(child, 'stdin'):
+        child.stdin = process.stdin
 
 
 def _outlet(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:

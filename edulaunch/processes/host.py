@@ -74,6 +74,7 @@ class Host:
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
     :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
         of (simulated seconds, text), or an open text file; others read an empty input.
+    :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
@@ -98,6 +99,7 @@ class Host:
         self._stdin = dict(stdin or {})
         self.unread_stdin = list(self._stdin)
         self.watchdog: Watchdog | None = None
+        self.is_paced = False
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
@@ -133,14 +135,28 @@ class Host:
             return Input(given)
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self.watchdog)
 
-    def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None) -> Process | RealProcess:
+    def program_here(self) -> Process | None:
+        """The program of this machine whose code runs now; what it starts finds the packages that it finds."""
+        task = running_task()
+        owner = None if task is None else task.owner
+        return owner if isinstance(owner, Process) and owner.host is self else None
+
+    def _index_here(self) -> Index:
+        program = self.program_here()
+        return self.index if program is None else program.index
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Process | RealProcess:
         """Start a program. Its first turn comes after what is due now.
 
         :param on_output: called as on_output('stdout' | 'stderr', text) for everything it writes.
         :param on_exit: called with the return code, once.
+        :param index: the packages that it finds, if not those of the program that starts it.
         :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
         """
-        known = self._known_command(spec)
+        index = index or self._index_here()
+        known = self._known_command(spec, index)
         if known is None:
             from edulaunch.processes.real import RealProcess
 
@@ -149,6 +165,7 @@ class Host:
             return real
         argv, program = known
         process = Process(self, spec, self.next_pid(), argv, self._ros2 if program is None else _runner(program))  # type: ignore[arg-type]
+        process.index = index
         process.on_output = on_output
         process.on_exit = on_exit
         starter = running_task()
@@ -167,9 +184,9 @@ class Host:
 
     def knows(self, spec: ProcessSpec) -> bool:
         """Whether the command runs in the simulation."""
-        return self._known_command(spec) is not None
+        return self._known_command(spec, self._index_here()) is not None
 
-    def _known_command(self, spec: ProcessSpec) -> tuple[list[str], Program | None] | None:
+    def _known_command(self, spec: ProcessSpec, index: Index) -> tuple[list[str], Program | None] | None:
         """The words that a simulated program sees, and the program (None for `ros2`); None for any other command."""
         words = list(spec.argv)
         if spec.shell:
@@ -178,7 +195,7 @@ class Host:
                 return self._known_line(line)
             words = shlex.split(line)
         for position, word in enumerate(words):
-            program = self.index.find_program(word)
+            program = index.find_program(word)
             if program is not None:
                 return words[position:], program
             if os.path.basename(word) == 'ros2' and self._ros2 is not None:
@@ -187,7 +204,7 @@ class Host:
                 return self._known_line(*words[position + 2 :]) if words[position + 2 :] else None
             if position == 0 and os.path.basename(word) not in WRAPPERS:
                 break
-        return python_command(words, spec.cwd, frozenset(self.overlay(self.index).modules)) if _names_python(words) else None
+        return python_command(words, spec.cwd, frozenset(self.overlay(index).modules)) if _names_python(words) else None
 
     def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
         """A shell line of which the simulation knows each command."""

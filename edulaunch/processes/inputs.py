@@ -7,9 +7,13 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from edulaunch.sim.sync import wait_until
 from edulaunch.sim.task import Task, current_task
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
 
 
 class Input:
@@ -19,6 +23,7 @@ class Input:
 
     :ivar by_key: whether the program took the terminal out of its line mode.
     :ivar blocking: whether reading waits (see the `fcntl` view).
+    :ivar is_inherited: whether what the program starts reads from it, too.
     """
 
     name = '<stdin>'
@@ -29,6 +34,7 @@ class Input:
     closed = False
     by_key = False
     blocking = True
+    is_inherited = False
 
     def __init__(self, text: str = '') -> None:
         self._text = text
@@ -48,6 +54,19 @@ class Input:
         """Whether reading would not have to wait."""
         self.take_due()
         return bool(self._text) or (self.has_ended() and not self.by_key)
+
+    def change_mode(self, process: Process, flags: int) -> None:
+        """The program sets the local flags of its terminal; see `termios`."""
+        import termios
+
+        self.by_key = not flags & termios.ICANON
+
+    def terminal_size(self) -> tuple[int, int]:
+        """Columns and lines of the terminal.
+
+        :raises OSError: when it is none, as the system says it.
+        """
+        raise OSError(25, 'Inappropriate ioctl for device')
 
     def wait(self, timeout_s: float | None) -> bool:
         """Wait until there is something to read, or `timeout_s` simulated seconds."""

@@ -14,6 +14,7 @@ from edulaunch.processes.watchdog import RunawayProgram
 from edulaunch.sim.task import Task, TaskKilled, running_task
 
 if TYPE_CHECKING:
+    from edulaunch.packages import Index
     from edulaunch.processes.host import Host
     from edulaunch.processes.loader import Loader
     from edulaunch.processes.overlay import Overlay
@@ -34,14 +35,19 @@ class Process:
     as sourcing left it), `cwd` (None: that of the launcher), `returncode` (None while it runs; negative for a signal, as in
     `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdin`, `stdout`, `stderr`, `is_writing` (while its output is
     handed on), `speaks_for` (of how many programs it may have to write the output), `is_gone` (dead, yet its stack unwinds),
-    `is_heard` (its output is recorded; that of a child is, as far as it reaches the program that started it), `loader`.
+    `is_heard` (its output is recorded; that of a child is, as far as it reaches the program that started it), `loader`,
+    `group` (the program that a terminal started, whose Ctrl-C reaches this one), `is_passed_on` (the program that started this
+    one hands it the Ctrl-C that it gets).
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
+        parent = host.program_here()
         self.host = host
         self.sim = host.sim
         self.graph = host.graph
-        self.index = host.index
+        self.index: Index = host.index if parent is None else parent.index
+        self.group: Process = self if parent is None else parent.group
+        self.is_passed_on = False
         self.tracer = host.tracer
         self.spec = spec
         self.pid = pid

@@ -88,7 +88,7 @@ class RealProcess:
         sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
 
     def _look(self) -> None:
-        deadline = time.monotonic() + LOOK_EVERY_NS / 1e9
+        deadline = time.monotonic() + (0.0 if self.host.is_paced else LOOK_EVERY_NS / 1e9)
         while self._open:
             try:
                 stream, text = self._lines.get(timeout=max(0.0, deadline - time.monotonic()))

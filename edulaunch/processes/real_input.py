@@ -10,6 +10,7 @@ from edulaunch.processes.inputs import Input
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
     from edulaunch.processes.watchdog import Watchdog
 
 LOOK_EVERY_NS = 10_000_000
@@ -36,9 +37,23 @@ class RealInput(Input):
         """Whether it is a terminal."""
         return bool(self._file.isatty())
 
-    def terminal(self) -> int | None:
-        """The real terminal's number, for programs that change its mode."""
-        return self._number if self._number is not None and self.isatty() else None
+    def change_mode(self, process: Process, flags: int) -> None:
+        """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends. Ctrl-C
+        stays what it is.
+        """
+        import termios
+
+        super().change_mode(process, flags)
+        number = self._number
+        if number is None or not self.isatty():
+            return
+        mode = termios.tcgetattr(number)
+        if 'terminal' not in process.state:
+            process.state['terminal'] = list(mode)
+            process.at_exit.append(lambda: termios.tcsetattr(number, termios.TCSADRAIN, process.state['terminal']))
+        letters = termios.ICANON | termios.ECHO
+        mode[3] = mode[3] & ~letters if self.by_key else mode[3] | letters
+        termios.tcsetattr(number, termios.TCSADRAIN, mode)
 
     def has_ended(self) -> bool:
         """At the end of the file."""

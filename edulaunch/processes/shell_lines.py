@@ -136,6 +136,7 @@ def _run(process: Process, words: list[str], outlets: dict[str, tuple[str, str] 
     child = Child(process, words, **places)
     if is_beside:
         return 0
+    child.is_passed_on = True
     try:
         return child.wait()
     except KeyboardInterrupt:

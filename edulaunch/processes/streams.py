@@ -16,6 +16,7 @@ class OutputStream:
     closed = False
     newlines = None
     line_buffering = True
+    is_terminal = False
 
     def __init__(self, process: Process, name: str) -> None:
         self._process = process
@@ -39,8 +40,8 @@ class OutputStream:
         """Nothing is held back."""
 
     def isatty(self) -> bool:
-        """A launched program writes to a pipe."""
-        return False
+        """A launched program writes to a pipe; one that was started in a terminal, to that."""
+        return self.is_terminal
 
     @property
     def buffer(self) -> BytesOutput:

@@ -8,6 +8,10 @@ from collections.abc import Callable
 from edulaunch.sim.simulation import Simulation
 
 LONGEST_WAIT_S = 0.05
+SLICE_S = 0.02
+"""Simulated seconds (at speed 1) after which whoever drives a :class:`RealTime` has its turn."""
+FALLS_BEHIND_S = 0.25
+"""Real seconds that are made up for; what is lost beyond that (a computer that slept, programs that are too slow) stays lost."""
 
 
 class Pacer:
@@ -57,3 +61,62 @@ class Pacer:
             self._wait(min(ahead, LONGEST_WAIT_S))
         if not is_over():
             self.sim.run(until_ns)
+
+
+class RealTime:
+    """Simulated time that follows the clock on the wall while its owner does other things.
+
+    The owner calls :meth:`advance` and then waits as long as that says, or shorter.
+
+    :param clock: what tells real time, in seconds (for tests).
+    """
+
+    def __init__(self, sim: Simulation, speed: float = 1.0, *, clock: Callable[[], float] = time.monotonic) -> None:
+        self.sim = sim
+        self._clock = clock
+        self._speed = speed
+        self._paused = False
+        self._began = sim.now_ns, clock()
+
+    @property
+    def speed(self) -> float:
+        """Simulated seconds per real second."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, speed: float) -> None:
+        self._speed = speed
+        self.go_on()
+
+    @property
+    def paused(self) -> bool:
+        """Whether time stands still."""
+        return self._paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        self._paused = paused
+        self.go_on()
+
+    def go_on(self) -> None:
+        """Let simulated time follow from here: the real time that has passed is not made up for."""
+        self._began = self.sim.now_ns, self._clock()
+
+    def advance(self) -> float | None:
+        """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
+        sim = self.sim
+        if self._paused:
+            sim.run(sim.now_ns)  # what was just started may show that it waits
+            return None
+        next_ns = sim.next_time_ns()
+        if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._speed:
+            self._began = next_ns, self._clock() - FALLS_BEHIND_S
+        due_ns = max(sim.now_ns, self._due_ns())
+        sim.run(due_ns if next_ns is None else min(due_ns, max(next_ns, sim.now_ns) + round(SLICE_S * 1e9 * self._speed)))
+        next_ns = sim.next_time_ns()
+        return None if next_ns is None else max(0.0, (next_ns - self._due_ns()) / 1e9 / self._speed)
+
+    def _due_ns(self) -> int:
+        """The simulated time that belongs to the present real time."""
+        began_ns, began_s = self._began
+        return began_ns + round((self._clock() - began_s) * 1e9 * self._speed)

@@ -68,5 +68,10 @@ def main(arguments: argparse.Namespace) -> int:
     if arguments.show_all_subprocesses_output:
         process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
     return int(
-        api.launch_a_launch_file(launch_file_path=path, launch_file_arguments=given, noninteractive=True, debug=arguments.debug)
+        api.launch_a_launch_file(
+            launch_file_path=path,
+            launch_file_arguments=given,
+            noninteractive=arguments.noninteractive or not process.stdin.isatty(),
+            debug=arguments.debug,
+        )
     )

@@ -9,6 +9,7 @@ from typing import Any
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.nearest import did_you_mean
 from edulaunch.packages import Index
+from edulaunch.processes.children import inherit_terminal
 from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
@@ -52,6 +53,10 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
     """Run a program that writes to the streams of `process` and gets its Ctrl-C; returns its return code."""
     task = current_task()
     child: Any = process.host.start(spec, process.on_output or process.write, lambda code: task.wake())
+    child.is_passed_on = True
+    inherit_terminal(process, child)
+    for stream in ('stdout', 'stderr') if isinstance(child, Process) else ():
+        getattr(child, stream).is_terminal = getattr(process, stream).is_terminal
     process.at_exit.append(lambda: child.send_signal(signal.SIGTERM))
     while child.returncode is None:
         try:

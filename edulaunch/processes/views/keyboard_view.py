@@ -56,29 +56,11 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
 
     def tcsetattr(fd: Any, when: int, attributes: list[Any], /) -> None:
         state['now'] = [*attributes[:6], list(attributes[6])]
-        process.stdin.by_key = not attributes[3] & real.ICANON
-        terminal = process.stdin.terminal() if hasattr(process.stdin, 'terminal') else None
-        if terminal is not None:
-            _change_terminal(process, terminal, process.stdin.by_key)
+        process.stdin.change_mode(process, attributes[3])
 
     view.__dict__.update(tcgetattr=tcgetattr, tcsetattr=tcsetattr, tcflush=lambda fd, queue, /: None, tcdrain=lambda fd, /: None)
     copy_names(view, real)
     return view
-
-
-def _change_terminal(process: Process, terminal: int, by_key: bool) -> None:
-    """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends. Ctrl-C
-    stays what it is.
-    """
-    import termios
-
-    mode = termios.tcgetattr(terminal)
-    if 'terminal' not in process.state:
-        process.state['terminal'] = list(mode)
-        process.at_exit.append(lambda: termios.tcsetattr(terminal, termios.TCSADRAIN, process.state['terminal']))
-    letters = termios.ICANON | termios.ECHO
-    mode[3] = mode[3] & ~letters if by_key else mode[3] | letters
-    termios.tcsetattr(terminal, termios.TCSADRAIN, mode)
 
 
 def make_fcntl(view: ModuleType, process: Process) -> ModuleType:

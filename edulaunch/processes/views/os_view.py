@@ -77,7 +77,12 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         return (process.stdout if fd == 1 else process.stderr).buffer.write(data)
 
     def get_terminal_size(fd: int = 1, /) -> Any:
-        raise OSError(25, 'Inappropriate ioctl for device')
+        return real.terminal_size(process.stdin.terminal_size())
+
+    def isatty(fd: int, /) -> bool:
+        if fd not in (0, 1, 2):
+            return real.isatty(fd)
+        return bool(process.stdin.isatty() if fd == 0 else process.stdout.isatty())
 
     def getcwd() -> str:
         return process.cwd or real.getcwd()
@@ -98,6 +103,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         cpu_count=lambda: CPUS,
         process_cpu_count=lambda: CPUS,
         get_terminal_size=get_terminal_size,
+        isatty=isatty,
         system=lambda command: status(run(command).returncode),
         popen=popen,
         urandom=urandom,

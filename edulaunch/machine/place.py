@@ -1,0 +1,113 @@
+"""Where a machine is found: a folder that only its user may enter, and in it one small file per ROS_DOMAIN_ID."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import NamedTuple
+
+LONGEST_SOCKET_PATH = 100
+"""The operating systems allow little more."""
+
+
+class UnsafePlace(Exception):
+    """The folder of the machines belongs to somebody else, or others may write in it."""
+
+
+class Address(NamedTuple):
+    """How a machine is reached.
+
+    :ivar kind: 'unix' or 'tcp'.
+    :ivar place: path of the socket, or number of a port on 127.0.0.1.
+    :ivar token: what a terminal has to know.
+    :ivar pid: of the process that hosts the machine.
+    :ivar host: 'terminals', or 'notebook' for a kernel.
+    """
+
+    kind: str
+    place: str
+    token: str
+    pid: int
+    host: str
+
+
+def domain() -> str:
+    """The ROS_DOMAIN_ID of this terminal: 0 if none, or a strange one, is set."""
+    given = os.environ.get('ROS_DOMAIN_ID', '').strip()
+    return given if given.isdigit() else '0'
+
+
+def folder() -> str:
+    """The folder, made if there is none.
+
+    :raises UnsafePlace: when it is not this user's alone.
+    """
+    runtime = os.environ.get('XDG_RUNTIME_DIR', '')
+    user = getattr(os, 'getuid', lambda: 0)()
+    if runtime and os.path.isdir(runtime) and os.access(runtime, os.W_OK):
+        path = os.path.join(runtime, 'edulaunch')
+    else:
+        path = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edulaunch-{user}')
+    try:
+        os.mkdir(path, 0o700)
+    except FileExistsError:
+        pass
+    found = os.lstat(path)
+    if not stat.S_ISDIR(found.st_mode) or found.st_uid != user or stat.S_IMODE(found.st_mode) & 0o077:
+        raise UnsafePlace(
+            f'{path} must be a folder that only you may enter, and is not\n'
+            '  help: remove it, or let XDG_RUNTIME_DIR name a folder of your own'
+        )
+    return path
+
+
+def address_file(place: str, number: str) -> str:
+    """Path of the file that says where the machine of a domain is."""
+    return os.path.join(place, f'domain-{number}')
+
+
+def read_address(place: str, number: str) -> Address | None:
+    """Where the machine of a domain is said to be; it may be gone."""
+    try:
+        with open(address_file(place, number), encoding='utf-8') as file:
+            kind, where, token, pid, host = file.read(4096).split('\n')[:5]
+        return Address(kind, where, token, int(pid), host)
+    except (OSError, ValueError):
+        return None
+
+
+def write_address(place: str, number: str, address: Address) -> None:
+    """Let terminals find a machine from now on; whoever reads sees the old file or the new one."""
+    path = address_file(place, number)
+    new = f'{path}.{os.getpid()}'
+    with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), 'w', encoding='utf-8') as file:
+        file.write('\n'.join(map(str, address)) + '\n')
+    os.replace(new, path)
+
+
+def remove_address(place: str, number: str, token: str) -> None:
+    """Let nobody find the machine of that token any longer; another one stays."""
+    found = read_address(place, number)
+    if found is not None and found.token == token:
+        os.unlink(address_file(place, number))
+    if found is not None and found.kind == 'unix' and found.token == token:
+        _unlink(found.place)
+
+
+def _unlink(path: str) -> None:
+    try:
+        os.unlink(path)
+    except OSError:
+        pass
+
+
+@contextmanager
+def locked(place: str, number: str) -> Iterator[None]:
+    """Alone among all who start or end a machine of this domain. Whoever dies lets go."""
+    import fcntl
+
+    with open(os.open(os.path.join(place, f'lock-{number}'), os.O_RDWR | os.O_CREAT, 0o600), 'w') as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield

@@ -1,0 +1,140 @@
+"""Terminals as the machine sees them: each runs one command inside the simulation."""
+
+from __future__ import annotations
+
+import os
+import signal
+from codecs import getincrementaldecoder
+from typing import TYPE_CHECKING
+
+from edulaunch.machine import wire
+from edulaunch.machine.remote_input import RemoteInput
+from edulaunch.machine.words import run_words
+from edulaunch.packages.discovery import find_workspaces
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.session import Session, index_for, machine_environment
+from edulaunch.sim.pacing import RealTime
+
+if TYPE_CHECKING:
+    from edulaunch.machine.connection import Connection
+
+NOT_FOUND = 127
+HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
+
+
+class Terminals:
+    """All terminals of a machine, in the order in which they came.
+
+    :ivar is_asked_to_end: whether somebody said that the machine has to stop.
+    """
+
+    def __init__(self, session: Session, time: RealTime) -> None:
+        self.session = session
+        self.time = time
+        self.open_ones: list[Terminal] = []
+        self.is_asked_to_end = False
+        self._count = 0
+
+    def open(self, connection: Connection, fields: list[str]) -> Terminal:
+        """A terminal for what somebody said first.
+
+        :raises ValueError, IndexError: when that is not what a terminal says.
+        """
+        cwd, columns, lines, terminals, count = fields[:5]
+        words, variables = fields[5 : 5 + int(count)], fields[5 + int(count) :]
+        if not words or len(terminals) != 3:
+            raise ValueError('no command')
+        self._count += 1
+        env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
+        terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)
+        terminal.words = words
+        terminal.number = self._count
+        if words[0] == 'machine':
+            code = run_words(self, words[1:], lambda text: connection.send(wire.OUTPUT, text.encode()))
+            terminal.ended(code)
+        else:
+            terminal.start(words, cwd, env)
+        return terminal
+
+
+class Terminal:
+    """One terminal with its command.
+
+    :param size: columns and lines.
+    :param terminals: which of stdin, stdout and stderr are one at the other end, as '1' and '0'.
+    """
+
+    def __init__(self, terminals: Terminals, connection: Connection, size: tuple[int, int], terminals_there: str) -> None:
+        self._terminals = terminals
+        self._connection = connection
+        self._terminals_there = terminals_there
+        self._decoder = getincrementaldecoder('utf-8')('replace')
+        self.words: list[str] = []
+        self.number = 0
+        self.process: Process | None = None
+        self.input = RemoteInput(connection.send, terminals_there[0] == '1', size)
+
+    def start(self, words: list[str], cwd: str, env: dict[str, str]) -> None:
+        """Run the command inside the simulation."""
+        host = self._terminals.session.host
+        name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
+        spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env))
+        if not host.knows(spec):
+            self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
+            self.ended(NOT_FOUND)
+            return
+        process = host.start(spec, self._show, self.ended, index=index_for(find_workspaces(cwd, env, _launch_file(words, cwd))))
+        assert isinstance(process, Process)
+        process.stdin = self.input
+        process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
+        self.process = process
+        self._terminals.open_ones.append(self)
+
+    def _show(self, stream: str, text: str) -> None:
+        self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
+
+    def ended(self, code: int) -> None:
+        """The command has ended; so does the terminal."""
+        self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
+        self._connection.end()
+
+    def take(self, kind: bytes, payload: bytes) -> None:
+        """What the other end says."""
+        if kind == wire.INPUT:
+            self.input.feed(self._decoder.decode(payload), last=not payload)
+        elif kind == wire.SIGNAL:
+            self._signal(int(payload))
+        elif kind == wire.SIZE:
+            columns, lines = map(int, payload.split())
+            self.input.size = columns, lines
+
+    def _signal(self, signum: int) -> None:
+        """Ctrl-C and Ctrl-\\ reach every program of the terminal; anything else, its command."""
+        if self.process is None:
+            return
+        reached = [self.process]
+        if self.input.isatty() and signum in (signal.SIGINT, getattr(signal, 'SIGQUIT', None)):
+            reached = [program for program in self.programs() if not program.is_passed_on]
+        for program in reached:
+            program.send_signal(signum)
+
+    def programs(self) -> list[Process]:
+        """What runs in the terminal, the command first."""
+        processes = self._terminals.session.host.processes
+        return [process for process in processes if process.group is self.process]
+
+    def hang_up(self) -> None:
+        """The other end is gone: what still runs there gets SIGHUP."""
+        if self in self._terminals.open_ones:
+            self._terminals.open_ones.remove(self)
+        for program in self.programs():
+            program.send_signal(HUP)
+
+
+def _launch_file(words: list[str], cwd: str) -> str | None:
+    """The launch file that a command names by path."""
+    if words[:2] != ['ros2', 'launch']:
+        return None
+    paths = (os.path.join(cwd, word) for word in words[2:] if not word.startswith('-'))
+    return next(filter(os.path.isfile, paths), None)
