@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 
 from edulaunch.errors import UnusableInput
 
@@ -45,3 +46,13 @@ def main(arguments: argparse.Namespace) -> int:
     else:
         print(f'no package.xml below {arguments.path}')
     return 1 if missing or not packages else 0
+
+
+def command() -> int:
+    """The command `rosdep`: the real one where there is one, else `edulaunch rosdep`. Returns the exit code."""
+    from edulaunch.cli.main import main as edulaunch
+    from edulaunch.machine.command import step_aside
+
+    words = sys.argv[1:]
+    step_aside('rosdep', words, words[:1] == ['--verbose'])
+    return edulaunch(['rosdep', *words])

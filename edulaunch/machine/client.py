@@ -8,6 +8,7 @@ import signal
 import socket
 import sys
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from types import FrameType
 
 from edulaunch.machine import wire
@@ -148,10 +149,8 @@ class Client:
         self._tell(wire.SIZE, '{} {}'.format(*_size()))
 
     def _tell(self, kind: bytes, text: str) -> None:
-        try:
+        with suppress(OSError):  # reading from it tells
             self._connection.sendall(wire.frame(kind, text.encode()))
-        except OSError:
-            pass  # reading from it tells
 
 
 class _GaveUp(Exception):

@@ -1,4 +1,4 @@
-"""The commands `ros2` and `rosdep`. Where a real ROS 2 is sourced they step aside: nothing of it is ever shadowed."""
+"""The command `ros2`. Where a real ROS 2 is sourced it steps aside: nothing of that is ever shadowed."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ LOOKED_AT = 2048
 
 
 def ros2() -> int:
-    """The command `ros2`: the real one where a real ROS 2 is sourced, else that of the simulated machine. Returns the exit code."""
+    """The command `ros2`: the real one where a real ROS 2 is sourced, else the simulated machine's; returns the exit code."""
     words = sys.argv[1:]
     loudly = words[:1] == ['--verbose']
-    _step_aside('ros2', words, loudly)
+    step_aside('ros2', words, loudly)
     from edulaunch.machine.client import run
 
     if loudly:
@@ -20,16 +20,7 @@ def ros2() -> int:
     return run(['ros2', *words[loudly:]])
 
 
-def rosdep() -> int:
-    """The command `rosdep`: the real one where there is one, else `edulaunch rosdep`."""
-    words = sys.argv[1:]
-    _step_aside('rosdep', words, words[:1] == ['--verbose'])
-    from edulaunch.cli.main import main
-
-    return main(['rosdep', *words])
-
-
-def _step_aside(name: str, words: list[str], loudly: bool) -> None:
+def step_aside(name: str, words: list[str], loudly: bool) -> None:
     """Become the real command, if there is one: that does not return."""
     if name == 'ros2' and not (os.environ.get('ROS_DISTRO') or os.environ.get('AMENT_PREFIX_PATH')):
         return

@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import NamedTuple
 
+LISTENER = 3
+"""The number under which a new machine finds the socket that listens already."""
 LONGEST_SOCKET_PATH = 100
 """The operating systems allow little more."""
 
@@ -50,10 +52,8 @@ def folder() -> str:
         path = os.path.join(runtime, 'edulaunch')
     else:
         path = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edulaunch-{user}')
-    try:
+    with suppress(FileExistsError):
         os.mkdir(path, 0o700)
-    except FileExistsError:
-        pass
     found = os.lstat(path)
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != user or stat.S_IMODE(found.st_mode) & 0o077:
         raise UnsafePlace(
@@ -93,14 +93,8 @@ def remove_address(place: str, number: str, token: str) -> None:
     if found is not None and found.token == token:
         os.unlink(address_file(place, number))
     if found is not None and found.kind == 'unix' and found.token == token:
-        _unlink(found.place)
-
-
-def _unlink(path: str) -> None:
-    try:
-        os.unlink(path)
-    except OSError:
-        pass
+        with suppress(OSError):
+            os.unlink(found.place)
 
 
 @contextmanager

@@ -13,8 +13,7 @@ from collections.abc import Callable
 from importlib import import_module
 
 from edulaunch.machine.connection import Connection
-from edulaunch.machine.place import locked, read_address, remove_address
-from edulaunch.machine.starting import LISTENER
+from edulaunch.machine.place import LISTENER, locked, read_address, remove_address
 from edulaunch.machine.terminals import Terminals
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session

@@ -6,10 +6,8 @@ import os
 import socket
 import sys
 
-from edulaunch.machine.place import LONGEST_SOCKET_PATH, Address, folder, locked, read_address, write_address
+from edulaunch.machine.place import LISTENER, LONGEST_SOCKET_PATH, Address, folder, locked, read_address, write_address
 
-LISTENER = 3
-"""The number under which a new machine finds the socket that listens already."""
 BACKLOG = 256
 
 

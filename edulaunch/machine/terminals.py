@@ -128,8 +128,11 @@ class Terminal:
         """The other end is gone: what still runs there gets SIGHUP."""
         if self in self._terminals.open_ones:
             self._terminals.open_ones.remove(self)
+        host = self._terminals.session.host
         for program in self.programs():
             program.send_signal(HUP)
+        for real in [real for real in host.real_programs if real.group is self.process]:
+            real.send_signal(HUP)
 
 
 def _launch_file(words: list[str], cwd: str) -> str | None:

@@ -1,4 +1,4 @@
-"""What crosses between a terminal and its machine: a letter, a length, and plain bytes. Nothing is ever unpickled or evaluated."""
+"""What crosses between a terminal and its machine: a letter, a length and plain bytes. Nothing is unpickled or evaluated."""
 
 from __future__ import annotations
 

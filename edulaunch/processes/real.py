@@ -34,6 +34,8 @@ class RealProcess:
         self.host = host
         self.spec = spec
         self.returncode: int | None = None
+        parent = host.program_here()
+        self.group = None if parent is None else parent.group
         self.on_output = on_output
         self.on_exit = on_exit
         command = ' '.join(spec.argv) if spec.shell else list(spec.argv)

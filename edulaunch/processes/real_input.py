@@ -38,8 +38,8 @@ class RealInput(Input):
         return bool(self._file.isatty())
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends. Ctrl-C
-        stays what it is.
+        """Let the real terminal give each key at once, or whole lines again; its own mode comes back when the program ends.
+        Ctrl-C stays what it is.
         """
         import termios
 

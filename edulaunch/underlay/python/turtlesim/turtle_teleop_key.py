@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import sys
+import termios
+import threading
+import tty
 from typing import Any
 
 import rclpy
@@ -12,7 +15,7 @@ from rclpy.action import ActionClient
 
 from turtlesim.action import RotateAbsolute
 
-KEY_PERIOD_S = 0.5  # given text is typed at this rate, so that a command has time to act
+KEY_PERIOD_S = 0.5  # given text, which nobody types, is read at this rate, so that a command has time to act
 ESCAPE = '\x1b'
 # linear and angular of the arrows up, down, right, left
 ARROWS = {'A': (1.0, 0.0), 'B': (-1.0, 0.0), 'C': (0.0, -1.0), 'D': (0.0, 1.0)}
@@ -27,7 +30,10 @@ WELCOME = (
 
 
 class TeleopTurtle(CppNode):
-    """One Twist per arrow key; letters set, and cancel, rotation goals. Without input it stays idle."""
+    """One Twist per arrow key; letters set, and cancel, rotation goals. Without input it stays idle.
+
+    :param keyboard: a terminal, each key of which counts when it is pressed; or a text.
+    """
 
     def __init__(self, keyboard: Any) -> None:
         super().__init__('teleop_turtle')
@@ -37,10 +43,27 @@ class TeleopTurtle(CppNode):
         self.declare_parameter('scale_linear', 2.0)
         self._commands = self.create_publisher(Twist, 'turtle1/cmd_vel', 7)
         self._rotations = ActionClient(self, RotateAbsolute, 'turtle1/rotate_absolute')
-        self._timer = self.create_timer(KEY_PERIOD_S, self._on_timer)
+        self._timer = None if keyboard.isatty() else self.create_timer(KEY_PERIOD_S, self._read_key)
         print(*WELCOME, sep='\n')
 
-    def _on_timer(self) -> None:
+    def spin(self) -> None:
+        """Follow the keys until somebody says stop. A terminal is read key by key meanwhile."""
+        if self._timer is not None:
+            rclpy.spin(self)
+            return
+        before = termios.tcgetattr(self._keyboard)
+        tty.setcbreak(self._keyboard)
+        threading.Thread(target=self._read_keys, daemon=True).start()
+        try:
+            rclpy.spin(self)
+        finally:
+            termios.tcsetattr(self._keyboard, termios.TCSADRAIN, before)
+
+    def _read_keys(self) -> None:
+        while rclpy.ok():
+            self._read_key()
+
+    def _read_key(self) -> None:
         key = self._keyboard.read(1)
         if key == ESCAPE and self._keyboard.read(1) == '[':
             self._move(self._keyboard.read(1))
@@ -51,7 +74,7 @@ class TeleopTurtle(CppNode):
             self._goal.cancel_goal_async()
         elif key == 'q':
             rclpy.shutdown()
-        elif not key:
+        elif not key and self._timer is not None:
             self._timer.cancel()
 
     def _move(self, arrow: str) -> None:
@@ -69,7 +92,7 @@ class TeleopTurtle(CppNode):
 
 def main() -> None:
     """Entry point."""
-    sys.exit(run_program(lambda: rclpy.spin(TeleopTurtle(sys.stdin))))
+    sys.exit(run_program(lambda: TeleopTurtle(sys.stdin).spin()))
 
 
 if __name__ == '__main__':

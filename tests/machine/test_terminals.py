@@ -1,0 +1,56 @@
+"""Several real terminals on one machine."""
+
+from __future__ import annotations
+
+import signal
+import termios
+
+import pytest
+
+from tests.machine.shells import Desk
+
+UP = '\x1b[A'
+
+
+def test_what_one_terminal_starts_the_others_see(desk: Desk) -> None:
+    launch = desk.ros2('launch turtlesim multisim.launch.py')
+    launch.until('[turtlesim_node-2]: process started with pid')
+    assert desk.said('node list') == '/turtlesim1/turtlesim\n/turtlesim2/turtlesim\n'
+
+
+def test_arrow_keys_drive_the_turtle(desk: Desk) -> None:
+    desk.ros2('run turtlesim turtlesim_node').until('Spawning turtle [turtle1]')
+    teleop = desk.ros2('run turtlesim turtle_teleop_key')
+    teleop.until("'Q' to quit.")
+    echo = desk.ros2('topic echo /turtle1/cmd_vel')
+    while 'linear' not in echo.output:
+        teleop.type(UP)
+        echo.read(0.1)
+    assert echo.until('---').replace('\r', '').startswith('linear:\n  x: 2.0\n')
+    assert not teleop.mode() & (termios.ICANON | termios.ECHO)
+    teleop.type('q')
+    assert teleop.end() == 0
+    assert teleop.mode() & termios.ICANON and teleop.mode() & termios.ECHO
+
+
+def test_ctrl_c_reaches_the_programs_of_its_terminal_only(desk: Desk) -> None:
+    launch = desk.ros2('launch turtlesim multisim.launch.py')
+    other = desk.ros2('run demo_nodes_py talker')
+    other.until('Publishing: "Hello World: 1"')
+    launch.until('[turtlesim_node-2]: process started with pid')
+    launch.type('\x03')
+    launch.until('process has finished cleanly', seconds=10)
+    assert launch.end() == 0
+    before = other.output.count('Publishing')
+    other.until(lambda output: output.count('Publishing') > before)
+    assert desk.said('node list') == '/talker\n'
+
+
+@pytest.mark.parametrize('signum', [signal.SIGKILL, signal.SIGHUP])
+def test_a_closed_terminal_ends_its_programs(desk: Desk, signum: int) -> None:
+    desk.ros2('run demo_nodes_py talker').until('Publishing')
+    launch = desk.ros2('launch turtlesim multisim.launch.py')
+    launch.until('[turtlesim_node-2]: process started with pid')
+    launch.send(signum)
+    launch.end()
+    assert desk.said('node list') == '/talker\n'
