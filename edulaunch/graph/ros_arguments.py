@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 from edulaunch.graph.names import RemapRule, absolute_namespace
-from edulaunch.graph.parameter_files import ParameterFileError, read_parameter_file, read_value
+from edulaunch.graph.parameter_files import Entry, ParameterFileError, read_parameter_file, read_value
 from edulaunch.graph.parameters import pattern_matches
 from edulaunch.graph.rule_reader import (
     END,
@@ -70,10 +70,10 @@ class RosArguments:
         return found
 
 
-def parse_ros_arguments(arguments: Sequence[str], read_text: Callable[[str], str] | None = None) -> RosArguments:
+def parse_ros_arguments(arguments: Sequence[str], entries_of: Callable[[str], Sequence[Entry]] | None = None) -> RosArguments:
     """Read a whole command line.
 
-    :param read_text: how to read a parameter file, given its path as written; by default from the file system.
+    :param entries_of: what a parameter file says, given its path as written; by default it is read from the file system.
     :raises RosArgumentsError: with rcl's text, for a rule or file that cannot be understood.
     """
     result = RosArguments()
@@ -87,7 +87,7 @@ def parse_ros_arguments(arguments: Sequence[str], read_text: Callable[[str], str
         elif token == '--':
             inside = False
         else:
-            _read_flag(result, token, tokens, read_text or read_file)
+            _read_flag(result, token, tokens, entries_of or entries_of_file)
     return result
 
 
@@ -103,10 +103,13 @@ def _read_other(result: RosArguments, token: str) -> None:
     result.others.append(token)
 
 
-def read_file(path: str) -> str:
-    """The text of a parameter file."""
+def entries_of_file(path: str) -> Sequence[Entry]:
+    """What a parameter file says.
+
+    :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
+    """
     with open(path, encoding='utf-8') as file:
-        return file.read()
+        return read_parameter_file(file.read())
 
 
 _FLAGS = {
@@ -133,7 +136,7 @@ _MISSING = {
 }
 
 
-def _read_flag(result: RosArguments, flag: str, tokens: Any, read_text: Callable[[str], str]) -> None:
+def _read_flag(result: RosArguments, flag: str, tokens: Any, entries_of: Callable[[str], Sequence[Entry]]) -> None:
     meaning = _FLAGS.get(flag)
     if meaning is None:
         _read_switch(result, flag)
@@ -146,7 +149,7 @@ def _read_flag(result: RosArguments, flag: str, tokens: Any, read_text: Callable
     elif meaning == 'param':
         _add_parameter(result, flag, value)
     elif meaning == 'params-file':
-        _add_file(result, flag, value, read_text)
+        _add_file(result, flag, value, entries_of)
     elif meaning == 'log-level':
         _add_log_level(result, flag, value)
     else:
@@ -210,9 +213,9 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
     result.parameters.setdefault(pattern, {})[name] = override
 
 
-def _add_file(result: RosArguments, flag: str, path: str, read_text: Callable[[str], str]) -> None:
+def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[str], Sequence[Entry]]) -> None:
     try:
-        entries = read_parameter_file(read_text(path))
+        entries = entries_of(path)
     except OSError:
         raise _refuse('params file', flag, path, 'Error opening YAML file') from None
     except UnicodeDecodeError:

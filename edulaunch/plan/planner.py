@@ -192,7 +192,7 @@ class Planner:
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
         if item['kind'] == 'node':
-            branch.file_origins = add_parameters(item)
+            branch.file_origins = add_parameters(item, self._host)
             branch.origins = branch.action._process_spec_details()['parameter_origins']
             branch.missing_files = branch.action._missing_parameter_files()
         branch.item = _plain(item)

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
-from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments, read_file
+from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
+
+    from edulaunch.plan.rehearsal import RehearsalHost
 
 Item = dict[str, Any]
 
@@ -103,40 +105,22 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
     return arguments, others
 
 
-def add_parameters(item: Item) -> dict[str, str]:
+def add_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
     """Add to a node's item what the node would get by the rules of rcl, and each file with its content.
 
     :returns: where each parameter was given: 'file.yaml line 12' or 'command line'.
     """
     command = item['cmd'][len(item['prefix']) :]
-    texts: dict[str, str] = {}
-
-    def read_text(path: str) -> str:
-        if path not in texts:
-            texts[path] = read_file(path)
-        return texts[path]
-
     item['parameter_sources'] = [
-        {'file': path, 'content': _content(path, read_text)}
+        {'file': path, 'content': host.parameter_content(path)}
         for flag, path in zip(command, command[1:], strict=False)
         if flag == '--params-file'
     ]
     try:
-        given = parse_ros_arguments(command, read_text)
+        given = parse_ros_arguments(command, host.parameter_entries)
     except RosArgumentsError as error:
         item['parameters'], item['parameter_error'] = {}, str(error)
         return {}
     overrides = given.overrides_for(_join(item['namespace'] or '/', item['name'] or 'unnamed'))
     item['parameters'] = {name: override.value for name, override in sorted(overrides.items())}
     return {name: override.origin for name, override in overrides.items()}
-
-
-def _content(path: str, read_text: Callable[[str], str]) -> Any:
-    """What the file holds; None when it cannot be read, or would take up too much with its aliases replaced."""
-    import yaml
-    from launch_yaml.reader import read
-
-    try:
-        return read(read_text(path))
-    except (yaml.YAMLError, ValueError, OSError):
-        return None

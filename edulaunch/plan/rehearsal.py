@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+from edulaunch.graph.parameter_files import Entry
 from edulaunch.graph.tracer import Tracer
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
@@ -47,6 +48,8 @@ class RehearsalHost(Host):
         self._commands: deque[ImaginaryProcess] = deque()
         self._nodes: deque[ImaginaryProcess] = deque()
         self._ended_names: set[str] = set()
+        self._entries: dict[str, Sequence[Entry]] = {}
+        self._contents: dict[str, Any] = {}
 
     def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, **_: Any) -> Any:
         """Note the process; it is there at once."""
@@ -54,6 +57,19 @@ class RehearsalHost(Host):
         self.imaginary.append(process)
         (self._commands if spec.package is None else self._nodes).append(process)
         return process
+
+    def parameter_entries(self, path: str) -> Sequence[Entry]:
+        """As any host; nothing changes during a dry run, so each file is read once."""
+        if path not in self._entries:
+            self._entries[path] = super().parameter_entries(path)
+        return self._entries[path]
+
+    def parameter_content(self, path: str) -> Any:
+        """What YAML reads in a parameter file; None when it cannot be read, or is too much with its aliases replaced."""
+        if path not in self._contents:
+            generated: Any = self.generated_files.get(path)
+            self._contents[path] = _content_of_file(path) if generated is None else generated.content
+        return self._contents[path]
 
     def run_launch(self, main: Callable[[Process], object]) -> Process:
         """Start the process in which launch runs."""
@@ -79,6 +95,17 @@ class RehearsalHost(Host):
         """Let those that came back end as well."""
         for process in list(self.imaginary):
             process.end(0)
+
+
+def _content_of_file(path: str) -> Any:
+    import yaml
+    from launch_yaml.reader import read
+
+    try:
+        with open(path, encoding='utf-8') as file:
+            return read(file.read())
+    except (yaml.YAMLError, ValueError, OSError):
+        return None
 
 
 class Notes(Tracer):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.graph.graph import Graph
+from edulaunch.graph.parameter_files import Entry
+from edulaunch.graph.ros_arguments import entries_of_file
 from edulaunch.graph.tracer import Tracer
 from edulaunch.packages import Index, Program
 from edulaunch.processes.overlay import Overlay
@@ -67,6 +69,16 @@ class CommandRunner(Protocol):
     def __call__(self, process: Process) -> object: ...
 
 
+class GeneratedFile(Protocol):
+    """A parameter file that launch made."""
+
+    def entries(self) -> Sequence[Entry]: ...
+
+    def write(self) -> None: ...
+
+    def remove(self) -> None: ...
+
+
 class Host:
     """Owns the processes of one simulation. `watchdog` stops those that never give their turn back, if one is set.
 
@@ -101,6 +113,8 @@ class Host:
         self.watchdog: Watchdog | None = None
         self.is_paced = False
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
+        self.generated_files: dict[str, GeneratedFile] = {}
+        """By path: what launch made for programs to read, which is on the disk only for real programs."""
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
 
@@ -112,6 +126,14 @@ class Host:
         overlay = Overlay(index)
         self._overlays.append((index, overlay))
         return overlay
+
+    def parameter_entries(self, path: str) -> Sequence[Entry]:
+        """What the parameter file at `path` says: one that launch generated, or any other.
+
+        :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
+        """
+        generated = self.generated_files.get(path)
+        return entries_of_file(path) if generated is None else generated.entries()
 
     def next_pid(self) -> int:
         """Process numbers count up from 1001, so that they repeat from run to run."""
@@ -160,6 +182,9 @@ class Host:
         if known is None:
             from edulaunch.processes.real import RealProcess
 
+            for word in spec.argv:
+                if word in self.generated_files:
+                    self.generated_files[word].write()
             real = RealProcess(self, spec, on_output, on_exit)
             self.real_programs.append(real)
             return real
@@ -234,6 +259,8 @@ class Host:
                 thread.kill()
         until = self.sim.now_ns
         self.sim.run(until)
+        for file in self.generated_files.values():
+            file.remove()
 
 
 def _names_python(words: list[str]) -> bool:

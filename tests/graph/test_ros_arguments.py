@@ -7,11 +7,12 @@ from typing import Any
 import pytest
 
 from edulaunch.graph.names import RemapRule
+from edulaunch.graph.parameter_files import read_parameter_file
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 
 
 def parsed(*arguments: str, **files: str) -> RosArguments:
-    return parse_ros_arguments(['--ros-args', *arguments], lambda path: files[path])
+    return parse_ros_arguments(['--ros-args', *arguments], lambda path: read_parameter_file(files[path]))
 
 
 def values(arguments: RosArguments, node: str) -> dict[str, Any]:

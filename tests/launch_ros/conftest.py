@@ -51,9 +51,8 @@ def launch(entities: Sequence[Any], index: Index) -> Launched:
     process = host.run_launch(main)
     sim.run()
     result.specs = [one.spec for one in host.imaginary]
-    result.contents = [
-        Path(word).read_text(encoding='utf-8') for spec in result.specs for word in spec.argv if 'launch_params_' in word
-    ]
+    files: Any = host.generated_files
+    result.contents = [files[word].text for spec in result.specs for word in spec.argv if 'launch_params_' in word]
     while process.returncode is None and host.end_next():
         sim.run()
     result.logs = notes.logs

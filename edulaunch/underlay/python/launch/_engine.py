@@ -71,6 +71,11 @@ def process_counter(context: LaunchContext) -> list[int]:
         return process_state('launch.process_counter', lambda: [0])
 
 
+def generated_files() -> dict[str, Any]:
+    """Path -> file, of the files that launch made for the programs of this simulation; see `Host.generated_files`."""
+    return running_process().host.generated_files
+
+
 def new_event_loop() -> AbstractEventLoop:
     """An asyncio loop on simulated time for the running task."""
     from edulaunch.sim.aio import new_event_loop

@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from launch._engine import assumptions, state_of
+from launch._engine import assumptions, generated_files, running_process, state_of
 
-from ._temporary_files import TemporaryFiles, temporary_path
-from .parameter_descriptions import Parameter
+from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
+from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
 from .utilities.evaluate_parameters import evaluate_parameters
 
@@ -24,8 +24,7 @@ if TYPE_CHECKING:
 class ParameterArguments:
     """The parameters of one node.
 
-    Generated files are only named here: writing them takes longer than everything else that a launch file asks
-    for, and a dry run needs none. :meth:`write_files` comes before anybody reads them.
+    Generated files are only named here and left with the host, which tells simulated programs what is in them.
 
     :param number: of the node's process; it keeps the files of equal nodes apart.
     :param node_name: the node's name as far as it is known.
@@ -40,8 +39,7 @@ class ParameterArguments:
         self._owner = f'{number} {node_name} {node_key}'
         self._node_key = node_key
         self._sources: list[tuple[Any, Any]] = []
-        self._unwritten: list[tuple[str, dict[str, Any]]] = []
-        self._files: TemporaryFiles | None = None
+        self._generated: list[GeneratedFile] = []
         self._has_files = False
         self._origins: dict[str, str] | None = None
 
@@ -64,26 +62,31 @@ class ParameterArguments:
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
-        for written, value in zip(parameters, evaluate_parameters(context, parameters), strict=True):
+        for written in parameters:
+            if isinstance(written, ParameterFile):
+                path, file = written.performed(context)
+                if file is None:
+                    self._add_file(path)
+                else:
+                    self._add_generated(file)
+                continue
+            (value,) = evaluate_parameters(context, (written,))
             if isinstance(value, dict):
-                path = temporary_path(f'{self._owner} {len(self.items)} {value}', state_of(context))
-                self._unwritten.append((path, value))
-                self.items.append((path, True))
+                name = temporary_path(f'{self._owner} {len(self.items)} {value}', state_of(context))
+                self._add_generated(GeneratedParameters(name, self._node_key, value))
                 self._sources.append((value, written))
-            elif isinstance(value, Parameter):
-                self._add_rule(context, value)
             else:
-                self._add_file(value)
+                self._add_rule(context, value)
 
     def write_files(self) -> None:
-        """Write the generated files that :attr:`items` names, unless they are there."""
-        from ._parameter_text import parameter_file_text
+        """Put the generated files that :attr:`items` names on the disk, for somebody who looks."""
+        for file in self._generated:
+            file.write()
 
-        unwritten, self._unwritten = self._unwritten, []
-        if unwritten and self._files is None:
-            self._files = TemporaryFiles()
-        for path, values in unwritten:
-            self._files.write(path, parameter_file_text(self._node_key, values))  # type: ignore[union-attr]
+    def _add_generated(self, file: GeneratedFile) -> None:
+        self._generated.append(file)
+        generated_files()[file.path] = file
+        self.items.append((file.path, True))
 
     def _add_file(self, path: Path) -> None:
         if path.is_file():
@@ -128,14 +131,14 @@ class ParameterArguments:
         """Those whose value is not overridden by a parameter file, by the rules of rcl."""
         from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
 
-        self.write_files()
         words = [word for text, is_file in self.items for word in ('--params-file' if is_file else '-p', text)]
         try:
-            given = parse_ros_arguments(['--ros-args', *words]).overrides_for(self._full_name)
+            given = parse_ros_arguments(['--ros-args', *words], running_process().host.parameter_entries)
         except (RosArgumentsError, OSError, ValueError):
             return origins  # the node says what is wrong
+        values = given.overrides_for(self._full_name)
         return {
             name: text
             for name, text in origins.items()
-            if name not in given or given[name].origin.startswith(('launch_params_', 'command line'))
+            if name not in values or values[name].origin.startswith(('launch_params_', 'command line'))
         }

@@ -13,7 +13,7 @@ from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_t
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
-from ._temporary_files import TemporaryFiles, temporary_path
+from ._generated_file import GeneratedFile, temporary_path
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -127,7 +127,7 @@ class ParameterFile:
         self.__allow_substs = normalize_typed_substitution(allow_substs, bool)
         self.__evaluated: Path | None = None
         self.__evaluated_allow_substs: bool | None = None
-        self.__files = TemporaryFiles()
+        self.__file: GeneratedFile | None = None
 
     def __repr__(self) -> str:
         parts = f'param_file={self.param_file}, allow_substs={self.allow_substs}'
@@ -144,30 +144,36 @@ class ParameterFile:
         return self.__allow_substs if self.__evaluated_allow_substs is None else self.__evaluated_allow_substs
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """The path to give to the node.
+        """The path to give to the node. A file with substituted text is on the disk until :meth:`cleanup`, or as long as this is.
 
         :raises SubstitutionFailure: when the substituted text is not YAML any more.
         """
+        path, file = self.performed(context)
+        if file is not None:
+            file.write()
+            self.__file = file
+        return path
+
+    def performed(self, context: LaunchContext) -> tuple[Path, GeneratedFile | None]:
+        """The path, and when the text was substituted, the file with the result, which is not on the disk. (edulaunch only.)"""
         from pathlib import Path
 
         path = Path(perform_substitutions(context, self.__param_file))
+        file = None
         self.__evaluated_allow_substs = bool(perform_typed_substitution(context, self.__allow_substs, bool))
         if self.__evaluated_allow_substs:
-            path = self.__write(context, _substituted(context, path))
+            text = _substituted(context, path)
+            # The source may be a temporary file, never called the same: the text is the key.
+            file = GeneratedFile(temporary_path(text, state_of(context)), text)
+            path = Path(file.path)
         self.__evaluated = path
-        return path
-
-    def __write(self, context: LaunchContext, text: str) -> Path:
-        from pathlib import Path
-
-        path = temporary_path(text, state_of(context))  # the source may be a temporary file, never called the same
-        self.__files.write(path, text)
-        return Path(path)
+        return path, file
 
     def cleanup(self) -> None:
-        """Remove the temporary file, if there is one."""
-        self.__files.remove()
-        self.__evaluated = None
+        """Remove the file with the substituted text, if there is one; :attr:`param_file` is to be evaluated again then."""
+        if self.__file is not None:
+            self.__file.remove()
+            self.__file = self.__evaluated = None
 
 
 def _substituted(context: LaunchContext, path: Path) -> str:

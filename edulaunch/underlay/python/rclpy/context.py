@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
+from edulaunch.processes.current import current_process
 from edulaunch.sim.task import Task, current_task
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 from rclpy.impl.handle import Handle
@@ -175,7 +176,7 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     if not all(isinstance(argument, str) for argument in given):
         raise TypeError('bad argument type for built-in operation')
     try:
-        parsed = parse_ros_arguments(given)
+        parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
     except RosArgumentsError as error:
         raise hinted(RCLInvalidROSArgsError(_REFUSED + error.message), error.help) from None
     for rule in parsed.deprecated:

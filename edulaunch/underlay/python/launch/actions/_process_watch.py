@@ -181,7 +181,7 @@ class ProcessWatch(BaseEventHandler):
         from ._process_run import ProcessRun
 
         details = self._details
-        details['cmd'] = self._action.process_description.final_cmd
+        details['cmd'] = self._action.process_description.command
         spec = ProcessSpec(
             argv=tuple(details['cmd']),
             name=details['name'],

@@ -178,7 +178,7 @@ class ExecuteLocal(Action):
         self.__process_details = {
             'action': self,
             'name': description.final_name,
-            'cmd': description._command,
+            'cmd': description.command,
             'cwd': description.final_cwd,
             'env': description.final_env,
         }

@@ -63,7 +63,7 @@ class Executable:
         self.__additional_env = None if additional_env is None else _normalize_variables(additional_env)
         self.__final_name: str | None = None
         self._command: list[str] | None = None
-        self._before_look: Callable[[], object] | None = None
+        self._named_files: Callable[[], object] | None = None
         self.__final_cwd: str | None = None
         self.__final_env: dict[str, str] | None = None
 
@@ -120,12 +120,21 @@ class Executable:
     def final_cmd(self) -> list[str] | None:
         """The words of the command line; None before :meth:`prepare`.
 
-        Files that the command names exist from now on: a node's parameter files are written when somebody looks.
+        Files that the command names exist from now on: what launch generates is written when somebody looks.
         """
-        if self._before_look is not None:
-            self._before_look()
-            self._before_look = None
+        if self._named_files is not None:
+            self._named_files()
+            self._named_files = None
         return self._command
+
+    @property
+    def command(self) -> list[str] | None:
+        """The same, for those who do not read the files that it names. (edulaunch only.)"""
+        return self._command
+
+    def write_before_look(self, write: Callable[[], object]) -> None:
+        """Let `write` put the files that the command names on the disk before somebody looks at it. (edulaunch only.)"""
+        self._named_files = write
 
     @property
     def final_cwd(self) -> str | None:

@@ -239,7 +239,7 @@ class Node(ExecuteProcess):
         if self.__own_parameters:
             arguments.add_own(context, self.__own_parameters)
         if arguments.items:
-            self.process_description._before_look = arguments.write_files
+            self.process_description.write_before_look(arguments.write_files)
             for text, is_file in arguments.items:
                 words += ('--params-file' if is_file else '-p', text)
 
