@@ -29,7 +29,7 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
         root = ElementTree.parse(file).getroot()
     except ElementTree.ParseError as error:
         warnings.append(
-            PackageWarning(file, error.position[0], f'this is not well-formed XML ({error}), so colcon skips the package')
+            PackageWarning(file, error.position[0], f'this is not well-formed XML ({error}), so {_what_colcon_does(folder)}')
         )
         return None
     except OSError as error:
@@ -38,11 +38,19 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
     name = (root.findtext('name') or '').strip()
     if root.tag != 'package' or not _NAME.fullmatch(name):
         warnings.append(
-            PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so colcon skips the package')
+            PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so {_what_colcon_does(folder)}')
         )
         return None
     build_type = (root.findtext('export/build_type') or '').strip() or _guess_build_type(folder)
     return Manifest(name, build_type, folder)
+
+
+def _what_colcon_does(folder: str) -> str:
+    """To colcon a folder without a usable package.xml is a package of Python or CMake, and none of ROS 2."""
+    for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
+        if os.path.isfile(os.path.join(folder, file)):
+            return f'colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
+    return 'colcon skips the package'
 
 
 def _guess_build_type(folder: str) -> str:

@@ -71,6 +71,19 @@ def test_a_c_plus_plus_executable_is_found_and_ends_with_a_sentence_while_others
     assert lines[-1] == '[INFO] [launch.user]: goes on\n'
 
 
+def test_a_package_with_c_plus_plus_programs_only_tells_of_another_name_as_ros_does(tmp_path: Any) -> None:
+    (tmp_path / 'CMakeLists.txt').write_text(
+        'project(robo_cpp)\nadd_executable(fast a.cpp)\ninstall(TARGETS fast DESTINATION lib/robo_cpp)'
+    )
+    (tmp_path / 'package.xml').write_text('<package><name>robo_cpp</name></package>')
+    (tmp_path / 'robo.launch.xml').write_text('<launch><node pkg="robo_cpp" exec="fats"/></launch>')
+    with pytest.raises(
+        edulaunch.LaunchFileError, match="executable 'fats' not found on the libexec directory '.*/lib/robo_cpp' "
+    ) as e:
+        edulaunch.run(tmp_path / 'robo.launch.xml', duration_s=1, workspaces=[tmp_path])
+    assert e.value.help is not None and "did you mean 'fast'?" in e.value.help
+
+
 def test_a_node_of_a_missing_package_stops_the_launch_before_anything_starts(run: Any) -> None:
     launched = run(LogInfo(msg='x'), Node(package='robo', executable='drive'), Node(package='rob', executable='drive'))
     assert launched.specs == []

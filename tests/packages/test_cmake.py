@@ -42,6 +42,14 @@ FILES = {
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
         ),
         ('install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py")', ['launch/a.launch.py']),
+        (
+            'install(DIRECTORY launch config DESTINATION share/robo FILES_MATCHING PATTERN "*.xml" PATTERN "*.yaml")',
+            ['config/p.yaml', 'launch/sub/b.launch.xml'],
+        ),
+        (
+            'install(DIRECTORY launch DESTINATION share/robo FILES_MATCHING PATTERN "*.py" PATTERN "*.xml" PATTERN "sub" EXCLUDE)',
+            ['launch/a.launch.py'],
+        ),
         ('install(DIRECTORY launch DESTINATION share/robo PATTERN "sub" EXCLUDE)', ['launch/a.launch.py']),
         ('ament_auto_package(INSTALL_TO_SHARE config)', ['config/p.yaml']),
         (

@@ -224,3 +224,15 @@ def test_links_fall_back_to_copies(workspace: Any, monkeypatch: pytest.MonkeyPat
 def test_rviz2_is_on_the_path() -> None:
     program = Index().find_program('rviz2')
     assert program is not None and program.package == 'rviz2'
+
+
+@pytest.mark.parametrize(('file', 'kind'), [('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')])
+def test_colcon_builds_a_folder_with_a_broken_package_xml_as_another_kind_of_package(
+    workspace: Any, file: str, kind: str
+) -> None:
+    workspace.files({'alpha/package.xml': '<package/>', f'alpha/{file}': ''})
+    index = workspace.index()
+    assert index.packages() == {}
+    assert str(index.warnings[0]).endswith(
+        f'so colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
+    )

@@ -22,6 +22,13 @@ def test_talker_greets_every_second(stage: Any, package: str, texts: list[str]) 
     assert stage.tape.logs == [(1000.0, texts[0]), (2000.0, texts[1])]
 
 
+@pytest.mark.parametrize(('package', 'says'), [('demo_nodes_cpp', 2), ('demo_nodes_py', 0)])
+def test_a_wall_timer_also_fires_while_nobody_publishes_clock(stage: Any, package: str, says: int) -> None:
+    stage.start(package, 'talker', '--ros-args', '-p', 'use_sim_time:=true')
+    stage.until(2500)
+    assert len(stage.tape.logs) == says
+
+
 @pytest.mark.parametrize(
     'package, executable',
     [('demo_nodes_cpp', 'listener'), ('demo_nodes_cpp', 'listener_best_effort'), ('demo_nodes_py', 'listener')],

@@ -17,8 +17,8 @@ class TwoTimers(CppNode):
         super().__init__(node_name)
         self._reuse = reuse
         self._number = 0
-        self._periodic = self.create_timer(2.0, self._on_periodic)
-        self._one_off: Any = self.create_timer(1.0, self._on_one_off)
+        self._periodic = self.create_wall_timer(2.0, self._on_periodic)
+        self._one_off: Any = self.create_wall_timer(1.0, self._on_one_off)
         if reuse:
             self._one_off.cancel()
 
@@ -38,4 +38,4 @@ class TwoTimers(CppNode):
             self._one_off.reset()
         else:
             self.destroy_timer(self._one_off)
-            self._one_off = self.create_timer(1.0, self._on_one_off)
+            self._one_off = self.create_wall_timer(1.0, self._on_one_off)

@@ -16,7 +16,7 @@ class Talker(CppNode):
         super().__init__('talker')
         self._number = 0
         self._chatter = self.create_publisher(String, 'chatter', 7)
-        self._timer = self.create_timer(1.0, self._on_timer)
+        self._timer = self.create_wall_timer(1.0, self._on_timer)
 
     def _on_timer(self) -> None:
         self._number += 1

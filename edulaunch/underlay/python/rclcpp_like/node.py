@@ -6,11 +6,14 @@ from collections.abc import Callable
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.clock import Clock
+from rclpy.clock_type import ClockType
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.subscription import Subscription
+from rclpy.timer import Timer
 
 from rclcpp_like.errors import InvalidParameterType, InvalidParameterValue
 from rclcpp_like.parameter_rules import range_refusal, type_refusal
@@ -32,6 +35,7 @@ class CppNode(Node):
             name = f'qos_overrides./parameter_events.publisher.{policy}'
             if not self.has_parameter(name):
                 self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
+        self._steady_clock = Clock(clock_type=ClockType.STEADY_TIME)
         qos = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._parameter_events = self.create_subscription(ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
 
@@ -45,6 +49,10 @@ class CppNode(Node):
         """As rclpy's; rclcpp's warnings about it name the topic in full."""
         name = self._rclpy.resolve(topic, 'topic', only_expand=True)
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
+
+    def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
+        """A timer that goes by the machine's steady clock, so that it also fires while nobody publishes /clock."""
+        return self.create_timer(period_s, callback, clock=self._steady_clock)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
         """Called for every parameter event of every node; the plain node has no use for it."""

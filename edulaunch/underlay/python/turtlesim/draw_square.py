@@ -32,7 +32,7 @@ class DrawSquare(CppNode):
         self._reset = self.create_client(Empty, 'reset')
         self._reset_reply: Future | None = None
         self._ask_for_a_reset()
-        self._timer = self.create_timer(0.016, self._on_timer)
+        self._timer = self.create_wall_timer(0.016, self._on_timer)
 
     def _ask_for_a_reset(self) -> bool:
         """Ask once there is somebody to ask: as with a real middleware, a request made before turtlesim is there is not lost.

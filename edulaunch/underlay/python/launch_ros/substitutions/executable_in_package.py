@@ -63,9 +63,10 @@ class ExecutableInPackage(FindPackagePrefix):
             return os.path.join(index.absent_prefix, 'lib', package, executable)
         prefix = super().perform(context)
         folder = os.path.join(prefix, 'lib', package)
-        if index.find_executable(package, executable) or executable in index.native_executables(package):
+        native = index.native_executables(package)
+        if index.find_executable(package, executable) or executable in native:
             return os.path.join(folder, executable)
-        if not index.executables(package) and not os.path.isdir(folder):
+        if not index.executables(package) and not native and not os.path.isdir(folder):
             raise _failure(
                 f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist",
                 index,
@@ -81,7 +82,7 @@ def _failure(message: str, index: Any, package: str, executable: str) -> Substit
     from edulaunch.workspace.hints import executable_hint
 
     error: Any = SubstitutionFailure(message)
-    names = index.executables(package)
+    names = [*index.executables(package), *index.native_executables(package)]
     close = nearest(executable, names)
     not_installed = executable_hint(index, package, executable)
     if not_installed is not None:
