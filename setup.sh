@@ -4,7 +4,7 @@
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 venv="${EDULAUNCH_VENV:-$here/.venv}"
-what=.
+what='.[notebook]'
 if [ "${1:-}" = "--dev" ]; then
     what='.[dev]'
     shift

@@ -1,0 +1,28 @@
+"""What an installation brings: types, and no notebook where nobody asked for one."""
+
+from __future__ import annotations
+
+import re
+
+from tests.house import ROOT, every_import, modules
+
+HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
+TESTS = ('edulaunch.pytest_plugin', 'edulaunch.testing', 'launch_testing', 'launch_pytest', 'edulaunch.jupyter')
+"""Rooms that only pytest or a notebook loads, and test frameworks for them."""
+
+
+def test_only_rooms_for_pytest_and_notebooks_need_what_the_light_install_lacks() -> None:
+    wrong = [
+        f'{name} imports {item}'
+        for name, path in modules().items()
+        for item in every_import(path)
+        if item.partition('.')[0] in HEAVY and not name.startswith(TESTS)
+    ]
+    assert wrong == []
+    required = re.search(r'\ndependencies = \[(.*?)\n\]', (ROOT / 'pyproject.toml').read_text('utf-8'), re.S)
+    assert required is not None and not [name for name in HEAVY if name in required[1]]
+
+
+def test_both_packages_say_that_they_have_types() -> None:
+    for package in ('edulaunch', 'edugrade'):
+        assert (modules()[package].parent / 'py.typed').is_file()  # .ci/run looks for them in the wheel
