@@ -13,6 +13,7 @@ from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.packages import Index
 from edulaunch.packages.discovery import install_folders, workspaces_of_command
 from edulaunch.processes.host import Host
+from edulaunch.processes.machine_roots import machine_roots, with_real_paths
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
@@ -73,11 +74,8 @@ class Session:
         self.close()
 
     def _name_roots(self, workspaces: list[str]) -> None:
-        import tempfile
-
-        roots = [[underlay_prefix(), '@underlay'], [tempfile.gettempdir(), '@tmp']]
-        roots += [[path, f'@workspace{number}'] for number, path in enumerate(workspaces)]
-        self.recorder.roots = roots
+        own = [(underlay_prefix(), '@underlay'), *((path, f'@workspace{number}') for number, path in enumerate(workspaces))]
+        self.recorder.roots = list(with_real_paths(own))
 
     def launch(
         self,
@@ -94,7 +92,7 @@ class Session:
         :raises UnusableInput: when there is no such file or package; texts are those of `ros2 launch`.
         """
         path = find_launch_file(self.index, path_or_package, file)
-        self.recorder.roots.append([os.path.dirname(path), '@launch'])
+        self.recorder.roots += with_real_paths([(os.path.dirname(path), '@launch')])
         launch = LaunchRun(
             self.host, self.recorder, path, dict(arguments or {}), console=self.console, interactive=interactive, debug=debug
         )
@@ -131,17 +129,24 @@ class Session:
         for launch in self.launches:
             launch.interrupt()
 
-    def recording(self) -> Recording:
-        """End the recording here and give it out."""
+    def describe(self) -> None:
+        """Tell the recorder what was launched until now, and which folders its digest leaves out."""
         for launch in self.launches:
             launch.describe(self.recorder)
         self.recorder.roots += [root for root in self._installed_roots() if root not in self.recorder.roots]
+
+    def recording(self) -> Recording:
+        """End the recording here and give it out."""
+        self.describe()
         return self.recorder.recording()
 
     def _installed_roots(self) -> list[list[str]]:
-        """Where packages and their modules lie: a workspace gives the same digest built and from source."""
+        """Where packages and their modules lie: a workspace gives the same digest built and from source. And what else differs
+        from machine to machine.
+        """
         prefixes = [path for path in self.index.search_paths() if path != underlay_prefix()]
-        return [*([path, '@prefix'] for path in prefixes), *([path, '@python'] for path in self.index.python_roots())]
+        own = [*((path, '@prefix') for path in prefixes), *((path, '@python') for path in self.index.python_roots())]
+        return [*with_real_paths(own), *machine_roots()]
 
     def close(self) -> None:
         """End everything that still runs. Nothing of that is recorded."""

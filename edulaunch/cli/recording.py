@@ -25,7 +25,7 @@ def main(arguments: argparse.Namespace) -> int:
 
         print(json.dumps(summary, indent=2))
     else:
-        print('\n'.join(lines(summary)))
+        print('\n'.join(lines(summary)).encode(errors='backslashreplace').decode())  # a program may have written half a letter
     return 0
 
 
@@ -60,6 +60,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
             for topic in recording.topics.values()
         ],
         'log_messages': len(recording.logs),
+        'not_repeatable': recording.not_repeatable,
         'warnings': recording.warnings,
     }
 
@@ -72,6 +73,7 @@ def lines(summary: dict[str, Any]) -> list[str]:
         f'Duration:     {summary["duration_s"]:.3f} s (seed {summary["seed"]})',
         f'Digest:       {summary["digest"]}',
         f'Log messages: {summary["log_messages"]}',
+        *(f'Not repeatable: {why}' for why in summary['not_repeatable']),
         '',
         'Processes:',
     ]

@@ -77,7 +77,7 @@ class ClassSource:
         if is_fixed_numbers(field_type):
             return self._global('default', leaf.path, default_wire(leaf.field))
         if is_number_sequence(field_type):
-            values = f', {leaf.field.default!r}' if leaf.field.default else ''
+            values = f', {self._global("default", leaf.path, leaf.field.default)}' if leaf.field.default else ''
             return f"_array('{field_type.kind.code}'{values})"
         return repr(list(leaf.field.default)) if leaf.field.default is not None else self._zeros(field_type)
 

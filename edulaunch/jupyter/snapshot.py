@@ -11,8 +11,7 @@ from edulaunch.session import Session
 def snapshot(session: Session) -> Recording:
     """What happened until now. Later events do not change it, and are kept for the next snapshot."""
     recorder = session.recorder
-    for launch in session.launches:
-        launch.describe(recorder)
+    session.describe()
     recorder.stop()
     content = recorder.content()
     content.update({part: deepcopy(value) for part, value in content.items() if part != 'topics'})

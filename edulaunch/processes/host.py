@@ -12,6 +12,7 @@ from edulaunch.graph.parameter_files import Entry
 from edulaunch.graph.ros_arguments import entries_of_file
 from edulaunch.graph.tracer import Tracer
 from edulaunch.packages import Index, Program
+from edulaunch.processes import real_machine
 from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
@@ -202,6 +203,7 @@ class Host:
         """Take charge of a process made elsewhere, and start it."""
         if self.watchdog is not None:
             self.watchdog.start()
+        real_machine.listen()
         self.processes.append(process)
         self.tracer.process_started(process)
         process.task.start()

@@ -18,9 +18,11 @@ from types import CodeType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.packages.absent import REFUSED
+from edulaunch.processes import real_machine
 from edulaunch.processes.compiled import code_of, read_script
 from edulaunch.processes.finding import Finder, Found, namespace, regular
 from edulaunch.processes.views import PRIVATE_COPIES, VIEWS, make_view
+from edulaunch.processes.whose_code import is_own
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -122,6 +124,8 @@ class Loader:
         if level:
             name = absolute_name(name, globals or {}, level)
         top = name.partition('.')[0]
+        if top in real_machine.MODULES and is_own((globals or {}).get('__file__') or '<string>'):
+            real_machine.note_use(self.process, f'the module {top}')
         view = self._view(name)
         if view is not None:
             return view if fromlist or name == top else self._view(top) or _shared_import(top)

@@ -131,7 +131,7 @@ class Process:
         if too_much and self.returncode is None:
             task = running_task()
             if task is not None and task.owner is self:
-                raise RunawayProgram(f'wrote {self._writes - 1} times in one instant')
+                raise RunawayProgram(f'wrote {self._writes - 1} times in one instant', counted=True)
 
     def steady(self, text: str) -> str:
         """A text of the program without what would differ from run to run: addresses of objects."""
@@ -274,6 +274,8 @@ class Process:
 
         text, place = runaway_text(self, error)
         self._wrote_at_ns = 0
+        if not error.counted:
+            self.note('stopped', f'{self.name} was stopped by the time that it took: this run cannot repeat exactly')
         self.write('stderr', text)
         self.state['exception'] = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
 

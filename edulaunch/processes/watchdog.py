@@ -32,10 +32,12 @@ class RunawayProgram(BaseException):
     """Raised inside a program that kept its turn for too long, wherever it is; no `except Exception` of the program stops it.
 
     :param did: what it did, in words that go on after its name.
+    :param counted: whether it was found by counting, which repeats, and not by the time that it took.
     """
 
-    def __init__(self, did: str = 'kept its turn for too long') -> None:
+    def __init__(self, did: str = 'kept its turn for too long', *, counted: bool = False) -> None:
         super().__init__(did)
+        self.counted = counted
 
 
 class Turn(NamedTuple):

@@ -2,34 +2,75 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable
 from typing import Any
 
-TEXT_PARTS = ('launch', 'processes', 'output', 'logs', 'notes', 'parameters')
-TEXT_TYPES = ('rcl_interfaces/msg/Log', 'rcl_interfaces/msg/ParameterEvent', 'std_msgs/msg/String')
-"""Messages that tell of files: log lines, parameters that name a share folder, plain texts."""
+TEXT_PARTS = ('launch', 'processes', 'logs', 'notes', 'parameters', 'calls')
+ONLY_FRAMES = ('tf2_msgs/', 'geometry_msgs/', 'sensor_msgs/', 'nav_msgs/')
+"""Packages whose messages have no texts but names of frames: they are not searched for files, there are too many of them."""
+_BEGINS = r'(?:(?<![\w/.@+~-])|(?<=file://)|(?<=\dm)|(?<=\\n))'
+"""Where a path may begin: not within another one; but behind a colour, or a line's end that is spelled out."""
+_ENDS = r'(?![\w+-]|\.\w)'
+_LIBRARY_FRAME = re.compile(r'(?:\[[^]]*\] )?  File "@(?:stdlib|site-packages)[/"]')
+_SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
-    """The content with the folders named in `roots` (workspaces, the underlay, the launch file's folder, temporary files)
-    replaced by short names wherever a text mentions them.
+    """The content with the folders named in `roots` (workspaces, the underlay, the launch file's folder, Python's folders,
+    temporary files ...) replaced by short names wherever a text mentions them, and without the frames of libraries in tracebacks,
+    which are others in each version of a library.
     """
-    roots = sorted(content['roots'], key=lambda root: -len(root[0]))
-    short = {part: _shorten(content[part], roots) for part in TEXT_PARTS}
-    topics = [
-        {**topic, 'messages': _shorten(topic['messages'], roots)} if topic['type'] in TEXT_TYPES else topic
-        for topic in content['topics']
-    ]
-    return {**content, **short, 'topics': topics, 'roots': []}
+    shorten = _shortener(content['roots'])
+    short = {part: shorten(content[part]) for part in TEXT_PARTS}
+    topics = [{**topic, 'messages': shorten(topic['messages'])} if _has_text(topic) else topic for topic in content['topics']]
+    output = _without_library_frames(shorten(content['output']))
+    return {**content, **short, 'output': output, 'topics': topics, 'roots': []}
 
 
-def _shorten(value: Any, roots: list[list[str]]) -> Any:
-    if isinstance(value, str):
-        for path, name in roots:
-            if path in value:
-                value = value.replace(path, name)
+def _has_text(topic: dict[str, Any]) -> bool:
+    return not topic['type'].startswith(ONLY_FRAMES) and any(map(_holds_text, topic['messages'][:1]))
+
+
+def _holds_text(value: Any) -> bool:
+    return isinstance(value, str) or (isinstance(value, (list, tuple)) and any(map(_holds_text, value)))
+
+
+def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
+    """A function that replaces the roots in all texts of plain data.
+
+    A root counts where a path begins with it: '/tmp/tmpabc' has one '/tmp', and '/home/tmp/x' has none.
+    """
+    names: dict[str, str] = {}
+    for path, name in roots:
+        names.setdefault(path.rstrip('/'), name)
+    names.pop('', None)
+    longest_first = sorted(names, key=lambda path: (-len(path), path))
+    any_root = re.compile(f'{_BEGINS}(?:{"|".join(map(re.escape, longest_first))}){_ENDS}' if names else '(?!)')
+
+    def shorten(value: Any) -> Any:
+        if isinstance(value, str):
+            return any_root.sub(lambda found: names[found[0]], value) if '/' in value else value
+        if isinstance(value, dict):
+            return {key: shorten(item) for key, item in value.items()}
+        if isinstance(value, (list, tuple)):
+            return [shorten(item) for item in value]
         return value
-    if isinstance(value, dict):
-        return {key: _shorten(item, roots) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_shorten(item, roots) for item in value]
-    return value
+
+    return shorten
+
+
+def _without_library_frames(rows: list[list[Any]]) -> list[list[Any]]:
+    """Output rows (time, process, stream, text); a traceback may come in one row, or, as launch prints it, line by line."""
+    within: dict[str, bool] = {}
+    found = []
+    for *before, text in rows:
+        kept = [line for line in text.splitlines(keepends=True) if not _is_of_library(line, before[1], within)]
+        if kept or not text:
+            found.append([*before, ''.join(kept)])
+    return found
+
+
+def _is_of_library(line: str, process: str, within: dict[str, bool]) -> bool:
+    within[process] = bool(_LIBRARY_FRAME.match(line)) or (within.get(process, False) and bool(_SOURCE_LINE.match(line)))
+    return within[process]

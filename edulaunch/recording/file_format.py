@@ -12,13 +12,16 @@ import re
 from typing import Any
 
 from edulaunch.errors import RecordingError
+from edulaunch.recording import schema
 
 FORMAT = 'edulaunch recording'
 VERSION = 1
-PARTS = ('roots', 'launch', 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output', 'notes')
+PARTS = tuple(schema.PARTS)
 HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
 TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
-TOPIC_KEYS = ('topic', 'type', 'times', 'publishers', 'messages')
+TOPIC_KEYS = tuple(schema.TOPIC)
+MOST_BYTES = 1 << 30
+"""A file that is larger is not read: no run of a course comes near."""
 
 
 def encode(content: dict[str, Any]) -> bytes:
@@ -44,7 +47,7 @@ def _plain(value: Any) -> Any:
 
 
 def _restore(mapping: dict[str, Any]) -> Any:
-    return bytes.fromhex(mapping['hex']) if len(mapping) == 1 and 'hex' in mapping else mapping
+    return bytes.fromhex(mapping['hex']) if len(mapping) == 1 and isinstance(mapping.get('hex'), str) else mapping
 
 
 def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
@@ -64,10 +67,12 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     for number, line in enumerate(lines[1:], 2):
         if line:
             part = _parse(line, name, number)
-            if set(part) == set(TOPIC_KEYS):
+            if 'topic' in part:
                 content['topics'].append(part)
-            else:
+            elif part.keys() <= {*PARTS, 'interfaces'}:
                 content.update(part)
+            else:
+                raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
     _check(content, name)
     return content
 
@@ -84,16 +89,15 @@ def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
 
 def _check(content: dict[str, Any], name: str) -> None:
     """Every part is there and of the right kind, so that nothing above has to doubt it."""
-    if any(not isinstance(content[key], int) for key in HEADER_NUMBERS):
+    numbers = [content[key] for key in HEADER_NUMBERS]
+    if not all(map(schema.number, numbers)) or not 0 <= content['duration_ns'] < schema.FAR - abs(content['start_ns']):
         raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')
-    for part in PARTS:
-        expected = dict if part == 'launch' else list
-        if not isinstance(content.get(part), expected):
-            raise RecordingError(f'{name} is damaged: the part {part!r} is missing or cut off.')
+    for part, fits in schema.PARTS.items():
+        if not fits(content.get(part)):
+            raise RecordingError(f'{name} is damaged: the part {part!r} is missing, cut off or no such part.')
     texts = content['interfaces']
-    if not isinstance(texts, dict) or not all(TYPE_NAME.fullmatch(key) and isinstance(text, str) for key, text in texts.items()):
+    if not schema.table(schema.text)(texts) or not all(map(TYPE_NAME.fullmatch, texts)):
         raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")
     for topic in content['topics']:
-        columns = [topic['times'], topic['publishers'], topic['messages']]
-        if any(not isinstance(column, list) for column in columns) or len({len(column) for column in columns}) != 1:
-            raise RecordingError(f'{name} is damaged: the columns of topic {topic["topic"]!r} do not fit together.')
+        if not schema.record(schema.TOPIC)(topic) or len({len(topic[key]) for key in ('times', 'publishers', 'messages')}) != 1:
+            raise RecordingError(f'{name} is damaged: the columns of a topic do not fit together.')

@@ -86,8 +86,8 @@ def _with_publishers(recording: Recording, topic: str) -> list[tuple[int, str, A
     owner = {row[4]: nodes.get(row[3], '') for row in content['endpoints'] if row[0] == 'publisher'}
     rows = [
         (time, owner.get(publisher, ''), wire)
-        for column in content['topics']
-        if column['topic'] == topic and column['type'] == TF_TYPE
+        for column in recording._columns(topic)
+        if column['type'] == TF_TYPE
         for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
     ]
     rows.sort(key=lambda row: row[0])

@@ -28,7 +28,7 @@ def misfits(recording: Recording) -> Iterator[Misfit]:
     nodes = {node.name: node for node in recording.nodes}
     for note in recording.notes:
         match = _TEXT.fullmatch(note.text) if note.kind == 'incompatible' else None
-        if match is None:
+        if match is None or match['publisher'] not in nodes or match['subscriber'] not in nodes:
             continue
         sent = {kind for name, kind in nodes[match['publisher']].publishers if name == match['topic']}
         heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}

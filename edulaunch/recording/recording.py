@@ -7,7 +7,7 @@ from functools import cached_property
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.errors import RecordingError
+from edulaunch.errors import InterfaceError, RecordingError
 from edulaunch.recording import file_format
 from edulaunch.recording.absent import NoMessages, not_recorded
 from edulaunch.recording.records import (
@@ -28,13 +28,17 @@ if TYPE_CHECKING:
     from edulaunch.canvas.picture import Picture
     from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
-    from edulaunch.interfaces.registry import Registry
     from edulaunch.recording.misfits import Misfit
+    from edulaunch.recording.recorded_types import RecordedTypes
     from edulaunch.recording.trajectory import Trajectory
 
 
 SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted')
 """Kinds of notes that people should hear of, and of which ROS 2 says nothing."""
+
+
+UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
+"""Kinds of notes about what differs from run to run."""
 
 
 class Recording:
@@ -45,6 +49,8 @@ class Recording:
 
     def __init__(self, content: dict[str, Any]) -> None:
         self._content = content
+        self._unread: str | None = None
+        self._read: set[int] = set()
         self.seed: int = content['seed']
         self.start_ns: int = content['start_ns']
         self.duration_s: float = content['duration_ns'] / 1e9
@@ -61,16 +67,24 @@ class Recording:
 
         :raises RecordingError: when the file is missing, damaged, or something else.
         """
+        name = os.fspath(path)
         try:
-            with open(path, 'rb') as file:
-                return cls.from_bytes(file.read(), os.fspath(path))
-        except OSError as error:
-            raise RecordingError(f'cannot read the recording {os.fspath(path)!r}: {error.strerror or error}') from None
+            if os.path.exists(name) and not os.path.isfile(name):
+                raise RecordingError(f'cannot read the recording {name!r}: it is not a file')
+            with open(name, 'rb') as file:
+                data = file.read(file_format.MOST_BYTES + 1)
+        except (OSError, ValueError) as error:
+            raise RecordingError(f'cannot read the recording {name!r}: {getattr(error, "strerror", None) or error}') from None
+        if len(data) > file_format.MOST_BYTES:
+            raise RecordingError(f'cannot read the recording {name!r}: it is larger than {file_format.MOST_BYTES >> 30} GiB')
+        return cls.from_bytes(data, name)
 
     @classmethod
     def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
         """A recording from the bytes that :meth:`to_bytes` gave. Raises RecordingError when they are something else."""
-        return cls(file_format.decode(data, name))
+        recording = cls(file_format.decode(data, name))
+        recording._unread = name
+        return recording
 
     def to_bytes(self) -> bytes:
         """The recording as text (JSON lines), the same bytes for the same run."""
@@ -217,19 +231,39 @@ class Recording:
         return rows
 
     @cached_property
-    def _registry(self) -> Registry:
+    def _registry(self) -> RecordedTypes:
         """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
         from edulaunch.interfaces import current_registry
-        from edulaunch.interfaces.texts import TextRegistry
+        from edulaunch.recording.recorded_types import RecordedTypes
 
-        own = self._content.get('interfaces')
-        return TextRegistry(own, current_registry()) if own else current_registry()
+        return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
 
     def _class(self, type_name: str) -> Any:
-        return self._registry.get(type_name)
+        """The class of a type. Raises RecordingError when it is unknown here, or its text in the file is wrong."""
+        try:
+            return self._registry.get(type_name)
+        except InterfaceError as error:
+            raise RecordingError(error.message, help=error.help) from None
+        except RecursionError:
+            raise RecordingError(f'{type_name} contains too many messages in each other') from None
 
     def _columns(self, topic: str) -> list[dict[str, Any]]:
-        return [column for column in self._content['topics'] if column['topic'] == topic]
+        columns = [column for column in self._content['topics'] if column['topic'] == topic]
+        for column in columns:
+            if self._unread is not None and id(column) not in self._read:
+                self._check(column['type'], column['messages'])
+                self._read.add(id(column))
+        return columns
+
+    def _check(self, type_name: str, wires: list[Any]) -> None:
+        """What came from a file is looked at before it is used. Raises RecordingError when it fits no message of the type."""
+        self._class(type_name)
+        try:
+            fits = self._registry.checks.check(type_name)
+        except InterfaceError as error:
+            raise RecordingError(error.message, help=error.help) from None
+        if not all(map(fits, wires)):
+            raise RecordingError(f'{self._unread} is damaged: it has messages that are no {type_name}.')
 
     def trajectory(self, turtle: str) -> Trajectory:
         """Where a turtle was, as numpy arrays t, x, y, theta; `turtle` is 'turtle1', or '/ns/turtle1' with a namespace.
@@ -271,6 +305,13 @@ class Recording:
         return list(misfits(self))
 
     @property
+    def not_repeatable(self) -> list[str]:
+        """Why the same launch may not give the same recording again: programs that read the real machine, and what they used;
+        real programs that were started. Empty for a run that repeats.
+        """
+        return list(dict.fromkeys(note.text for note in self.notes if note.kind in UNREPEATABLE))
+
+    @property
     def warnings(self) -> list[str]:
         """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
         strangers = [misfit.note for misfit in self.misfits if misfit.why == 'TYPE']
@@ -287,6 +328,9 @@ class Recording:
         calls = []
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
             cls = self._class(kind)
+            if self._unread is not None:
+                self._check(f'{kind}_Request', [request])
+                self._check(f'{kind}_Response', [] if replied is None else [response])
             answer = cls.Response.from_wire(response) if replied is not None else None
             calls.append(
                 ServiceCall(time / 1e9, service, kind, client, cls.Request.from_wire(request), served, _seconds(replied), answer)

@@ -5,6 +5,7 @@ from array import array
 import pytest
 
 from edulaunch.interfaces.generator import module_of
+from edulaunch.interfaces.registry import Registry
 
 EVERYTHING = """
 byte LEVEL=2
@@ -140,3 +141,10 @@ def test_positional_arguments_are_refused(get):
 def test_a_field_may_have_the_name_of_a_generated_variable(define):
     cls = define('Names.msg', 'float64 m\nfloat64 wire\nfloat64 self\nfloat64 type\nfloat64 kwargs\nint8 property\nfloat32 f0')
     assert cls(m=1.0, self=2.0, kwargs=3.0).to_wire(cls.from_wire((1.0, 2.0, 3.0, 4.0, 5.0, 6, 0.5)))[2:4] == (3.0, 4.0)
+
+
+def test_a_default_may_be_no_number(tmp_path):
+    (tmp_path / 'p/msg').mkdir(parents=True)
+    (tmp_path / 'p/msg/Gap.msg').write_text('float64[] q [nan, -inf]\nfloat32[<=3] r [1.5, inf]\n')
+    gap = Registry([tmp_path]).get('p/msg/Gap')()
+    assert repr(gap) == 'p.msg.Gap(q=[nan, -inf], r=[1.5, inf])'

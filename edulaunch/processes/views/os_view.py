@@ -8,6 +8,8 @@ import signal
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.real_machine import FUNCTIONS as REAL_MACHINE
+from edulaunch.processes.real_machine import noting
 from edulaunch.processes.views import copy_names
 from edulaunch.processes.views.files_view import FUNCTIONS, PATH, Free
 
@@ -88,6 +90,9 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         return process.cwd or real.getcwd()
 
     view.__dict__.update(FUNCTIONS, path=PATH)
+    view.__dict__.update(
+        {name: Free(noting(process, f'os.{name}', getattr(real, name))) for name in REAL_MACHINE if hasattr(real, name)}
+    )
     view.__dict__.update(
         environ=process.env,
         getenv=getenv,

@@ -1,17 +1,7 @@
-"""The hook that the plugin for launch tests offers to other plugins."""
+"""Hooks that other plugins may implement."""
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
+from edulaunch.testing.hooks import pytest_launch_collect_makemodule
 
-import pytest
-
-
-@pytest.hookspec(firstresult=True)
-def pytest_launch_collect_makemodule(path: Path, parent: pytest.Collector, entrypoint: Any) -> pytest.Collector | None:
-    """Make the collector of a launch test file, or leave it to others by returning None.
-
-    :param path: of the file.
-    :param entrypoint: its function `generate_test_description`, as syntax (`ast.FunctionDef`): the file has not been run yet.
-    """
+__all__ = ['pytest_launch_collect_makemodule']

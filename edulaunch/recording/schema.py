@@ -1,0 +1,117 @@
+"""What each part of a recording file must look like, so that nothing above has to doubt what it reads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+Check = Callable[[Any], bool]
+FAR = 1 << 63
+
+
+def text(value: Any) -> bool:
+    """A string."""
+    return type(value) is str
+
+
+def number(value: Any) -> bool:
+    """A whole number that fits into 64 bits (True is none)."""
+    return type(value) is int and -FAR <= value < FAR
+
+
+def maybe(check: Check) -> Check:
+    """What passes the check, or None."""
+    return lambda value: value is None or check(value)
+
+
+def each(check: Check) -> Check:
+    """A list of what passes the check."""
+    return lambda value: type(value) is list and all(map(check, value))
+
+
+def row(*checks: Check) -> Check:
+    """A list of as many entries as there are checks."""
+    return lambda value: (
+        type(value) is list and len(value) == len(checks) and all(check(item) for check, item in zip(checks, value, strict=True))
+    )
+
+
+def table(check: Check) -> Check:
+    """A mapping of names to what passes the check."""
+    return lambda value: type(value) is dict and all(map(check, value.values()))
+
+
+def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -> Check:
+    """A mapping with these keys and no others."""
+    known = {**needed, **(optional or {})}
+    return lambda value: (
+        type(value) is dict and needed.keys() <= value.keys() <= known.keys() and all(known[key](value[key]) for key in value)
+    )
+
+
+def wire(value: Any) -> bool:
+    """The values of a message; whether they fit its type is looked at when they are read (`wire_check`)."""
+    return type(value) is list
+
+
+def truth(value: Any) -> bool:
+    """True or False."""
+    return type(value) is bool
+
+
+def anything(value: Any) -> bool:
+    """Any plain data: a parameter's value."""
+    return True
+
+
+def root(value: Any) -> bool:
+    """A folder and the short name that stands for it in a digest."""
+    return row(text, text)(value) and value[1].startswith('@') and len(value[1]) <= 40
+
+
+_words, _word, _count = each(text), maybe(text), maybe(number)
+_error = record({'type': text, 'message': text, 'file': _word, 'line': _count})
+PARTS: dict[str, Check] = {
+    'roots': each(root),
+    'launch': record(
+        {},
+        {
+            'file': text,
+            'arguments': table(text),
+            'declared': each(row(text, _word, text, maybe(_words), _word, _count)),
+            'includes': _words,
+            'returncode': _count,
+            'error': _word,
+            'error_file': _word,
+            'error_line': _count,
+            'help': _word,
+            'warnings': _words,
+        },
+    ),
+    'processes': each(
+        record(
+            {
+                'name': text,
+                'pid': number,
+                'argv': _words,
+                'package': _word,
+                'executable': _word,
+                'file': _word,
+                'line': _count,
+                'parameter_origins': table(text),
+                'started': number,
+                'ended': _count,
+                'returncode': _count,
+                'exception': maybe(_error),
+            }
+        )
+    ),
+    'nodes': each(row(text, text, number, _count, number)),
+    'endpoints': each(row(text, text, text, number, number, number, wire)),
+    'parameters': each(row(number, text, text, anything, text)),
+    'calls': each(row(number, text, text, text, wire, truth, _count, maybe(wire))),
+    'logs': each(row(number, text, text, number, text)),
+    'output': each(row(number, text, text, text)),
+    'notes': each(row(number, _word, text, text)),
+}
+TOPIC: dict[str, Check] = {'topic': text, 'type': text, 'times': each(number), 'publishers': each(number), 'messages': each(wire)}
