@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from .check import Check
+from .cpu_limit import TooLong, cpu_limit
 from .evidence import Evidence
 from .failure import Failure
 from .outcome import Outcome
@@ -13,6 +14,7 @@ from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult
 from .source import Source
 from .verdicts import REPORT_IT
 
+LONGEST_CHECK_S = 5.0  # usual: a thousandth of it
 LAUNCHES = 'launches'
 LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
 
@@ -72,7 +74,15 @@ def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResu
 
 def _result(check: Check, evidence: Evidence) -> CheckResult:
     try:
-        check(evidence)
+        with cpu_limit(LONGEST_CHECK_S):
+            check(evidence)
+    except TooLong as error:
+        return replace(
+            _plain(check, FAILED),
+            reason=f'the run left so much behind that it cannot be looked at: {error}',
+            where=evidence.source.place,
+            try_='look for a node that publishes without pause, or for very many nodes',
+        )
     except Failure as failure:
         return replace(
             _plain(check, FAILED),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 
 from edulaunch.errors import UnusableInput
 
@@ -10,7 +11,7 @@ from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
 from .hints import find_hint
 from .markup import element, joined
-from .progress_file import ProgressFile
+from .progress_file import Progress, ProgressFile
 from .report_html import report_html
 from .results import ALL_PASSED, Report
 from .submission import ENDINGS, Submission
@@ -107,23 +108,26 @@ def _unknown(name: str, known: list[str]) -> UnusableInput:
 
 def _graded(submission: Submission) -> CheckReport:
     (report,) = grade([plan_work(submission)])
-    progress = ProgressFile(os.getcwd())
-    if report.earned is not None:
-        progress.of(submission.exercise).attempt(report.earned, report.possible, report.exit_code == ALL_PASSED)
-    return CheckReport(report, _saved(progress))
+    earned, passed = report.earned, report.exit_code == ALL_PASSED
+    if earned is None:
+        return CheckReport(report)
+    return CheckReport(report, _noted(submission, lambda progress: progress.attempt(earned, report.possible, passed)))
 
 
 def _hint(submission: Submission, level: int) -> Note:
     text = find_hint(submission, level)
-    progress = ProgressFile(os.getcwd())
-    progress.of(submission.exercise).open_hint(level)
-    return Note('\n\n'.join(filter(None, (text, _saved(progress)))))
+    return Note('\n\n'.join(filter(None, (text, _noted(submission, lambda progress: progress.open_hint(level))))))
 
 
-def _saved(progress: ProgressFile) -> str:
-    """Save; gives what the student must be told about the file. A file that cannot be written costs no report."""
+def _noted(submission: Submission, note: Callable[[Progress], None]) -> str:
+    """Note something in the progress file; gives what the student must be told about it.
+
+    A file that cannot be written costs no report.
+    """
     try:
-        progress.save()
+        with ProgressFile.changing(os.getcwd()) as progress:
+            note(progress.of(submission.exercise))
+            progress.save()
     except UnusableInput as error:
         return f'Your progress is not kept: {error.message}.'
     return progress.word

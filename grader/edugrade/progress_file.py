@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -59,6 +61,13 @@ class ProgressFile:
         """The progress of one exercise, to be changed and saved."""
         return self.exercises.setdefault(exercise, Progress())
 
+    @classmethod
+    @contextmanager
+    def changing(cls, folder: str) -> Iterator[ProgressFile]:
+        """The file, to be changed and saved while nobody else changes it: of two notebooks at the same time, both count."""
+        with _locked(folder):
+            yield cls(folder)
+
     def save(self) -> None:
         """Write the file whole: a crash leaves either the old one or the new one.
 
@@ -92,6 +101,22 @@ class ProgressFile:
             f'{NAME} could not be understood ({error}). It is kept as {os.path.basename(kept)}, and a new one '
             'is begun; to have the old one back, mend it and rename it.'
         )
+
+
+@contextmanager
+def _locked(folder: str) -> Iterator[None]:
+    """Hold the folder's lock, which leaves no file behind. Where folders have none (some network disks), go without it."""
+    descriptor = None
+    try:
+        with suppress(ImportError, OSError):
+            import fcntl
+
+            descriptor = os.open(folder, os.O_RDONLY)
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        if descriptor is not None:
+            os.close(descriptor)
 
 
 def _progress(table: Any) -> Progress:

@@ -6,11 +6,14 @@ import base64
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from .cpu_limit import cpu_limit
 from .markup import Markup, element
 from .outcome import Outcome
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
+
+LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
 
 
 def run_html(outcome: Outcome, is_open: bool) -> Markup:
@@ -36,10 +39,14 @@ def _picture(recording: Recording) -> Markup | None:
     """The turtles at the end of the run; the frames when nothing moved, the nodes when there are no frames either."""
     for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
         try:
-            picture = plot()
+            with cpu_limit(LONGEST_DRAWING_S):
+                picture = plot()
+                png = picture.png()
+            data = base64.b64encode(png).decode('ascii')
         except ValueError:  # the view says that there is nothing for it to show
             continue
-        data = base64.b64encode(picture.png()).decode('ascii')
+        except Exception as error:  # such as a ring of frames: one run that cannot be drawn costs nobody the page
+            return _not_drawn('picture', error)
         image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
         return element('figure', image, element('figcaption', picture.caption))
     return None
@@ -48,7 +55,13 @@ def _picture(recording: Recording) -> Markup | None:
 def _replay(recording: Recording) -> Markup | None:
     """The player, which stands in a frame of its own: it can reach neither this page nor the network."""
     try:
-        player = recording.replay()
+        with cpu_limit(LONGEST_DRAWING_S):
+            return Markup(recording.replay().html())
     except ValueError:  # nothing moved
         return None
-    return Markup(player.html())
+    except Exception as error:
+        return _not_drawn('replay', error)
+
+
+def _not_drawn(view: str, error: Exception) -> Markup:
+    return element('p', f'The {view} of this run could not be drawn: {type(error).__name__}.', class_='small')

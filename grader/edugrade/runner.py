@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import selectors
 from collections.abc import Callable, Sequence
+from time import monotonic
 from typing import Any
 
 from .child_run import ChildRun
@@ -50,6 +51,7 @@ class Runner:
         self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
         self._running: dict[ChildRun, Ticket] = {}
         self._started = 0
+        self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
         self._starter: StarterLink | None = None
 
@@ -80,7 +82,7 @@ class Runner:
     def wait(self, ticket: Ticket) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
         while not ticket.is_done:
-            for key, _ in self._selector.select(LONGEST_NAP_S):
+            for key, _ in self._listen():
                 run: ChildRun | None = key.data
                 if run is None:
                     self._hear_the_starter()
@@ -93,6 +95,14 @@ class Runner:
                 if child.finished:
                     self._finish(child)
         return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
+
+    def _listen(self) -> list[tuple[selectors.SelectorKey, int]]:
+        """What can be read. The time since the last look, when the grader judged another submission, is no run's own."""
+        for run in self._running:
+            run.deadline += monotonic() - self._listened_at
+        ready = self._selector.select(LONGEST_NAP_S)
+        self._listened_at = monotonic()
+        return ready
 
     def _start_some(self) -> None:
         while self._waiting and len(self._running) < self._processors:

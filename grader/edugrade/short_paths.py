@@ -1,4 +1,4 @@
-"""Shortens paths in what is reported: a report reads well, and is the same wherever it was made."""
+"""Makes texts of a report short and the same wherever and whenever it was made: paths, temporary folders, addresses of objects."""
 
 from __future__ import annotations
 
@@ -7,17 +7,21 @@ import re
 from dataclasses import replace
 
 import edulaunch
+from edulaunch.processes.addresses import SIGN, Addresses
 
 from .place import Place
 from .results import CheckResult
 
+LONGEST_TEXT = 8000
 _ENGINE = os.path.join(os.path.dirname(os.path.abspath(edulaunch.__file__)), '')
+_WORD = re.compile(r'[^\s\'"]+')
 # Files of a source package are run from a generated prefix, where they are links under this path.
-_INSTALLED = re.compile(r'(?:[^\s\'"]*/)?edulaunch-\w+/[^\s/]+-[0-9a-f]{8}/share/(?P<package>\w+)/')
+_INSTALLED = re.compile(r'edulaunch-\w+/[^\s/]+-[0-9a-f]{8}/share/(?P<package>\w+)/')
+_HOME = re.compile(r'edugrade-[0-9a-f]{16}/\d+')  # the private folder of a run
 
 
 class ShortPaths:
-    """Writes paths of one report.
+    """Writes texts of one report.
 
     :param folder: the submission's folder, absolute.
     :param shown: what is written in its place: '' or a path that ends in a separator.
@@ -30,15 +34,24 @@ class ShortPaths:
         self._package = package
 
     def text(self, text: str | None) -> str | None:
-        """A text with short paths; None stays None."""
+        """A text with short paths, of LONGEST_TEXT characters at most; None stays None."""
         if text is None:
             return None
+        if len(text) > LONGEST_TEXT:
+            text = f'{text[:LONGEST_TEXT]} ... and {len(text) - LONGEST_TEXT} characters more'
         text = text.replace(self._folder, self._shown).replace(_ENGINE, 'edulaunch/')
-        return _INSTALLED.sub(self._source_of, text) if 'edulaunch-' in text else text
+        if 'edulaunch-' in text or 'edugrade-' in text:
+            text = _WORD.sub(lambda word: self._of_word(word[0]), text)
+        return Addresses().steady(text) if SIGN in text else text
 
-    def _source_of(self, installed: re.Match[str]) -> str:
-        package = installed['package']
-        return self._shown if package == self._package else f'{package}/'
+    def _of_word(self, word: str) -> str:
+        """A word without the generated beginning of a path."""
+        installed = _last(_INSTALLED, word)
+        if installed is not None:
+            package = installed['package']
+            return (self._shown if package == self._package else f'{package}/') + word[installed.end() :]
+        home = _last(_HOME, word)
+        return word if home is None else '~' + word[home.end() :]
 
     def place(self, place: Place | None) -> Place | None:
         """A place with a short path."""
@@ -54,3 +67,10 @@ class ShortPaths:
             where=self.place(result.where),
             try_=self.text(result.try_),
         )
+
+
+def _last(pattern: re.Pattern[str], word: str) -> re.Match[str] | None:
+    found = None
+    for found in pattern.finditer(word):
+        pass
+    return found

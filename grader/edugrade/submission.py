@@ -9,6 +9,7 @@ from random import Random
 from edulaunch.errors import UnusableInput
 
 from .package_folder import PackageFolder, package_above, package_at
+from .regular_file import read_regular
 from .source import Source
 
 ENDINGS = tuple(mark + kind for mark in ('.launch', '_launch') for kind in ('.py', '.xml', '.yaml', '.yml'))
@@ -64,7 +65,7 @@ class Submission:
     @cached_property
     def _content(self) -> bytes:
         """Everything that an edit can change."""
-        parts = [part for name, data in self._texts for part in (name.encode(), data)]
+        parts = [part for name, data in self._texts for part in (os.fsencode(name), data)]
         return self.data if not parts else b'\0'.join([self.data, *parts])
 
     @property
@@ -105,12 +106,11 @@ def _launch_path(path: str) -> str:
 
 def _read(path: str) -> bytes:
     try:
-        with open(path, 'rb') as file:
-            data = file.read(LARGEST_BYTES + 1)
+        data = read_regular(path, LARGEST_BYTES + 1)
     except FileNotFoundError:
         raise UnusableInput(f'{path} does not exist', help=_nearest_to(path)) from None
-    except OSError as error:
-        raise UnusableInput(f'{path} cannot be read: {error.strerror or error}') from None
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
+        raise UnusableInput(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
             f'{path} is larger than {LARGEST_BYTES:,} bytes; that is no launch file', help='give the path of the launch file'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
 
@@ -10,17 +11,36 @@ from edulaunch.errors import UnusableInput
 def write_whole(path: str, text: str) -> None:
     """Write a text file; a reader never finds half of it.
 
+    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. What is no regular file,
+    such as ``/dev/stdout`` or a pipe, is written to and never replaced.
+
     :raises UnusableInput: when it cannot be written there.
     """
-    temporary = f'{path}.{os.getpid()}.part'
+    data = text.encode('utf-8', 'backslashreplace')
     try:
-        with open(temporary, 'w', encoding='utf-8') as file:
-            file.write(text)
+        target = os.path.realpath(path)
+        if path.startswith('/dev/') or (os.path.exists(target) and not os.path.isfile(target)):
+            with open(path, 'wb') as file:
+                file.write(data)
+        else:
+            _replace(target, data)
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
+        raise UnusableInput(
+            f'the file {path} cannot be written: {getattr(error, "strerror", None) or error}',
+            help='name a file in a folder that exists and that you may write to',
+        ) from None
+
+
+def _replace(path: str, data: bytes) -> None:
+    """Put a complete file in the place of another one, or of none."""
+    temporary = f'{path}.{os.urandom(4).hex()}.part'
+    try:
+        with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), 'wb') as file:
+            file.write(data)
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, path)
-    except OSError as error:
-        raise UnusableInput(
-            f'the file {path} cannot be written: {error.strerror or error}',
-            help='name a file in a folder that exists and that you may write to',
-        ) from None
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(temporary)
+        raise
