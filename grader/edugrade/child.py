@@ -22,7 +22,8 @@ from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
-LONGEST_JOIN_S = 2.0
+TURN_LIMIT_S = 0.8  # of processor time: exercises need a hundredth of it, and a class waits for each endless loop
+SINGLE_CALL_S = 2.0
 RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
 
 
@@ -31,7 +32,7 @@ def warm_up() -> None:
     try:
         import edulaunch
 
-        with edulaunch.Session() as session:
+        with edulaunch.Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
             session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
             session.run(WARM_UP_S)
             session.recording().to_bytes()
@@ -39,12 +40,8 @@ def warm_up() -> None:
         return  # the runs meet the same, and say so
     import gc
     import tempfile
-    import threading
     import traceback  # noqa: F401  (for _broke)
 
-    for thread in threading.enumerate():
-        if thread is not threading.main_thread():
-            thread.join(LONGEST_JOIN_S)  # the engine's watchdog: a process with threads must not be forked
     tempfile.tempdir = None  # each run has its own
     gc.collect()
     gc.freeze()  # the runs share what is loaded
@@ -62,15 +59,52 @@ def run(job: dict[str, Any], channel: int, output: int) -> NoReturn:
     os.environ.clear()
     os.environ.update(job['environment'])
     limit_resources(job['limits'])
+    repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, channel)
+    limit_single_calls()
     reserve = bytearray(RESERVE_BYTES)
     try:
         letter, content = attempt(job)
     except MemoryError:  # also one that came up while another failure was being put into words
         reserve.clear()
         letter, content = b'S', b'{"reason": "memory"}'
+    if hasattr(signal, 'setitimer'):
+        signal.setitimer(signal.ITIMER_REAL, 0.0)  # the answer is not interrupted by another one
     send(channel, letter, content)
     os._exit(0)
+
+
+def repeat_temporary_names(seed: int) -> None:
+    """Let `tempfile` choose the same names in each run: they are shown in reports, and the folder is the run's own."""
+    import tempfile
+    from random import Random
+
+    names: Any = tempfile._get_candidate_names()  # type: ignore[attr-defined]
+    names._rng, names._rng_pid = Random(seed), os.getpid()
+
+
+def limit_single_calls() -> None:
+    """End the process when one call into C (``9**9**9``, a slow pattern) uses SINGLE_CALL_S of processor time or more.
+
+    While Python itself works, the limit moves on with it; a call that does not come back is ended by the system (SIGXCPU), after
+    the place was printed.
+    """
+    try:
+        import faulthandler
+        import resource
+    except ImportError:
+        return
+
+    def move_on(signum: int, frame: FrameType | None) -> None:
+        used = resource.getrusage(resource.RUSAGE_SELF)
+        hard = resource.getrlimit(resource.RLIMIT_CPU)[1]
+        soft = int(used.ru_utime + used.ru_stime + SINGLE_CALL_S) + 1
+        resource.setrlimit(resource.RLIMIT_CPU, (soft if hard == resource.RLIM_INFINITY else min(soft, hard), hard))
+
+    faulthandler.register(signal.SIGXCPU, file=1, all_threads=False, chain=True)
+    signal.signal(signal.SIGPROF, move_on)
+    signal.setitimer(signal.ITIMER_PROF, 0.25, 0.25)
+    move_on(0, None)
 
 
 def limit_resources(limits: dict[str, int]) -> None:
@@ -126,7 +160,7 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     except ImportError as error:
         return _broke(error)
     try:
-        with edulaunch.Session(seed=job['seed'], workspaces=job['workspaces']) as session:
+        with edulaunch.Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=TURN_LIMIT_S) as session:
             session.launch(job['file'], None, job['arguments'])
             session.run(job['duration_s'])
             return b'R', session.recording().to_bytes()

@@ -48,7 +48,7 @@ def _grade(options: argparse.Namespace) -> int:
     several = len(options.paths) > 1
     works, refusals = _plan(options, several)
     reports = _reports(works, options, several)
-    exit_code = max([report.exit_code for report in reports] + [2 for _ in refusals])
+    exit_code = max([item.exit_code for item in (*reports, *refusals)])
     _write(options, reports, refusals, exit_code)
     _show(_text(reports, refusals) if several else _render(reports[0]))
     return exit_code
@@ -66,6 +66,13 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
             from .results import Refusal
 
             refusals.append(Refusal(path, error.message, error.help))
+        except Exception as error:  # a fault of the grader, which costs no other submission its report
+            if not several:
+                raise
+            from .results import BROKEN_GRADER, Refusal
+            from .verdicts import REPORT_IT
+
+            refusals.append(Refusal(path, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT, BROKEN_GRADER))
     return works, refusals
 
 

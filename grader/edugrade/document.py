@@ -37,7 +37,7 @@ def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit
         'format': FORMAT,
         'exit_code': exit_code,
         'reports': [document(report) for report in reports],
-        'refused': [refusal._asdict() for refusal in refusals],
+        'refused': [{'given': item.given, 'reason': item.reason, 'help': item.help} for item in refusals],
     }
 
 

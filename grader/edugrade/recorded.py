@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from edulaunch.recording.records import LaunchRecord
 
 _LOOK = 'look at this line, and at the one before it'
+_LOOP = 'look for a loop that does not end: a launch file only says what to start'
 _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls of os._exit() and sys.exit()'
 
 
@@ -28,6 +29,10 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
         return None
     if launch.error is not None:
         return _launch_error(scenario, launch)
+    stuck = programs[0].exception if programs else None
+    if stuck is not None and stuck['type'] == 'RunawayProgramError':
+        place = Place(stuck['file'], stuck['line']) if stuck.get('file') else None
+        return Outcome(scenario, 'stopped', text='the launch file never came to its end and was stopped', try_=_LOOP, where=place)
     if launch.returncode is not None and len(programs) <= 1:
         text = f'launch ended with exit code {launch.returncode} and had started nothing'
         return Outcome(scenario, 'stopped', text=text, try_=_STARTS_NOTHING)

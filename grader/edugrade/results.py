@@ -98,8 +98,9 @@ class Report:
 
 
 class Refusal(NamedTuple):
-    """A path that could not be graded at all: how it was given, why, and what to try."""
+    """A path that could not be graded at all: how it was given, why, what to try, and what the command ends with for it."""
 
     given: str
     reason: str
     help: str | None = None
+    exit_code: int = UNUSABLE_INPUT

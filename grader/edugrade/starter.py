@@ -1,7 +1,8 @@
 """A warm interpreter that starts the runs: it loads the engine once, and becomes each run by forking.
 
-Started by `starter_link.py` as a script of its own with ``python -I -S``. It reads no submission: a run does so after the
-fork, in a process, session and folder of its own, with `child.py`. So every run begins from the same clean state, and
+Started by `starter_link.py` as a script of its own, with an environment made for it (so that it needs no ``-I``, which would leave
+PYTHONHASHSEED out). It reads no submission: a run does so after the fork, in a process, session and folder of its own, with
+`child.py`. So every run begins from the same clean state, and
 loading 400 modules is paid for once and not for each run.
 
 Messages are JSON, a length of four bytes before each. From the runner: ``{"run": 3, "job": {...}}`` with two file
@@ -17,8 +18,7 @@ import select
 import signal
 import socket
 import sys
-from importlib.machinery import ModuleSpec, SourceFileLoader
-from importlib.util import module_from_spec
+from types import ModuleType
 from typing import Any, NoReturn
 
 LENGTH_BYTES = 4
@@ -37,11 +37,10 @@ def main() -> NoReturn:
 
 
 def _load_child() -> Any:
-    """The module child.py, which no run can find: it is not among the loaded ones."""
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'child.py')
-    loader = SourceFileLoader('edugrade_child', path)
-    child = module_from_spec(ModuleSpec('edugrade_child', loader, origin=path))
-    loader.exec_module(child)
+    """The module child.py, which no run can find: it is not among the loaded ones, and no frame of it is the student's."""
+    child = ModuleType('edugrade_child')
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), 'child.py'), encoding='utf-8') as file:
+        exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)
     return child
 
 

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from select import select
 
+from .addresses import same_addresses
 from .job import Job, environment, import_path
 
 _STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter.py')
@@ -34,16 +35,17 @@ class StarterLink:
         self.socket, theirs = socket.socketpair()
         settings = json.dumps({'control': theirs.fileno(), 'path': import_path()})
         with theirs:
-            self._process = subprocess.Popen(
-                [sys.executable, '-I', '-S', _STARTER, settings],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                pass_fds=(theirs.fileno(),),
-                cwd=home,
-                env=environment(home),
-                start_new_session=True,
-            )
+            with same_addresses():
+                self._process = subprocess.Popen(
+                    [sys.executable, '-s', '-S', _STARTER, settings],
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.DEVNULL,
+                    pass_fds=(theirs.fileno(),),
+                    cwd=home,
+                    env={**environment(home), 'PYTHONSAFEPATH': '1'},
+                    start_new_session=True,
+                )
 
     def begin(self, number: int, job: Job, channel: int, output: int) -> None:
         """Begin a run, which answers on `channel` and prints on `output`."""

@@ -19,7 +19,7 @@ def render(report: Report, *, colour: bool = False) -> str:
     paths = ShortPaths(report.folder, report.shown, report.package)
     results = [paths.result(result) for result in report.results]
     mark = _coloured_mark if colour else _plain_mark
-    lines = [f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})', '']
+    lines = [printable(f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})'), '']
     for status in (GRADER_BROKE, FAILED):
         for result in _of(status, results):
             lines += [mark(status) + _title(result), *_explanation(result)]

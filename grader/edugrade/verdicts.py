@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import signal
+import sys
 from typing import Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .outcome import Outcome
-from .place import Place
+from .place import Place, is_engine
 from .recorded import recorded
 
 REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
+_CALL = 'look for a huge power, a huge range or a pattern that tries very many ways'
 _OWN_EXIT = 'take out calls of sys.exit(), os._exit() and os.kill(): launch itself ends its processes'
 _LONGEST_TEXT = 8000
+_FRAME = re.compile(r'File "([^"\n]+)", line (\d{1,9})\b')
 
 
 def verdict(run: ChildRun) -> Outcome:
@@ -72,7 +77,12 @@ def _cut(run: ChildRun) -> Outcome:
 def _ended(run: ChildRun) -> Outcome:
     code = run.returncode
     if code is not None and -code == signal.SIGXCPU:
-        return _timeout(run, None)
+        return _stopped(
+            run,
+            'a single call used the processor for seconds and did not come back',
+            _CALL,
+            _faulted_at(run.printed.decode('utf-8', 'replace')),
+        )
     if code is None or code >= 0:
         how = 'the program ended itself' + ('' if code is None else f' with exit code {code}')
     else:
@@ -100,6 +110,14 @@ def _garbage(run: ChildRun) -> Outcome:
 
 def _stopped(run: ChildRun, text: str, try_: str, where: Place | None = None) -> Outcome:
     return Outcome(run.scenario, 'stopped', text=text, try_=try_, where=where)
+
+
+def _faulted_at(printed: str) -> Place | None:
+    """The innermost place that `faulthandler` printed, in a file that is not the engine's."""
+    for file, line in _FRAME.findall(printed):
+        if os.path.isabs(file) and not is_engine(file) and not file.startswith(sys.prefix):
+            return Place(file, int(line))
+    return None
 
 
 def _signal_name(number: int) -> str:

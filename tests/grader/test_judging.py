@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from edugrade import Check, Evidence, Failure, Scenario, check
 from edugrade.judging import judge
 from edugrade.outcome import Outcome
@@ -85,3 +86,21 @@ def test_a_broken_engine_goes_before_a_students_mistake() -> None:
     results = judged([good], Outcome(ONE, 'unusable', text='x'), Outcome(TWO, 'broke', text='engine'))
     assert results['launches'].status == 'grader_broke'
     assert results['good'].reason.endswith('broke')
+
+
+def test_a_check_that_looks_too_long_fails_and_the_others_are_judged(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr('edugrade.judging.LONGEST_CHECK_S', 0.05)
+
+    @check(points=1)
+    def slow(run: Evidence) -> None:
+        """It is looked at"""
+        while True:
+            pass
+
+    @check(points=1)
+    def quick(run: Evidence) -> None:
+        """It is there"""
+
+    results = judge([slow, quick], [Outcome(Scenario('a'), 'recorded', RECORDING)], SOURCE)
+    assert [(result.status, result.earned) for result in results[1:]] == [('failed', 0), ('passed', 1)]
+    assert 'cannot be looked at' in results[1].reason

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from pathlib import Path
 
 import pytest
@@ -64,3 +65,21 @@ def test_a_second_broken_file_does_not_push_out_the_first(tmp_path: Path) -> Non
         (tmp_path / NAME).write_text(text)
         ProgressFile(str(tmp_path))
     assert [(tmp_path / f'{NAME}{end}').read_text() for end in ('.bak', '.bak2')] == ['[one', '[two']
+
+
+def attempts(folder: str, count: int) -> None:
+    for _ in range(count):
+        with ProgressFile.changing(folder) as file:
+            file.of('circle').attempt(1, 12, False)
+            file.save()
+
+
+def test_of_saves_at_the_same_time_none_is_lost(tmp_path: Path) -> None:
+    context = multiprocessing.get_context('spawn')
+    workers = [context.Process(target=attempts, args=(str(tmp_path), 25)) for _ in range(4)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert ProgressFile(str(tmp_path)).of('circle').attempts == 100
+    assert [path.name for path in tmp_path.iterdir()] == [NAME]

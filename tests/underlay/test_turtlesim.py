@@ -251,6 +251,15 @@ def test_draw_square_turns_left_four_times(sim: Any) -> None:
     assert sim.texts().count('Reached goal') == len(goals) - 1 >= 7
 
 
+def test_draw_square_that_is_there_first_waits_for_turtlesim(stage: Any) -> None:
+    stage.start('turtlesim', 'draw_square')
+    stage.until(1000)
+    stage.start('turtlesim', 'turtlesim_node')
+    stage.until(2000)
+    assert stage.texts().count('Resetting turtlesim.') == 1
+    assert 'New goal [7.544445 5.544445, 0.000000]' in stage.texts()
+
+
 @pytest.mark.parametrize(
     'keys, linear, angular', [('\x1b[A', 2.0, 0.0), ('\x1b[B', -2.0, 0.0), ('\x1b[C', 0.0, -2.0), ('\x1b[D', 0.0, 2.0)]
 )
