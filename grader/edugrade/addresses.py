@@ -1,4 +1,4 @@
-"""Lets a new process have its objects at the same addresses each time, so that what is ordered by them (a set of actions) repeats."""
+"""The same addresses of objects in each new process, so that what is ordered by them (a set of actions) repeats."""
 
 from __future__ import annotations
 

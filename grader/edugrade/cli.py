@@ -48,7 +48,7 @@ def _grade(options: argparse.Namespace) -> int:
     several = len(options.paths) > 1
     works, refusals = _plan(options, several)
     reports = _reports(works, options, several)
-    exit_code = max([item.exit_code for item in (*reports, *refusals)])
+    exit_code = max([report.exit_code for report in reports] + [refusal.exit_code for refusal in refusals])
     _write(options, reports, refusals, exit_code)
     _show(_text(reports, refusals) if several else _render(reports[0]))
     return exit_code

@@ -1,4 +1,4 @@
-"""Makes texts of a report short and the same wherever and whenever it was made: paths, temporary folders, addresses of objects."""
+"""Makes texts of a report short, and the same wherever it was made: paths, temporary folders, addresses of objects."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ import re
 from dataclasses import replace
 
 import edulaunch
-from edulaunch.processes.addresses import SIGN, Addresses
 
 from .place import Place
 from .results import CheckResult
@@ -42,7 +41,11 @@ class ShortPaths:
         text = text.replace(self._folder, self._shown).replace(_ENGINE, 'edulaunch/')
         if 'edulaunch-' in text or 'edugrade-' in text:
             text = _WORD.sub(lambda word: self._of_word(word[0]), text)
-        return Addresses().steady(text) if SIGN in text else text
+        if ' at 0x' not in text:
+            return text
+        from edulaunch.processes.addresses import Addresses
+
+        return Addresses().steady(text)
 
     def _of_word(self, word: str) -> str:
         """A word without the generated beginning of a path."""
@@ -70,7 +73,5 @@ class ShortPaths:
 
 
 def _last(pattern: re.Pattern[str], word: str) -> re.Match[str] | None:
-    found = None
-    for found in pattern.finditer(word):
-        pass
-    return found
+    found = list(pattern.finditer(word))
+    return found[-1] if found else None

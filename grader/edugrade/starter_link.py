@@ -34,18 +34,17 @@ class StarterLink:
         self._heard = b''
         self.socket, theirs = socket.socketpair()
         settings = json.dumps({'control': theirs.fileno(), 'path': import_path()})
-        with theirs:
-            with same_addresses():
-                self._process = subprocess.Popen(
-                    [sys.executable, '-s', '-S', _STARTER, settings],
-                    stdin=subprocess.DEVNULL,
-                    stdout=subprocess.DEVNULL,
-                    stderr=subprocess.DEVNULL,
-                    pass_fds=(theirs.fileno(),),
-                    cwd=home,
-                    env={**environment(home), 'PYTHONSAFEPATH': '1'},
-                    start_new_session=True,
-                )
+        with theirs, same_addresses():
+            self._process = subprocess.Popen(
+                [sys.executable, '-s', '-S', _STARTER, settings],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                pass_fds=(theirs.fileno(),),
+                cwd=home,
+                env={**environment(home), 'PYTHONSAFEPATH': '1'},
+                start_new_session=True,
+            )
 
     def begin(self, number: int, job: Job, channel: int, output: int) -> None:
         """Begin a run, which answers on `channel` and prints on `output`."""

@@ -11,8 +11,8 @@ from edulaunch.errors import UnusableInput
 def write_whole(path: str, text: str) -> None:
     """Write a text file; a reader never finds half of it.
 
-    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. What is no regular file,
-    such as ``/dev/stdout`` or a pipe, is written to and never replaced.
+    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. What is no regular
+    file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
 
     :raises UnusableInput: when it cannot be written there.
     """

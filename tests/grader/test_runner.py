@@ -158,3 +158,24 @@ def is_alive(pid: int) -> bool:
         return Path(f'/proc/{pid}/stat').read_text().rsplit(')', 1)[1].split()[0] not in 'ZX'
     except OSError:
         return False
+
+
+LOOPS = {
+    'that does nothing': ('x = 1\nwhile True:\n    pass\n', 'the launch file never came to its end and was stopped', (2, 3)),
+    'in a pattern': (
+        "import re\nre.match('(a+)+$', 'a' * 60 + 'b')\n",
+        'the launch file never came to its end and was stopped',
+        (2,),
+    ),
+    'in C': ('x = 1\nsum(range(10 ** 13))\n', 'a single call used the processor for seconds and did not come back', (2,)),
+}
+
+
+@pytest.mark.parametrize(('text', 'told', 'lines'), LOOPS.values(), ids=LOOPS)
+def test_a_loop_is_found_by_the_processors_time_and_its_line_named(
+    tmp_path: Path, text: str, told: str, lines: tuple[int, ...]
+) -> None:
+    outcome = run(tmp_path, text, wall_s=120.0)
+    assert (outcome.kind, outcome.text) == ('stopped', told)
+    assert outcome.where is not None
+    assert (outcome.where.file, outcome.where.line in lines) == (str(tmp_path / 'circle.launch.py'), True)
