@@ -12,6 +12,7 @@ from .child_run import ChildRun
 from .job import Job
 from .limits import Limits
 from .outcome import Outcome
+from .remove_tree import remove_tree
 from .scenario import Scenario
 from .starter_link import StarterLink
 from .submission import Submission
@@ -64,9 +65,7 @@ class Runner:
         if self._starter is not None:
             self._starter.close()
         self._selector.close()
-        import shutil
-
-        shutil.rmtree(self._home, ignore_errors=True)
+        remove_tree(self._home)
 
     def add(self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = ()) -> Ticket:
         """Ask for the runs of a submission; runs that were added earlier go first.

@@ -1,8 +1,8 @@
 """A warm interpreter that starts the runs: it loads the engine once, and becomes each run by forking.
 
-Started by `starter_link.py` as a script of its own, with an environment made for it (``-I`` would leave PYTHONHASHSEED out). It
-reads no submission: a run does so after the fork, in a process, session and folder of its own, with `child.py`. So every run begins
-from the same clean state, and loading 400 modules is paid for once and not for each run.
+Started by `starter_link.py` as a script of its own, with an environment made for it (``-I`` would leave PYTHONHASHSEED out).
+It reads no submission: a run does so after the fork, in a process, session and folder of its own, with `child.py`. So every run
+begins from the same clean state, and loading 400 modules is paid for once and not for each run.
 
 Messages are JSON, a length of four bytes before each. From the runner: ``{"run": 3, "job": {...}}`` with two file
 descriptors (the channel and the output), and ``{"reap": pid}``. To it: ``{"run": 3, "pid": 77}`` when a run has begun, and
