@@ -52,7 +52,8 @@ def main(arguments: argparse.Namespace) -> int:
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     with Session(workspaces=workspaces_of_command(arguments.workspace, package_or_path)) as session:
         path = find_launch_file(session.index, package_or_path, file)
-        rehearsal = rehearse(path, given, session.index, session.host.env, assume_packages=arguments.assume_packages)
+        host = session.host
+        rehearsal = rehearse(path, given, session.index, host.env, assume_packages=arguments.assume_packages, ros2=host.ros2)
     if arguments.json:
         import json
 

@@ -11,6 +11,7 @@ from edulaunch.packages import Index
 from edulaunch.plan.assuming_index import AssumingIndex
 from edulaunch.plan.outline import Branch
 from edulaunch.plan.planner import Plan, Planner
+from edulaunch.processes.host import CommandRunner
 
 
 def make_plan(
@@ -20,6 +21,7 @@ def make_plan(
     environ: Mapping[str, str],
     *,
     assume_packages: bool = False,
+    ros2: CommandRunner | None = None,
 ) -> Plan:
     """What `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
 
@@ -27,12 +29,13 @@ def make_plan(
     :param environ: the environment variables that launch would see.
     :param assume_packages: give every package that is missing an empty share folder, and do not look
         executables up.
+    :param ros2: what runs the `ros2 ...` commands whose output the launch file needs; without one there is no such command.
     :returns: `arguments` (declared), `configurations` (after the first visit), `given`, `error` (None, or a
         dict of type, text, stage, origin and help), `items` in order, `log` (warnings and errors),
         `warnings`, `stdout`, `shutdown_reason`.
     :raises UnusableInput: for an argument that is no 'name:=value'.
     """
-    return rehearse(path, arguments, index, environ, assume_packages=assume_packages).plan
+    return rehearse(path, arguments, index, environ, assume_packages=assume_packages, ros2=ros2).plan
 
 
 class Rehearsal(NamedTuple):
@@ -57,6 +60,7 @@ def rehearse(
     environ: Mapping[str, str],
     *,
     assume_packages: bool = False,
+    ros2: CommandRunner | None = None,
 ) -> Rehearsal:
     """As :func:`make_plan`, with more to show.
 
@@ -64,7 +68,7 @@ def rehearse(
     """
     given = _given(arguments)
     assuming = AssumingIndex(index) if assume_packages else None
-    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ)
+    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ, ros2)
     planner.assumptions = None if assuming is None else assuming.assumptions
     plan = planner.plan()
     missing = planner.assumptions

@@ -18,6 +18,7 @@ from edulaunch.plan.rehearsal import Notes, RehearsalHost
 from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
+    from edulaunch.processes.host import CommandRunner
     from edulaunch.processes.process import Process
 
 FORMAT = 1
@@ -25,6 +26,8 @@ Plan = dict[str, Any]
 _SCALARS = frozenset((str, int, float, bool, type(None)))
 """Stay as they are; to know it without a call halves the time for the 56 values of a node."""
 _KEY = itemgetter(0)
+_OF_LAUNCH = frozenset(('timer', 'emit_event'))
+"""With these launch itself ends a process; they are the user's only when a launch file made them."""
 
 
 class Planner:
@@ -33,12 +36,14 @@ class Planner:
     :ivar assumptions: what may be taken to be there; None when nothing may.
     """
 
-    def __init__(self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str]) -> None:
+    def __init__(
+        self, path: str, given: dict[str, str], index: Index, environ: Mapping[str, str], ros2: CommandRunner | None
+    ) -> None:
         self._path = path
         self._given = given
         self._notes = Notes()
         self._sim = Simulation()
-        self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ)
+        self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ, ros2=ros2)
         self._items: list[Plan] = []
         self._processes = 0
         self._error: Plan | None = None
@@ -57,7 +62,9 @@ class Planner:
 
     def plan(self) -> Plan:
         """Run it, and tell what happened."""
-        with warnings.catch_warnings(record=True) as caught:
+        from launch.frontend.collector_pause import collector_paused
+
+        with warnings.catch_warnings(record=True) as caught, collector_paused():
             warnings.simplefilter('default')
             process = self._host.run_launch(self._run)
             endless = run_to_rest(self._sim)
@@ -84,7 +91,8 @@ class Planner:
             'stdout': self._notes.stdout,
             'warnings': [str(warning.message) for warning in caught],
         }
-        sorted_plan: Plan = _sorted(plan)
+        with collector_paused():
+            sorted_plan: Plan = _sorted(plan)
         return sorted_plan
 
     def _endless_error(self, text: str) -> Plan:
@@ -138,7 +146,7 @@ class Planner:
         instead: dict[str, Any] = {'LoadComposableNodes': lambda action, context: None}
         if self.assumptions is not None:
             instead['IncludeLaunchDescription'] = partial(include_if_there, self.assumptions)
-        self._watch = Watch(self._executed, instead)
+        self._watch = Watch(self._executed, instead, self._host.came_back)
         context = self._service.context
         self._watch.context(context)
         context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
@@ -182,17 +190,17 @@ class Planner:
 
     def _executed(self, branch: Branch, context: Any) -> None:
         from edulaunch.plan.items import item_of
-        from edulaunch.plan.process_items import add_parameters
+        from edulaunch.plan.process_items import add_names_and_parameters
 
         item = item_of(branch.action, context, self._host.env, self._processes)
-        if item is None:
+        if item is None or (branch.origin is None and item['kind'] in _OF_LAUNCH):
             return
         self._processes += item['kind'] in ('node', 'process')
         item['phase'] = self._watch.phase
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
         if item['kind'] == 'node':
-            branch.file_origins = add_parameters(item, self._host)
+            branch.file_origins = add_names_and_parameters(item, self._host)
             branch.origins = branch.action._process_spec_details()['parameter_origins']
             branch.missing_files = branch.action._missing_parameter_files()
         branch.item = _plain(item)

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
-from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
+from edulaunch.graph.names import fully_qualified_name, remapped_namespace, remapped_node_name
+from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -16,11 +17,13 @@ if TYPE_CHECKING:
     from edulaunch.plan.rehearsal import RehearsalHost
 
 Item = dict[str, Any]
+UNNAMED = 'unnamed'
+"""Stands for the program's own name, which a plan does not know, when parameter files are read."""
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
-    """The item of an ExecuteLocal action that was just executed; a Node action's has more in it (:func:`add_parameters`
-    is still to come).
+    """The item of an ExecuteLocal action that was just executed. A node's has more in it; :func:`add_names_and_parameters` is
+    still to come.
 
     :param environ: what launch saw at its start.
     :param index: how many processes came before.
@@ -29,7 +32,7 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
     item = {
         'kind': 'process',
         'index': index,
-        'cmd': list(details.final_cmd),
+        'cmd': list(details.command),
         'cwd': details.final_cwd,
         'process_name': details.final_name.rpartition('-')[0],
         'env_changes': _changes(environ, details.final_env),
@@ -60,31 +63,19 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
 
 def _node_part(action: Any, context: LaunchContext, details: Any) -> Item:
     own = len(details.cmd)
-    prefix, command = details.final_cmd[:-own], details.final_cmd[-own:]
+    prefix, command = details.command[:-own], details.command[-own:]
     package = None if action.node_package is None else _text(context, action.node_package)
-    name, namespace = (_given(action.node_name.rpartition('/')[2], action), _given(action.expanded_node_namespace, action))
     arguments, others = _split(command[1:])
     return {
         'kind': 'node',
         'package': package,
         'executable': _text(context, action.node_executable),
-        'name': name,
-        'namespace': namespace,
         'prefix': prefix,
         'arguments': arguments,
         'other_ros_arguments': others,
         'fully_qualified_name': action.node_name if action.is_node_name_fully_specified() else None,
-        'runtime_name': None if name is None else _join(namespace or '/', name),
         'remappings': [list(rule) for rule in action.expanded_remapping_rules],
     }
-
-
-def _given(part: str, action: Any) -> str | None:
-    return None if part in (action.UNSPECIFIED_NODE_NAME, action.UNSPECIFIED_NODE_NAMESPACE) else part
-
-
-def _join(namespace: str, name: str) -> str:
-    return f'/{name}' if namespace == '/' else f'{namespace}/{name}'
 
 
 def _split(words: list[str]) -> tuple[list[str], list[str]]:
@@ -105,8 +96,9 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
     return arguments, others
 
 
-def add_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
-    """Add to a node's item what the node would get by the rules of rcl, and each file with its content.
+def add_names_and_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
+    """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
+    parameters, and each parameter file with its content.
 
     :returns: where each parameter was given: 'file.yaml line 12' or 'command line'.
     """
@@ -119,8 +111,12 @@ def add_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
     try:
         given = parse_ros_arguments(command, host.parameter_entries)
     except RosArgumentsError as error:
-        item['parameters'], item['parameter_error'] = {}, str(error)
-        return {}
-    overrides = given.overrides_for(_join(item['namespace'] or '/', item['name'] or 'unnamed'))
-    item['parameters'] = {name: override.value for name, override in sorted(overrides.items())}
-    return {name: override.origin for name, override in overrides.items()}
+        given, item['parameter_error'] = RosArguments(), str(error)
+    name = remapped_node_name(given.remap_rules, '') or None
+    namespace = remapped_namespace(given.remap_rules, name or '', '') or None
+    full_name = fully_qualified_name(namespace or '/', name or UNNAMED)
+    overrides = given.overrides_for(full_name)
+    item['name'], item['namespace'] = name, namespace
+    item['runtime_name'] = None if name is None else full_name
+    item['parameters'] = {parameter: override.value for parameter, override in sorted(overrides.items())}
+    return {parameter: override.origin for parameter, override in overrides.items()}

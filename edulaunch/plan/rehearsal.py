@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+import os
 from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from edulaunch.graph.parameter_files import Entry
 from edulaunch.graph.tracer import Tracer
+from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.spec import ProcessSpec
 
 WARNING = 30
+LOOKING_UP = ('pkg', 'interface')
+"""Verbs of `ros2` that only look something up."""
 
 
 class ImaginaryProcess:
     """A process that does nothing but be there; a signal ends it.
 
     :param on_exit: told the return code.
+    :ivar came_back: whether it is a process that has ended once already, and was started again.
     """
+
+    came_back = False
 
     def __init__(self, spec: ProcessSpec, pid: int, on_exit: OnExit | None) -> None:
         self.spec = spec
@@ -28,8 +35,8 @@ class ImaginaryProcess:
         self._on_exit = on_exit
 
     def send_signal(self, signum: int) -> None:
-        """End, as a program does that has no handler."""
-        self.end(-int(signum))
+        """End, as a program does that has no handler; the second end of a process is no news."""
+        self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:
         """End with a return code, once."""
@@ -45,17 +52,40 @@ class RehearsalHost(Host):
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self.imaginary: list[ImaginaryProcess] = []
+        self.came_back: set[int] = set()
+        """Numbers of the processes that `respawn` started again."""
         self._commands: deque[ImaginaryProcess] = deque()
         self._nodes: deque[ImaginaryProcess] = deque()
         self._ended_names: set[str] = set()
         self._entries: dict[str, Sequence[Entry]] = {}
         self._contents: dict[str, Any] = {}
 
-    def start(self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, **_: Any) -> Any:
-        """Note the process; it is there at once."""
+    def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
+        """Note the process; it is there at once, and stays until it is told to end."""
+        process = self._imagine(spec, on_exit)
+        process.came_back = spec.name in self._ended_names
+        if process.came_back:
+            self.came_back.add(process.pid)
+        (self._commands if spec.package is None else self._nodes).append(process)
+        return process
+
+    def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
+        """Run the command: what is launched depends on what it prints."""
+        return super().start(spec, on_output, on_exit)
+
+    def start(
+        self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
+    ) -> Any:
+        """For the code of a launch file: `ros2 pkg` and the like run, anything else seems to end at once, without output."""
+        if os.path.basename(spec.argv[0]) == 'ros2' and spec.argv[1:2] and spec.argv[1] in LOOKING_UP and self.ros2 is not None:
+            return super().start(spec, on_output, on_exit, index=index)
+        process = self._imagine(spec, on_exit)
+        self.sim.schedule(self.sim.now_ns, lambda: process.end(0))
+        return process
+
+    def _imagine(self, spec: ProcessSpec, on_exit: OnExit | None) -> ImaginaryProcess:
         process = ImaginaryProcess(spec, self.next_pid(), on_exit)
         self.imaginary.append(process)
-        (self._commands if spec.package is None else self._nodes).append(process)
         return process
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:

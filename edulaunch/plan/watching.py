@@ -7,12 +7,13 @@ Event handlers are wrapped too, for what they return is visited later, in anothe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import TYPE_CHECKING, Any
 
 from launch._help import is_students
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
+from launch.event_handlers.on_action_event_base import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 from edulaunch.plan.endless import MOST_REACTIONS
@@ -35,15 +36,19 @@ class Watch:
 
     :param executed: called as executed(branch, context) after each action was executed.
     :param instead: by name of an action's class: what is done instead of executing such an action.
+    :param came_back: numbers of processes that were started again; what follows their start and end is planned already.
     :ivar phase: of what is visited now.
     :ivar outline: everything so far.
     :ivar timers: the branch of each timer that was set: launch has one handler for them all.
     :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
     """
 
-    def __init__(self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]]) -> None:
+    def __init__(
+        self, executed: Executed, instead: dict[str, Callable[[Any, LaunchContext], Any]], came_back: Collection[int]
+    ) -> None:
         self.executed = executed
         self.instead = instead
+        self.came_back = came_back
         self.phase = 'launch'
         self.outline = Branch('')
         self.branch = self.outline
@@ -104,7 +109,8 @@ class Watched(LaunchDescriptionEntity):
             entities = self._visit_action(action, context)
         else:
             entities = self._entity.visit(context)
-        return None if entities is None else [watch.entity(entity, self._branch) for entity in entities]
+        # One by one: a function may add actions to the very description that is visited.
+        return None if entities is None else (watch.entity(entity, self._branch) for entity in entities)
 
     def _visit_action(self, action: Any, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
         execute = self._watch.instead.get(type(action).__name__)
@@ -154,7 +160,8 @@ class WatchedHandler(BaseEventHandler):
     def handle(self, event: Event, context: LaunchContext) -> Any:
         """Let the handler react; its entities come back watched."""
         watch, kind = self._watch, type(event).__name__
-        if watch.is_endless:
+        is_known = isinstance(self._handler, OnActionEventBase) and getattr(event, 'pid', None) in watch.came_back
+        if watch.is_endless or is_known:
             return None
         watch.phase = _PHASES.get(kind, watch.phase)
         entities = self._handler.handle(event, context)

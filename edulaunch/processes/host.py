@@ -108,7 +108,7 @@ class Host:
         self.env = dict(env)
         self.processes: list[Process] = []
         self.real_programs: list[RealProcess] = []
-        self._ros2 = ros2
+        self.ros2 = ros2
         self._stdin = dict(stdin or {})
         self.unread_stdin = list(self._stdin)
         self.watchdog: Watchdog | None = None
@@ -190,7 +190,7 @@ class Host:
             self.real_programs.append(real)
             return real
         argv, program = known
-        process = Process(self, spec, self.next_pid(), argv, self._ros2 if program is None else _runner(program))  # type: ignore[arg-type]
+        process = Process(self, spec, self.next_pid(), argv, self.ros2 if program is None else _runner(program))  # type: ignore[arg-type]
         process.index = index
         process.on_output = on_output
         process.on_exit = on_exit
@@ -198,6 +198,14 @@ class Host:
         if starter is not None and isinstance(starter.owner, Process):
             starter.owner.speaks_for += 2
         return self.adopt(process)
+
+    def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
+        """:meth:`start` for what a launch action asks for, which a dry run only notes."""
+        return self.start(spec, on_output, on_exit)
+
+    def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
+        """:meth:`start` for a command whose output a launch file needs: it runs in a dry run, too."""
+        return self.start(spec, on_output, on_exit)
 
     def adopt(self, process: Process) -> Process:
         """Take charge of a process made elsewhere, and start it."""
@@ -225,7 +233,7 @@ class Host:
             program = index.find_program(word)
             if program is not None:
                 return words[position:], program
-            if os.path.basename(word) == 'ros2' and self._ros2 is not None:
+            if os.path.basename(word) == 'ros2' and self.ros2 is not None:
                 return words[position:], None
             if words[position + 1 : position + 2] == ['-c'] and os.path.basename(word) in SHELLS:
                 return self._known_line(*words[position + 2 :]) if words[position + 2 :] else None

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from edulaunch import Session
 from edulaunch.errors import UnusableInput
 from edulaunch.packages import Index
 from edulaunch.plan import make_plan
@@ -17,7 +18,7 @@ from launch import LaunchDescription
 from launch.actions import *
 from launch.actions import DeclareLaunchArgument, EmitEvent, ExecuteProcess, GroupAction, LogInfo
 from launch.event_handlers import OnProcessExit, OnProcessStart, OnShutdown
-from launch.substitutions import LaunchConfiguration, LocalSubstitution
+from launch.substitutions import Command, LaunchConfiguration, LocalSubstitution
 from launch_ros.actions import Node, SetParameter
 
 def run(name, **arguments):
@@ -236,3 +237,68 @@ def test_a_plan_does_not_go_on_without_well_known_packages_as_a_launch_does(plan
     error = plan(body)['error']
     assert error['text'].startswith("\"package 'gazebo_ros' not found, searching: ")
     assert error['help'] == "the package 'gazebo_ros' (Gazebo) is not here"
+
+
+def test_what_a_respawned_process_does_again_is_not_told_again(plan: Plan) -> None:
+    found = plan("""
+    again = [RegisterEventHandler(OnProcessStart(on_start=[LogInfo(msg='started')])),
+             RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='ended')]))]
+    return [run('a', respawn=True, respawn_delay=1.0), run('b', respawn=True), *again]""")
+    assert steps(found) == [
+        ('launch', None, 'a'),
+        ('launch', None, 'b'),
+        ('on_start', None, 'started'),
+        ('on_start', None, 'started'),
+        ('on_exit', None, 'ended'),
+        ('on_exit', None, 'ended'),
+    ]
+    assert [item['kind'] for item in found['items'] if item['kind'] in ('timer', 'emit_event')] == []
+    assert (found['log'], found['shutdown_reason']) == ([], 'idle')
+
+
+def test_a_timer_with_which_launch_ends_a_process_is_not_the_files(plan: Plan) -> None:
+    found = plan("    return [run('a'), TimerAction(period=2.0, actions=[Shutdown()]), run('b', respawn=True)]")
+    assert [item['period'] for item in found['items'] if item['kind'] == 'timer'] == [2.0]
+
+
+def test_ros_arguments_decide_over_name_and_namespace(plan: Plan, tmp_path: Path) -> None:
+    (tmp_path / 'a.yaml').write_text('/x/n:\n  ros__parameters: {speed: 2}\n/n:\n  ros__parameters: {speed: 1}\n')
+    node = "Node(package='turtlesim', executable='turtlesim_node', parameters=[{!r}], {})"
+    cases = {
+        "ros_arguments=['-r', '__ns:=/x'], name='n'": ('n', '/x', '/x/n', {'speed': 2}),
+        "arguments=['--ros-args', '-r', '__node:=n'], name='other'": ('n', None, '/n', {'speed': 1}),
+        "namespace='x', name='n'": ('n', '/x', '/x/n', {'speed': 2}),
+        "namespace='x'": (None, '/x', None, {}),
+    }
+    for arguments, expected in cases.items():
+        (item,) = [
+            item
+            for item in plan(f'    return [{node.format(str(tmp_path / "a.yaml"), arguments)}]')['items']
+            if item['kind'] == 'node'
+        ]
+        assert (item['name'], item['namespace'], item['runtime_name'], item['parameters']) == expected
+
+
+def test_actions_that_a_function_adds_to_its_own_description_are_planned(plan: Plan) -> None:
+    found = plan("""
+    description = []
+    def more(context):
+        described.add_action(LogInfo(msg='added'))
+    described = LaunchDescription([OpaqueFunction(function=more)])
+    return [described, LogInfo(msg='last')]""")
+    assert [what for _, _, what in steps(found)] == ['added', 'last']
+
+
+def test_commands_of_ros2_answer_and_programs_that_a_file_starts_itself_end_at_once(plan: Plan) -> None:
+    ros2 = Session(env={}).host.ros2
+    found = plan(
+        """
+    import subprocess
+    code = subprocess.Popen(['sleep', '60']).wait()
+    prefix = subprocess.check_output(['ros2', 'pkg', 'prefix', 'turtlesim'], text=True).strip()
+    return [LogInfo(msg=[str(code), ' ', prefix[-8:], ' ', Command('ros2 pkg prefix turtlesim')])]""",
+        ros2=ros2,
+    )
+    assert found['error'] is None
+    (said,) = [item['msg'] for item in found['items'] if item['kind'] == 'log']
+    assert (said.startswith('0 underlay /'), said.endswith('/underlay\n')) == (True, True)

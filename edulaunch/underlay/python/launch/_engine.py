@@ -145,7 +145,7 @@ def _run_known_command(process: Process, spec: Any, stderr_to_stdout: bool) -> t
         codes.append(code)
         task.wake()
 
-    process.host.start(spec, on_output=on_output, on_exit=on_exit)
+    process.host.start_command(spec, on_output, on_exit)
     while not codes:
         task.park()
     return codes[0], texts['stdout'], texts['stderr']

@@ -25,7 +25,7 @@ class ProcessRun:
         self._on_output = on_output
         self._pending: list[tuple[str, str]] = []
         self.complete: asyncio.Future[int] = loop.create_future()
-        self._process: Any = running_process().host.start(spec, on_output=self._take, on_exit=self._end)
+        self._process: Any = running_process().host.start_launched(spec, self._take, self._end)
 
     @property
     def pid(self) -> int:
