@@ -242,14 +242,13 @@ class Host:
         return python_command(words, spec.cwd, frozenset(self.overlay(index).modules)) if _names_python(words) else None
 
     def _known_line(self, line: str, *arguments: str) -> tuple[list[str], Program] | None:
-        """A shell line of which the simulation knows each command."""
-        from edulaunch.processes.shell_lines import is_simulated, parts_of, with_arguments
+        """A shell line of which the simulation knows a command."""
+        from edulaunch.processes.shell_grammar import parsed
+        from edulaunch.processes.shell_lines import is_simulated
 
-        line = with_arguments(line, list(arguments))
-        parts = parts_of(line)
-        if parts is None or not is_simulated(parts, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):
+        if not is_simulated(parsed(line), arguments, lambda words: self.knows(ProcessSpec(argv=tuple(words), name=''))):
             return None
-        return ['sh', '-c', line], Program('shell', '', 'sh', 'sh', file=line)
+        return ['sh', '-c', line, *arguments], Program('shell', '', 'sh', 'sh', file=line)
 
     def ended(self, process: Process) -> None:
         """Called by a process when it has ended."""

@@ -1,155 +1,246 @@
-"""Shell lines that join commands of the simulation: `sleep 2; ros2 service call ... && ros2 run ...`.
+"""Shell lines with commands of the simulation: `sleep 2; ros2 service call ... && ros2 topic list | grep turtle`.
 
-A real shell could not reach the simulated programs, so such a line is followed here, in simulated time.
+A real shell could not reach the simulated programs, so such a line is followed here, in simulated time. `shell_grammar` says
+which lines these are, `shell_words` what their words stand for, `shell_filters` what may stand behind a `|`.
 """
 
 from __future__ import annotations
 
 import os
-import re
-import shlex
 import signal
 import subprocess
-from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from typing import Any
 
 from edulaunch.processes.children import Child
 from edulaunch.processes.host import SHELLS
 from edulaunch.processes.process import Process
+from edulaunch.processes.shell_filters import Filter, RealFilter, Sink, is_filter
+from edulaunch.processes.shell_grammar import Command, Job, Line, Pipeline, Redirection, parsed
+from edulaunch.processes.shell_words import Expansion, known_words
+from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.sync import sleep
 
-_ARGUMENTS = re.compile(r'("?)\$([0@*])\1')
 _UNITS = {'s': 1, 'm': 60, 'h': 3600}
-_JOINTS = ('&&', '||', ';', '&')
-_REDIRECTION = re.compile(r'((?<!\S)[12]|&|)(>>?)\s*(&1|[^\s&|;<>()$`*?]+)')
-_OTHER_SIGNS = frozenset('|&<>()$`\\*?[]#~\n')
-"""What a real shell must do: pipes, reading files, variables, patterns."""
+_NOT_FOUND = 127
 
 
-class Part(NamedTuple):
-    """One command of a line.
-
-    :ivar joint: what stands before it: '', '&&', '||', ';' or '&'.
-    :ivar outlets: where its output goes, if elsewhere: by stream a file and how to open it, or None for where stdout goes.
-    :ivar is_beside: whether the line goes on without waiting for it, for the sake of a `&`.
-    """
-
-    joint: str
-    words: list[str]
-    outlets: dict[str, tuple[str, str] | None]
-    is_beside: bool
+def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[list[str]], bool]) -> bool:
+    """Whether a line has to be followed here: it can be read, and the simulation knows one of its commands."""
+    return any(knows(words) for command in _commands(line or ()) if (words := known_words(command, arguments)))
 
 
-def parts_of(line: str) -> list[Part] | None:
-    """The commands of a line in order; None for one with signs that only a real shell understands."""
-    parts: list[Part] = []
-    joint, text, begin, chain, outlets = '', '', 0, 0, {}
-    for position, sign in (*_signs(line), (len(line), '')):
-        text, begin = text + line[begin:position], position + len(sign)
-        redirection = _REDIRECTION.fullmatch(sign)
-        if redirection is not None:
-            outlets.update(_outlets_of(*redirection.groups()))
-            continue
-        if sign and sign not in _JOINTS:
-            return None
-        try:
-            words = shlex.split(text)
-        except ValueError:  # a quote is open
-            return None
-        if words:
-            parts.append(Part(joint, words[words[0] == 'exec' :] or ['true'], outlets, sign == '&'))
-        if sign == '&' and words and (joint in ('&&', '||') or _own(words) is not None):  # all of `a && b &` runs beside
-            while parts[-1].joint in ('&&', '||'):
-                parts.pop()
-            parts[-1] = Part(parts[-1].joint, ['sh', '-c', line[chain:position]], {}, True)
-        chain = chain if sign in ('&&', '||') else begin
-        joint, text, outlets = sign, '', {}
-    return parts or None
+def _commands(line: Line) -> Iterator[Command]:
+    """Every command of a line, those in `$(...)` too."""
+    for job in line:
+        for _, pipeline in job.parts:
+            for command in pipeline:
+                yield command
+                for piece in (piece for word in command.words for piece in word):
+                    yield from _commands(piece.line)
 
 
-def _outlets_of(stream: str, sign: str, place: str) -> dict[str, tuple[str, str] | None]:
-    """What `2> FILE`, `&>> FILE` or `2>&1` say about the output."""
-    outlet = None if place == '&1' else (place, 'w' if sign == '>' else 'a')
-    return {'stdout': outlet, 'stderr': None} if stream == '&' else {'stderr' if stream == '2' else 'stdout': outlet}
-
-
-def with_arguments(line: str, words: list[str]) -> str:
-    """The line of `bash -c LINE WORD...`: `$0` is the first of the words behind it, `$@` and `$*` are the others.
-
-    A prefix that many launch files have to start a node later is `bash -c 'sleep 5; $0 $@'`.
-    """
-    if not words or "'" in line:
-        return line
-    values = {'0': shlex.quote(words[0]), '@': shlex.join(words[1:]), '*': shlex.join(words[1:])}
-    return _ARGUMENTS.sub(lambda found: values[found[2]], line)
-
-
-def _signs(line: str) -> Iterator[tuple[int, str]]:
-    """Each sign that a shell does not take as a letter, with its place."""
-    quote, position = '', 0
-    while position < len(line):
-        letter = line[position]
-        sign = line[position : position + 2] if line[position : position + 2] in _JOINTS else letter
-        redirection = None if quote else _REDIRECTION.match(line, position)
-        if redirection is not None:
-            yield position, redirection[0]
-            position = redirection.end() - 1
-        elif quote:
-            quote = '' if letter == quote else quote
-            if quote == '"' and letter in '$`\\':
-                yield position, letter
-        elif letter in '"\'':
-            quote = letter
-        elif sign in _JOINTS or letter in _OTHER_SIGNS:
-            yield position, sign
-            position += len(sign) - 1
-        position += 1
-
-
-def is_simulated(parts: list[Part], knows: Callable[[list[str]], bool]) -> bool:
-    """Whether a line can be followed here: the simulation knows each command that is not the shell's own, and there is one."""
-    others = [part.words for part in parts if _own(part.words) is None]
-    plain = all(not part.outlets and not part.is_beside for part in parts if _own(part.words) is not None)
-    return bool(others) and plain and all(map(knows, others))
-
-
-def run_line(process: Process, line: str) -> int:
+def run_line(process: Process, text: str) -> int:
     """Follow a line; returns the status of its last command. Ctrl-C reaches the command that runs, and ends the line."""
-    status = 0
+    shell = Shell(process, process.argv[3:])
     try:
-        for joint, words, outlets, is_beside in parts_of(line) or ():
-            if joint == '&&' and status != 0 or joint == '||' and status == 0:
-                continue
-            if words[0] == 'exit':
-                return int(words[1]) if words[1:] else status
-            own = _own(words)
-            status = _run(process, words, outlets, is_beside) if own is None else own(process, words)
+        shell.run(parsed(text) or ())
     except KeyboardInterrupt:
         process.end_by(signal.SIGINT)
-    return status
+    except _Exit:
+        pass
+    return shell.status
 
 
-def _run(process: Process, words: list[str], outlets: dict[str, tuple[str, str] | None], is_beside: bool) -> int:
-    places: dict[str, Any] = {stream: _Inherited(process, stream) for stream in ('stdout', 'stderr') if is_beside}
-    for stream, outlet in outlets.items():
-        places[stream] = subprocess.STDOUT if outlet is None else _File(process, *outlet)
-    child = Child(process, words, **places)
-    if is_beside:
-        return 0
-    child.is_passed_on = True
-    try:
-        return child.wait()
-    except KeyboardInterrupt:
-        child.send_signal(signal.SIGINT)
-        child.wait()
-        raise
+class _Exit(Exception):  # noqa: N818 - no error
+    """The line says `exit`."""
+
+
+class Shell:
+    """Follows lines in a process.
+
+    :param arguments: `$0`, `$1` and so on.
+    :ivar status: of the command that ended last.
+    """
+
+    def __init__(self, process: Process, arguments: Sequence[str] = (), out: Sink | None = None) -> None:
+        self.process = process
+        self.status = 0
+        self._arguments = list(arguments)
+        self._out: Sink = _Stream(process, 'stdout') if out is None else out
+
+    def run(self, line: Line) -> None:
+        """Run the jobs one after another.
+
+        :raises KeyboardInterrupt: on Ctrl-C, after the command that ran has ended.
+        """
+        for job in line:
+            if job.is_beside:
+                self._start_beside(job)
+                continue
+            for joint, pipeline in job.parts:
+                if not (joint == '&&' and self.status != 0 or joint == '||' and self.status == 0):
+                    self.status = self._run(pipeline)
+
+    def _start_beside(self, job: Job) -> None:
+        """Start it and go on. One with words of the shell only is left out: nobody could see what it does."""
+        if is_simulated((job,), self._arguments, self._knows):
+            streams: dict[str, Any] = {stream: _Inherited(self.process, stream) for stream in ('stdout', 'stderr')}
+            Child(self.process, ['sh', '-c', job.text, *self._arguments], **streams)
+        self.status = 0
+
+    def _knows(self, words: list[str]) -> bool:
+        return self.process.host.knows(ProcessSpec(argv=tuple(words), name=''))
+
+    def _run(self, pipeline: Pipeline) -> int:
+        """Build it from its end; then text flows from the first command."""
+        sink = self._out
+        stages: list[_Ended | Child | Filter | RealFilter] = []
+        running: list[tuple[Child, Sink]] = []
+        for command in reversed(pipeline):
+            is_first = command is pipeline[0]
+            words, env = self._prepared(command)
+            out, streams = self._streams(command.redirections, sink)
+            if not words or words[0] in _OWN:
+                stages.append(_Ended(_OWN[words[0]](self, words, out) if words else 0))
+                out.close()
+                sink = _NOWHERE
+            elif not is_first and not self._knows(words):
+                sink = self._filter(words, out, env, running)
+                stages.append(sink)
+            else:
+                child = self._started(words, env, streams if is_first else {'stdin': subprocess.PIPE, **streams})
+                stages.append(child or _Ended(_NOT_FOUND))
+                running[:0] = [(child, out)] if child else []
+                sink = (child and child.stdin) or _NOWHERE
+        self._wait(running)
+        return stages[0].returncode or 0
+
+    def _prepared(self, command: Command) -> tuple[list[str], dict[str, str]]:
+        """The words, and the environment; variables without a command are set for what follows."""
+        expansion = self._expansion()
+        settings = {name: expansion.one(value) for name, value in command.settings}
+        words = expansion.words(command.words)
+        words = words[words[:1] == ['exec'] :] if command.words else words
+        if not words:
+            self.process.env.update(settings)
+        return words, {**self.process.env, **settings}
+
+    def _expansion(self) -> Expansion:
+        variables = {**self.process.env, '?': str(self.status)}
+        return Expansion(variables, self._arguments, self.process.cwd, self._written)
+
+    def _written(self, line: Line) -> str:
+        """What a line in `$(...)` writes. What it changes, such as its folder, is forgotten."""
+        process, text = self.process, _Text()
+        env, cwd = dict(process.env), process.cwd
+        with suppress(_Exit):
+            Shell(process, self._arguments, text).run(line)
+        process.env.clear()
+        process.env.update(env)
+        process.cwd = cwd
+        return ''.join(text.parts)
+
+    def _streams(self, redirections: Sequence[Redirection], sink: Sink) -> tuple[Sink, dict[str, Any]]:
+        """Where the output goes, and what :class:`Child` is told."""
+        out = sink
+        told: dict[str, Any] = {} if isinstance(sink, _Stream) else {'stdout': sink}
+        for stream, mode, place in redirections:
+            path = os.path.join(self.process.cwd or os.getcwd(), self._expansion().one(place)) if place else ''
+            if stream == 'stdin':
+                with open(path, encoding='utf-8') as file:
+                    told['input'] = file.read()
+                continue
+            where: Any = _File(path, mode) if place else subprocess.STDOUT
+            told['stderr' if stream == 'stderr' else 'stdout'] = where
+            if stream != 'stderr':
+                out = where
+            if stream == 'both':
+                told['stderr'] = subprocess.STDOUT
+        return out, told
+
+    def _filter(self, words: list[str], out: Sink, env: dict[str, str], running: list[tuple[Child, Sink]]) -> Any:
+        if not is_filter(words):
+            return RealFilter(words, out, self.process.cwd, env)
+        behind = len(running)
+        return Filter(words, out, lambda: _kill(running[: len(running) - behind]))
+
+    def _started(self, words: list[str], env: dict[str, str], streams: dict[str, Any]) -> Child | None:
+        try:
+            child = Child(self.process, words, env=env, **streams)
+        except FileNotFoundError:
+            self.process.write('stderr', f'sh: {words[0]}: not found\n')
+            return None
+        child.is_passed_on = True
+        return child
+
+    def _wait(self, running: list[tuple[Child, Sink]]) -> None:
+        try:
+            for child, out in running:
+                child.wait()
+                out.close()
+        except KeyboardInterrupt:
+            for child, _ in running:
+                child.send_signal(signal.SIGINT)
+            for child, out in running:
+                child.wait()
+                out.close()
+            raise
+
+
+def _kill(running: list[tuple[Child, Sink]]) -> None:
+    for child, _ in running:
+        child.kill()
+
+
+class _Ended:
+    """A command of the shell's own, which has ended."""
+
+    def __init__(self, returncode: int) -> None:
+        self.returncode = returncode
+
+
+class _Stream:
+    """The output of the process that follows the line."""
+
+    def __init__(self, process: Process, stream: str) -> None:
+        self._process, self._stream = process, stream
+
+    def write(self, text: str) -> None:
+        """Write it there."""
+        self._process.write(self._stream, text)
+
+    def close(self) -> None:
+        """It stays open."""
+
+
+class _Text(_Stream):
+    """Keeps what is written."""
+
+    def __init__(self) -> None:
+        self.parts: list[str] = []
+
+    def write(self, text: str) -> None:
+        """Keep it."""
+        self.parts.append(text)
+
+
+class _Nowhere(_Text):
+    """Takes text that nobody reads."""
+
+    def write(self, text: str) -> None:
+        """Forget it."""
+
+
+_NOWHERE = _Nowhere()
 
 
 class _File:
     """A file that a command writes into. It is open only while something is written: nobody knows when the last comes."""
 
-    def __init__(self, process: Process, path: str, mode: str) -> None:
-        self._path = os.path.join(process.cwd or os.getcwd(), os.path.expanduser(path))
+    def __init__(self, path: str, mode: str) -> None:
+        self._path = path
         with open(self._path, mode):
             pass
 
@@ -158,13 +249,12 @@ class _File:
         with open(self._path, 'a', encoding='utf-8') as file:
             file.write(text)
 
+    def close(self) -> None:
+        """It is closed already."""
 
-class _Inherited:
+
+class _Inherited(_Stream):
     """Where a command writes that a line has left behind: to the program that started the line, if that hears it."""
-
-    def __init__(self, process: Process, stream: str) -> None:
-        self._process = process
-        self._stream = stream
 
     def write(self, text: str) -> None:
         """Pass it on."""
@@ -172,47 +262,84 @@ class _Inherited:
             self._process.on_output(self._stream, text)
 
 
-# The shell's own commands
+# The shell's own commands: their words, and where they write
 
 
-def _own(words: list[str]) -> Callable[[Process, list[str]], int] | None:
-    if words[0] in SHELLS and len(words) == 1:  # `...; exec bash` keeps a window open that is not there
-        return _nothing
-    return _OWN.get(words[0])
-
-
-def _nothing(process: Process, words: list[str]) -> int:
+def _nothing(shell: Shell, words: list[str], out: Sink) -> int:
     return 0
 
 
-def _sleep(process: Process, words: list[str]) -> int:
+def _fail(shell: Shell, words: list[str], out: Sink) -> int:
+    return 1
+
+
+def _sleep(shell: Shell, words: list[str], out: Sink) -> int:
     sleep(sum(float(word.rstrip('smh')) * _UNITS.get(word[-1], 1) for word in words[1:]))
     return 0
 
 
-def _echo(process: Process, words: list[str]) -> int:
-    process.write('stdout', ' '.join(words[1:]) + '\n')
+def _echo(shell: Shell, words: list[str], out: Sink) -> int:
+    options = [word for word in words[1:2] if word in ('-n', '-e', '-ne', '-en')]
+    text = ' '.join(words[1 + len(options) :])
+    if options and 'e' in options[0]:
+        text = text.replace('\\n', '\n').replace('\\t', '\t')
+    out.write(text if options and 'n' in options[0] else text + '\n')
     return 0
 
 
-def _cd(process: Process, words: list[str]) -> int:
-    process.cwd = os.path.join(process.cwd or os.getcwd(), *words[1:])
+def _pwd(shell: Shell, words: list[str], out: Sink) -> int:
+    out.write((shell.process.cwd or os.getcwd()) + '\n')
     return 0
 
 
-def _export(process: Process, words: list[str]) -> int:
-    process.env.update(word.split('=', 1) for word in words[1:] if '=' in word)  # type: ignore[misc]
+def _cd(shell: Shell, words: list[str], out: Sink) -> int:
+    process = shell.process
+    path = os.path.normpath(os.path.join(process.cwd or os.getcwd(), *(words[1:] or [process.env.get('HOME', '/')])))
+    if not os.path.isdir(path):
+        process.write('stderr', f'sh: cd: {words[1]}: No such file or directory\n')
+        return 1
+    process.cwd = path
     return 0
 
 
-_OWN: dict[str, Callable[[Process, list[str]], int]] = {
+def _export(shell: Shell, words: list[str], out: Sink) -> int:
+    shell.process.env.update(word.split('=', 1) for word in words[1:] if '=' in word)  # type: ignore[misc]
+    return 0
+
+
+def _unset(shell: Shell, words: list[str], out: Sink) -> int:
+    for word in words[1:]:
+        shell.process.env.pop(word, None)
+    return 0
+
+
+def _exit(shell: Shell, words: list[str], out: Sink) -> int:
+    shell.status = int(words[1]) if words[1:] else shell.status
+    raise _Exit
+
+
+def _shell(shell: Shell, words: list[str], out: Sink) -> int:
+    """`...; exec bash` keeps a window open that is not there."""
+    if len(words) == 1:
+        return 0
+    child = Child(shell.process, words, stdout=out)
+    child.is_passed_on = True
+    return child.wait()
+
+
+_OWN: dict[str, Callable[[Shell, list[str], Sink], int]] = {
     'sleep': _sleep,
     'echo': _echo,
+    'pwd': _pwd,
     'cd': _cd,
     'export': _export,
+    'unset': _unset,
     'true': _nothing,
-    'exit': _nothing,
+    'false': _fail,
+    ':': _nothing,
+    'exit': _exit,
     'source': _nothing,
     '.': _nothing,
+    **dict.fromkeys(SHELLS, _shell),
 }
 """`source` reads setup files of ROS 2, which the simulation does not need."""

@@ -6,38 +6,117 @@ from typing import Any
 
 import pytest
 
-from edulaunch.processes.shell_lines import parts_of, with_arguments
+from edulaunch.processes.shell_grammar import parsed
 from edulaunch.processes.spec import ProcessSpec
 
 
 @pytest.mark.parametrize(
-    ('line', 'parts'),
+    'line',
     [
-        ('ros2 run a b', [('', 'ros2 run a b')]),
-        (
-            'sleep 2; ros2 run a b && echo done || echo failed',
-            [('', 'sleep 2'), (';', 'ros2 run a b'), ('&&', 'echo done'), ('||', 'echo failed')],
-        ),
-        ("ros2 topic pub /a b '{x: 1; y: $(2)}' ; exec bash", [('', 'ros2 topic pub /a b {x: 1; y: $(2)}'), (';', 'bash')]),
-        ('ros2 run a b;', [('', 'ros2 run a b')]),
-        ('', None),
-        ('ros2 run a b | grep c', None),
-        ('ros2 run a b > $file', None),
-        ('ros2 run a b < file', None),
-        ('echo "$HOME"', None),
-        ('ros2 run a b > file 2>&1 & sleep 1', [('', 'ros2 run a b'), ('&', 'sleep 1')]),
-        (
-            'sleep 2; sleep 1 && ros2 run a b > c & ls',
-            [('', 'sleep 2'), (';', 'sh -c  sleep 1 && ros2 run a b > c '), ('&', 'ls')],
-        ),
-        ("ros2 run a 'b > c'>>file", [('', 'ros2 run a b > c')]),
-        ("echo 'open", None),
-        ('ros2 run a b\nros2 run c d', None),
+        '',
+        '  # nothing',
+        "echo 'open",
+        'echo "open',
+        'if true; then echo; fi',
+        'for x in a b; do echo; done',
+        '(echo a)',
+        'cat <<EOF',
+        'echo $((1 + 1))',
+        'f() { echo; }',
+        '${x%y} a',
+        'echo a >',
+        'a && ',
+        '| b',
+        'a ;; b',
+        'echo $(',
+        '[[ a ]]',
     ],
 )
-def test_a_line_has_parts_unless_only_a_shell_understands_it(line: str, parts: list[tuple[str, str]] | None) -> None:
-    found = parts_of(line)
-    assert (found and [(part.joint, ' '.join(part.words)) for part in found]) == parts
+def test_what_is_not_in_the_grammar_is_for_a_real_shell(line: str) -> None:
+    assert parsed(line) is None
+
+
+@pytest.mark.parametrize(
+    ('line', 'out'),
+    [
+        ('show a "b c" d\\ e', "['a', 'b c', 'd e']"),
+        ('show $NAME "$NAME" ${NAME} \'$NAME\' $NIX "$NIX"', "['two', 'words', 'two words', 'two', 'words', '$NAME', '']"),
+        ('show ${NIX:-other} ${NAME:-x}y', "['other', 'two', 'wordsy']"),
+        ('X=1 Y="$NAME"; show $X-$Y', "['1-two', 'words']"),
+        ('show "{x: 1; y: $(echo 2)}" `echo 3`', "['{x: 1; y: 2}', '3']"),
+        ('show $(show a | cat)', '["[\'a\']"]'),
+        ('show *.txt n*pe "*.txt" ?.txt', "['a.txt', 'b.txt', 'n*pe', '*.txt', 'a.txt', 'b.txt']"),
+        ('show ~ ~/x a~', "['/home/student', '/home/student/x', 'a~']"),
+        ('false; show $?', "['1']"),
+        ('show a # and a remark', "['a']"),
+        ('show a#b', "['a#b']"),
+        ('true &&\nshow a', "['a']"),
+        ('show "a\\$b" \'c"d\'', "['a$b', 'c\"d']"),
+    ],
+)
+def test_words_are_those_of_a_shell(world: Any, line: str, out: str) -> None:
+    show = world.write('show.py', 'import sys; print(sys.argv[1:])')
+    for name in ('a.txt', 'b.txt'):
+        (world.folder / name).write_text('')
+    text = f'cd {world.folder}; export NAME="two words"; {line.replace("show", str(show))}'
+    assert [said for _, said in follow(world, text, shell=True)] == [f'{out}\n', '0']
+
+
+@pytest.mark.parametrize(
+    ('pipe', 'out'),
+    [
+        ('grep -i B', ['b1', 'b2']),
+        ('grep -v b | grep -n .', ['1:a']),
+        ('grep -c b', ['2']),
+        ('grep -o [12]', ['1', '2']),
+        ("grep -E '^(a|b2)$'", ['a', 'b2']),
+        ('head -n 2', ['a', 'b1']),
+        ('head -1', ['a']),
+        ('tail -1', ['b2']),
+        ('sort -r | head -1', ['b2']),
+        ('wc -l', ['3']),
+        ('tr ab xy', ['x', 'y1', 'y2']),
+        ('cat | uniq | cat', ['a', 'b1', 'b2']),
+        ('grep nothing || echo none', ['none']),
+    ],
+)
+def test_text_goes_through_pipes(world: Any, pipe: str, out: list[str]) -> None:
+    script = world.write('three.py', 'print("a\\nb1\\nb2")')
+    assert ''.join(said for _, said in follow(world, f'{script} | {pipe}', shell=True)[:-1]).splitlines() == out
+
+
+def test_text_comes_through_as_it_is_written_and_head_ends_what_never_ends(world: Any) -> None:
+    script = world.write('ever.py', 'import time\nn = 0\nwhile True:\n    n += 1\n    print(n)\n    time.sleep(1)')
+    assert follow(world, f'{script} | grep -v 2 | head -2; echo over', shell=True) == [
+        (0.0, '1\n'),
+        (2.0, '3\n'),
+        (2.0, 'over\n'),
+        (2.0, '0'),
+    ]
+
+
+def test_a_program_reads_what_another_one_or_a_file_gives(world: Any) -> None:
+    script = world.write('twice.py', 'import sys\nfor line in sys.stdin: print(line.strip() * 2)')
+    (world.folder / 'words').write_text('ab\n')
+    line = f'cd {world.folder}; echo xy | {script} | {script}; {script} < words; echo z | {script} > out; cat out'
+    assert [said for _, said in follow(world, line, shell=True)] == ['xyxyxyxy\n', 'abab\n', 'zz\n', '0']
+
+
+def test_a_missing_command_and_a_missing_folder_are_told_as_a_shell_tells_them(world: Any) -> None:
+    script = world.write('b.py', 'print("b")')
+    assert [said for _, said in follow(world, f'nix || {script}; cd /nowhere && {script}', shell=True)] == [
+        'sh: nix: not found\n',
+        'b\n',
+        'sh: cd: /nowhere: No such file or directory\n',
+        '1',
+    ]
+
+
+def test_ctrl_c_reaches_every_command_of_a_pipe(world: Any) -> None:
+    script = world.write(
+        'b.py', 'import sys, time\ntry:\n    time.sleep(9)\nexcept KeyboardInterrupt:\n    print("bye", flush=True)'
+    )
+    assert follow(world, f'{script} | grep -v x; echo never', shell=True, signal_at=1.0) == [(1.0, 'bye\n'), (1.0, '-2')]
 
 
 def follow(world: Any, *argv: str, shell: bool = False, signal_at: float | None = None) -> list[tuple[float, str]]:
@@ -102,22 +181,7 @@ def test_a_line_without_simulated_commands_is_for_a_real_shell(world: Any) -> No
     assert not world.host.knows(ProcessSpec(argv=('echo a; exit 4',), name='line', shell=True))
 
 
-@pytest.mark.parametrize(
-    ('line', 'expected'),
-    [
-        ('sleep 5; $0 $@', "sleep 5; a 'b c' d"),
-        ('sleep 5; exec "$0" "$@"', "sleep 5; exec a 'b c' d"),
-        ('$0 $*', "a 'b c' d"),
-        ("echo '$0'", "echo '$0'"),
-        ('echo "$0 x"', 'echo "a x"'),
-        ('true', 'true'),
-    ],
-)
-def test_a_line_may_name_the_words_behind_it(line: str, expected: str) -> None:
-    assert with_arguments(line, ['a', 'b c', 'd']) == expected
-    assert with_arguments(line, []) == line
-
-
 def test_a_prefix_may_start_a_program_later(world: Any) -> None:
     script = world.write('b.py', 'import sys; print(*sys.argv[1:], sep="|")')
-    assert follow(world, 'bash', '-c', 'sleep 2.5; $0 $@', str(script), 'x y', 'z') == [(2.5, 'x y|z\n'), (2.5, '0')]
+    assert follow(world, 'bash', '-c', 'sleep 2.5; $0 "$@"', str(script), 'x y', 'z') == [(2.5, 'x y|z\n'), (2.5, '0')]
+    assert follow(world, 'bash', '-c', '$0 $@; echo $# "$1"', str(script), 'x y', 'z')[0][1] == 'x|y|z\n'

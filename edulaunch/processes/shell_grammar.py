@@ -1,0 +1,230 @@
+r"""The shell lines that are followed in the simulation, as data.
+
+    line        = job {(';' | '&' | newline) job}
+    job         = pipeline {('&&' | '||') pipeline}            beside what follows, when '&' stands behind it
+    pipeline    = command {'|' command}
+    command     = {NAME=word} {word | redirection}
+    redirection = ['1' | '2' | '&'] ('>' | '>>') word | '2>&1' | '<' word
+    word        = one or more of: letters, 'text', "text", \x, $NAME, ${NAME}, ${NAME:-text}, $0 to $9, $@, $*, $?, $(line),
+                  `line`, a leading ~, and the patterns * ? [...]
+    comment     = from a '#' that begins a word to the end of the line
+
+Inside "..." the signs $ ` and \ keep their meaning. Anything else that shells know (conditions, loops, functions, here-documents,
+parentheses, arithmetic) is not read here: :func:`parsed` returns None, and the line goes to a real shell.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+_SETTING = re.compile(r'([A-Za-z_]\w*)=')
+_REDIRECTION = re.compile(r'([12]|&)?(>>?)(&1)?|<(?![<(&])')
+_NAME = re.compile(r'\$(?:([A-Za-z_]\w*|[0-9@*?])|\{([A-Za-z_]\w*|[0-9@*?])(?::-([^{}$`"\'\\]*))?\})')
+_RESERVED = frozenset(('if', 'for', 'while', 'until', 'case', 'function', 'select', '[[', '{', '}', '!'))
+_ENDS_WORD = ' \t\n|&;<>()'
+
+
+class Piece(NamedTuple):
+    """A part of a word.
+
+    :ivar kind: 'text', 'name' (of a variable) or 'line' (what a line writes).
+    :ivar text: the text itself, or the name.
+    :ivar is_quoted: whether it stays in one word, and no pattern is looked for in it.
+    :ivar default: for a variable that is not set.
+    """
+
+    kind: str
+    text: str
+    is_quoted: bool
+    default: str = ''
+    line: tuple[Job, ...] = ()
+
+
+Word = tuple[Piece, ...]
+
+
+class Redirection(NamedTuple):
+    """Where a stream ('stdin', 'stdout', 'stderr' or 'both') comes from or goes; no place: where stdout goes."""
+
+    stream: str
+    mode: str
+    place: Word | None
+
+
+class Command(NamedTuple):
+    """Words with the variables that are set for them."""
+
+    settings: tuple[tuple[str, Word], ...]
+    words: tuple[Word, ...]
+    redirections: tuple[Redirection, ...]
+
+
+Pipeline = tuple[Command, ...]
+
+
+class Job(NamedTuple):
+    """Pipelines, each with what stands before it: '', '&&' or '||'."""
+
+    parts: tuple[tuple[str, Pipeline], ...]
+    is_beside: bool
+    text: str
+
+
+Line = tuple[Job, ...]
+
+
+def parsed(text: str) -> Line | None:
+    """The jobs of a line; None when it says something that is not in the grammar, or nothing at all."""
+    try:
+        return _Reader(text).line('') or None
+    except (_NotInGrammar, IndexError):
+        return None
+
+
+class _NotInGrammar(Exception):
+    pass
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._at = 0
+
+    def _next(self) -> str:
+        return self._text[self._at : self._at + 1]
+
+    def _take(self, *signs: str) -> str:
+        """The first of the signs that stands here, taken; empty when none does."""
+        found = next((sign for sign in signs if self._text.startswith(sign, self._at)), '')
+        self._at += len(found)
+        return found
+
+    def _skip(self, blanks: str) -> None:
+        while self._next() and self._next() in blanks or self._text.startswith('\\\n', self._at):
+            self._at += 1 if self._next() != '\\' else 2
+        if self._next() == '#':
+            end = self._text.find('\n', self._at)
+            self._at = len(self._text) if end < 0 else end
+            self._skip(blanks)
+
+    def line(self, end: str) -> Line:
+        jobs: list[Job] = []
+        while True:
+            self._skip(' \t\n')
+            if self._next() == end:
+                return tuple(jobs)
+            begin = self._at
+            parts = [('', self._pipeline())]
+            while joint := self._take('&&', '||'):
+                self._skip(' \t\n')
+                parts.append((joint, self._pipeline()))
+            text = self._text[begin : self._at]
+            sign = self._take(';', '&', '\n')
+            if not sign and self._next() != end:
+                raise _NotInGrammar
+            jobs.append(Job(tuple(parts), sign == '&', text))
+
+    def _pipeline(self) -> Pipeline:
+        commands = [self._command()]
+        while self._next() == '|' and not self._text.startswith(('||', '|&'), self._at):
+            self._at += 1
+            self._skip(' \t\n')
+            commands.append(self._command())
+        return tuple(commands)
+
+    def _command(self) -> Command:
+        settings: list[tuple[str, Word]] = []
+        words: list[Word] = []
+        redirections = []
+        while True:
+            self._skip(' \t')
+            found = _REDIRECTION.match(self._text, self._at)
+            if found is not None:
+                redirections.append(self._redirection(found))
+            elif not self._next() or self._next() in _ENDS_WORD:
+                break
+            elif not words and (name := _SETTING.match(self._text, self._at)):
+                self._at = name.end()
+                settings.append((name[1], self._word()))
+            else:
+                words.append(self._word())
+        first = words[0] if words else ()
+        if not (words or settings) or (''.join(piece.text for piece in first) in _RESERVED and not first[0].is_quoted):
+            raise _NotInGrammar
+        return Command(tuple(settings), tuple(words), tuple(redirections))
+
+    def _redirection(self, found: re.Match[str]) -> Redirection:
+        self._at = found.end()
+        stream, sign, same = found.groups()
+        if same:
+            if stream != '2' or sign != '>':
+                raise _NotInGrammar
+            return Redirection('stderr', 'w', None)
+        self._skip(' \t')
+        place = self._word()
+        if not place:
+            raise _NotInGrammar
+        if sign is None:
+            return Redirection('stdin', 'r', place)
+        return Redirection({'2': 'stderr', '&': 'both'}.get(stream, 'stdout'), 'w' if sign == '>' else 'a', place)
+
+    def _word(self) -> Word:
+        pieces: list[Piece] = []
+        while self._next() and self._next() not in _ENDS_WORD:
+            letter = self._next()
+            if letter == "'":
+                end = self._text.index("'", self._at + 1) if "'" in self._text[self._at + 1 :] else -1
+                if end < 0:
+                    raise _NotInGrammar
+                pieces.append(Piece('text', self._text[self._at + 1 : end], True))
+                self._at = end + 1
+            elif letter == '"':
+                self._at += 1
+                pieces += self._quoted()
+            elif letter == '\\':
+                pieces.append(Piece('text', self._text[self._at + 1], True))
+                self._at += 2
+            else:
+                pieces.append(self._special(False) or self._letter(False))
+        return tuple(pieces)
+
+    def _quoted(self) -> list[Piece]:
+        pieces = [Piece('text', '', True)]
+        while not self._take('"'):
+            if not self._next():
+                raise _NotInGrammar
+            if self._next() == '\\' and self._text[self._at + 1] in '$`"\\\n':
+                self._at += 1
+            elif special := self._special(True):
+                pieces.append(special)
+                continue
+            pieces.append(self._letter(True))
+        return pieces
+
+    def _letter(self, is_quoted: bool) -> Piece:
+        self._at += 1
+        return Piece('text', self._text[self._at - 1], is_quoted)
+
+    def _special(self, is_quoted: bool) -> Piece | None:
+        """What a $ or ` begins."""
+        if self._text.startswith('$((', self._at):
+            raise _NotInGrammar
+        if self._take('$('):
+            line = self.line(')')
+            self._at += 1
+            return Piece('line', '', is_quoted, line=line)
+        if self._take('`'):
+            end = self._text.find('`', self._at)
+            line = _Reader(self._text[self._at : end]).line('') if end >= 0 else ()
+            if not line:
+                raise _NotInGrammar
+            self._at = end + 1
+            return Piece('line', '', is_quoted, line=line)
+        name = _NAME.match(self._text, self._at)
+        if name is None:
+            if self._text.startswith('${', self._at):
+                raise _NotInGrammar
+            return None
+        self._at = name.end()
+        return Piece('name', name[1] or name[2], is_quoted, name[3] or '')
