@@ -175,7 +175,7 @@ class Index:
             self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
-        """Top-level modules of workspaces and prefixes, by name, with the path of each folder or .py file."""
+        """Top-level modules of which each program gets its own, by name, with the path of each folder or .py file."""
         found: dict[str, str] = {}
         for place in self._places:
             for name, path in place.modules().items():
@@ -183,8 +183,9 @@ class Index:
         return found
 
     def python_roots(self) -> list[str]:
-        """The folders that hold :meth:`python_modules`, in order of search."""
-        return list(dict.fromkeys(os.path.dirname(path) for path in self.python_modules().values()))
+        """The folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
+        places = [place for place in self._places if place.path != self._underlay]
+        return list(dict.fromkeys(os.path.dirname(path) for place in places for path in place.modules().values()))
 
     def interface_roots(self) -> list[str]:
         """Share folders with msg/, srv/ or action/ files; the folder's name is the package."""

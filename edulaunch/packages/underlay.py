@@ -1,8 +1,9 @@
 """The built-in packages, laid out like a prefix.
 
 Every folder of `share/` is a package, and so is every import package of `python/` that ROS has as a package.
-Executables stand in `share/<package>/console_scripts.txt`, one `name = module:function` on a line; the modules
-lie in the underlay's `python/` folder, on the ordinary path.
+Executables stand in `share/<package>/console_scripts.txt`, one `name = module:function` on a line. The modules lie in the
+underlay's `python/` folder, on the ordinary path; or in `programs/`, when they are written as students write theirs (they sleep,
+have threads or an event loop), so that each process gets modules of its own, as those of a workspace.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ class Underlay:
     def __init__(self, path: str) -> None:
         self.path = path
         self._packages: list[str] | None = None
+        self._modules: dict[str, str] | None = None
         self._scripts: dict[str, dict[str, tuple[str, str]]] = {}
 
     def packages(self) -> list[str]:
@@ -46,13 +48,18 @@ class Underlay:
         entry = self._entries(package).get(executable)
         if entry is None:
             return None
-        return Program(
-            'entry_point', package, executable, os.path.join(self.path, 'lib', package, executable), entry[0], entry[1]
-        )
+        path = os.path.join(self.path, 'lib', package, executable)
+        own = self.modules().get(entry[0].partition('.')[0])
+        roots = () if own is None else (os.path.dirname(own),)
+        return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=roots)
 
     def modules(self) -> dict[str, str]:
-        """None: built-in modules are shared and lie on the ordinary path."""
-        return {}
+        """Those of `programs/`; the others are shared and lie on the ordinary path."""
+        if self._modules is None:
+            folder = os.path.join(self.path, 'programs')
+            names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+            self._modules = {name: os.path.join(folder, name) for name in names}
+        return self._modules
 
     def interface_packages(self) -> list[str]:
         """Built-in packages with interface files in their share folder."""

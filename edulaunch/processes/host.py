@@ -116,6 +116,8 @@ class Host:
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
         """By path: what launch made for programs to read, which is on the disk only for real programs."""
+        self.goal_ids: set[bytes] = set()
+        """Of all goals that were sent: programs of the same name draw the same numbers, which may not meet at a server."""
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
 

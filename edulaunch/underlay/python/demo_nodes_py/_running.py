@@ -9,15 +9,15 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
 
-def spin(make_node: Callable[[], Node]) -> None:
+def spin(make_node: Callable[[], Node], args: list[str] | None = None) -> None:
     """Make a node and spin it until Ctrl-C or shutdown, which both end the program well."""
-    run(lambda: rclpy.spin(make_node()))
+    run(lambda: rclpy.spin(make_node()), args)
 
 
-def run(body: Callable[[], object]) -> None:
-    """Run `body` between init and shutdown."""
+def run(body: Callable[[], object], args: list[str] | None = None) -> None:
+    """Run `body` between init and shutdown; `args` are those of `rclpy.init`, default: of the command line."""
     try:
-        rclpy.init()
+        rclpy.init(args=args)
         body()
     except (KeyboardInterrupt, ExternalShutdownException):
         pass

@@ -58,10 +58,20 @@ class Future:
 
     def __await__(self) -> Generator[Any, None, Any]:
         while not self._ended:
+            self._asyncio_future_blocking = True
             yield self
         return self.result()
 
-    def cancel(self) -> None:
+    _asyncio_future_blocking = False
+    """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
+
+    def get_loop(self) -> Any:
+        """The asyncio loop that runs, whose task awaits this."""
+        from asyncio import get_running_loop
+
+        return get_running_loop()
+
+    def cancel(self, msg: object = None) -> None:
         """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
         if not self._done:
             self._cancelled = self._ended = True
@@ -159,8 +169,14 @@ class Future:
         """Let this executor run the callbacks."""
         self._executor = executor
 
-    def add_done_callback(self, callback: Callable[[Any], object]) -> None:
-        """Call `callback(future)` when it is done or cancelled, or soon if it is that already."""
+    def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
+        """Call `callback(future)` when it is done or cancelled, or soon if it is that already.
+
+        :param context: given by an asyncio task that awaits this: its loop is told then.
+        """
+        if context is not None:
+            loop, told = self.get_loop(), callback
+            callback = lambda future: loop.call_soon_threadsafe(told, future, context=context)  # noqa: E731
         if not self._ended:
             self._callbacks.append(callback)
         elif self._executor is not None:
@@ -236,7 +252,7 @@ class Task(Future):
         """Whether it is being run just now."""
         return self._executing
 
-    def cancel(self) -> None:
+    def cancel(self, msg: object = None) -> None:
         """Ask to stop: a coroutine that waits is ended."""
         super().cancel()
         if self._running is not None and not self._executing:

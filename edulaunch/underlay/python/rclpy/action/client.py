@@ -286,13 +286,17 @@ class ActionClient(Waitable):
 
 
 def _random_uuid() -> Any:
-    """A goal id: random, but the same in every run."""
+    """A goal id: random, but the same in every run, and no other goal's on this machine."""
     from unique_identifier_msgs.msg import UUID
 
     state = process_state()
     if state.goal_ids is None:
         state.goal_ids = state.process.sim.random(f'{state.process.name}/goal ids')
-    return UUID(uuid=list(state.goal_ids.getrandbits(128).to_bytes(16, 'big')))
+    taken = state.process.host.goal_ids
+    while (found := state.goal_ids.getrandbits(128).to_bytes(16, 'big')) in taken:
+        pass
+    taken.add(found)
+    return UUID(uuid=list(found))
 
 
 __getattr__ = passed_on(

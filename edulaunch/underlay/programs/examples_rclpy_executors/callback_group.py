@@ -1,0 +1,47 @@
+"""The program callback_group: two timers of one group, which never run at the same time, and a listener beside them."""
+
+from __future__ import annotations
+
+from demo_nodes_py._running import run
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+
+from examples_rclpy_executors.listener import Listener
+
+
+class DoubleTalker(Node):
+    """Counts in both timers, so they must not run at the same time."""
+
+    def __init__(self) -> None:
+        super().__init__('double_talker')
+        self.i = 0
+        self.pub = self.create_publisher(String, 'chatter', 10)
+        self.group = MutuallyExclusiveCallbackGroup()
+        self.timer = self.create_timer(1.0, self.timer_callback, callback_group=self.group)
+        self.timer2 = self.create_timer(0.5, self.timer_callback, callback_group=self.group)
+
+    def timer_callback(self) -> None:
+        """Say the next number."""
+        message = String(data=f'Hello World: {self.i}')
+        self.i += 1
+        self.get_logger().info(f'Publishing: "{message.data}"')
+        self.pub.publish(message)
+
+
+def work() -> None:
+    """Spin both with four threads."""
+    executor = MultiThreadedExecutor(num_threads=4)
+    executor.add_node(DoubleTalker())
+    executor.add_node(Listener())
+    executor.spin()
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(work, args)
+
+
+if __name__ == '__main__':
+    main()

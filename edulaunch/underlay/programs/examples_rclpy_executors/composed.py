@@ -1,0 +1,26 @@
+"""The program composed: talker and listener in one program, one executor spins both."""
+
+from __future__ import annotations
+
+from demo_nodes_py._running import run
+from rclpy.executors import SingleThreadedExecutor
+
+from examples_rclpy_executors.listener import Listener
+from examples_rclpy_executors.talker import Talker
+
+
+def work() -> None:
+    """Spin both."""
+    executor = SingleThreadedExecutor()
+    executor.add_node(Talker())
+    executor.add_node(Listener())
+    executor.spin()
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(work, args)
+
+
+if __name__ == '__main__':
+    main()

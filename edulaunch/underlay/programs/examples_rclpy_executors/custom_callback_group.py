@@ -1,0 +1,66 @@
+"""The program custom_callback_group: a callback group of its own that lets a timer run only now and then."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from demo_nodes_py._running import spin
+from rclpy.callback_groups import CallbackGroup
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class ThrottledCallbackGroup(CallbackGroup):
+    """Holds callbacks back when they have run too often; a timer gives them new turns."""
+
+    def __init__(self, node: Node) -> None:
+        super().__init__()
+        self.timer = node.create_timer(0.5, self.timer_callback)
+        self.bucket = 10
+        self.bucket_max = 10
+
+    def can_execute(self, entity: Any) -> bool:
+        """Whether there is a turn left."""
+        return self.bucket > 0
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Take a turn."""
+        if not self.bucket:
+            return False
+        self.bucket -= 1
+        return True
+
+    def ending_execution(self, entity: Any) -> None:
+        """Nothing to give back."""
+
+    def timer_callback(self) -> None:
+        """Fill up when all turns are used."""
+        if not self.bucket:
+            self.bucket = self.bucket_max
+
+
+class ThrottledTalker(Node):
+    """A fast timer in such a group."""
+
+    def __init__(self) -> None:
+        super().__init__('intermittent_talker')
+        self.i = 0
+        self.pub = self.create_publisher(String, 'chatter', 10)
+        self.group = ThrottledCallbackGroup(self)
+        self.timer = self.create_timer(0.1, self.timer_callback, callback_group=self.group)
+
+    def timer_callback(self) -> None:
+        """Say the next number."""
+        message = String(data=f'Hello World: {self.i}')
+        self.i += 1
+        self.get_logger().info(f'Publishing: "{message.data}"')
+        self.pub.publish(message)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    spin(ThrottledTalker, args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,67 @@
+"""The program custom_executor: an executor that lets some nodes run before all others."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+from demo_nodes_py._running import run
+from rclpy.executors import Executor, TimeoutException
+from rclpy.node import Node
+from std_msgs.msg import String
+
+from examples_rclpy_executors.listener import Listener
+from examples_rclpy_executors.talker import Talker
+
+
+class Estopper(Node):
+    """Must hear a stop at once."""
+
+    def __init__(self) -> None:
+        super().__init__('estopper')
+        self.sub = self.create_subscription(String, 'estop', self.estop_callback, 10)
+
+    def estop_callback(self, msg: String) -> None:
+        """Log it."""
+        self.get_logger().info(f'I heard: {msg.data}')
+
+
+class PriorityExecutor(Executor):
+    """Callbacks of high-priority nodes get a thread each; all others share the one that spins."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.high_priority_nodes: set[Node] = set()
+        self.hp_executor = ThreadPoolExecutor(max_workers=4)
+        self.lp_executor = ThreadPoolExecutor(max_workers=1)
+
+    def add_high_priority_node(self, node: Node) -> None:
+        """Add a node that comes first."""
+        self.high_priority_nodes.add(node)
+        self.add_node(node)
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Hand the next callback to one of the two pools."""
+        try:
+            handler, group, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+        except (StopIteration, TimeoutException):
+            return
+        pool = self.hp_executor if node in self.high_priority_nodes else self.lp_executor
+        pool.submit(handler)
+
+
+def work() -> None:
+    """Spin three nodes."""
+    executor = PriorityExecutor()
+    executor.add_high_priority_node(Estopper())
+    executor.add_node(Listener())
+    executor.add_node(Talker())
+    executor.spin()
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(work, args)
+
+
+if __name__ == '__main__':
+    main()

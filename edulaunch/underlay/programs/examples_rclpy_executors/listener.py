@@ -1,0 +1,28 @@
+"""The program listener: logs what it hears on `chatter`."""
+
+from __future__ import annotations
+
+from demo_nodes_py._running import spin
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Listener(Node):
+    """Listens."""
+
+    def __init__(self) -> None:
+        super().__init__('listener')
+        self.sub = self.create_subscription(String, 'chatter', self.chatter_callback, 10)
+
+    def chatter_callback(self, msg: String) -> None:
+        """Log a message."""
+        self.get_logger().info(f'I heard: "{msg.data}"')
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    spin(Listener, args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,33 @@
+"""The program talker: says something on `chatter` every second."""
+
+from __future__ import annotations
+
+from demo_nodes_py._running import spin
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    """Counts from 0."""
+
+    def __init__(self) -> None:
+        super().__init__('talker')
+        self.i = 0
+        self.pub = self.create_publisher(String, 'chatter', 10)
+        self.timer = self.create_timer(1.0, self.timer_callback)
+
+    def timer_callback(self) -> None:
+        """Say the next number."""
+        message = String(data=f'Hello World: {self.i}')
+        self.i += 1
+        self.get_logger().info(f'Publishing: "{message.data}"')
+        self.pub.publish(message)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    spin(Talker, args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,25 @@
+"""The program client: spins until its answer is there."""
+
+from __future__ import annotations
+
+import rclpy
+from demo_nodes_py._running import run
+
+from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
+
+
+def ask() -> None:
+    """Ask once."""
+    node = rclpy.create_node('minimal_client')
+    future = client_of(node).call_async(REQUEST)
+    rclpy.spin_until_future_complete(node, future)
+    tell(node, REQUEST, future.result())
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(ask, args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,40 @@
+"""The program client_async_member_function: a class that asks."""
+
+from __future__ import annotations
+
+import rclpy
+from demo_nodes_py._running import run
+from rclpy.node import Node
+
+from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
+
+
+class MinimalClientAsync(Node):
+    """Has a client of `add_two_ints`; made when there is a server."""
+
+    def __init__(self) -> None:
+        super().__init__('minimal_client_async')
+        self.cli = client_of(self)
+        self.req = REQUEST
+
+    def send_request(self) -> None:
+        """Ask; the answer comes to `future`."""
+        self.future = self.cli.call_async(self.req)
+
+
+def ask() -> None:
+    """Ask once."""
+    node = MinimalClientAsync()
+    node.send_request()
+    while rclpy.ok() and not node.future.done():
+        rclpy.spin_once(node)
+    tell(node, node.req, node.future.result())
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(ask, args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,1 @@
+"""examples_rclpy_minimal_service: A service that adds, written in two ways."""

@@ -1,0 +1,29 @@
+"""The program service: serves `add_two_ints` with a function."""
+
+from __future__ import annotations
+
+import rclpy
+from demo_nodes_py._running import run
+from example_interfaces.srv import AddTwoInts
+
+
+def serve() -> None:
+    """Spin a node that adds."""
+    node = rclpy.create_node('minimal_service')
+
+    def add_two_ints_callback(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        response.sum = request.a + request.b
+        node.get_logger().info(f'Incoming request\na: {request.a} b: {request.b}')
+        return response
+
+    node.create_service(AddTwoInts, 'add_two_ints', add_two_ints_callback)
+    rclpy.spin(node)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(serve, args)
+
+
+if __name__ == '__main__':
+    main()

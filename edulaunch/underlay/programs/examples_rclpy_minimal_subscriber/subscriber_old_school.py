@@ -1,0 +1,28 @@
+"""The program subscriber_old_school: spins once for each thing to do."""
+
+from __future__ import annotations
+
+import rclpy
+from demo_nodes_py._running import run
+from std_msgs.msg import String
+
+
+def listen() -> None:
+    """Listen until ROS 2 is shut down."""
+    node = rclpy.create_node('minimal_subscriber')
+
+    def on_message(message: String) -> None:
+        node.get_logger().info(f'I heard: "{message.data}"')
+
+    node.create_subscription(String, 'topic', on_message, 10)
+    while rclpy.ok():
+        rclpy.spin_once(node)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(listen, args)
+
+
+if __name__ == '__main__':
+    main()

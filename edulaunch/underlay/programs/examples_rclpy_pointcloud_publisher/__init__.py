@@ -1,0 +1,1 @@
+"""examples_rclpy_pointcloud_publisher: A moving surface as a point cloud."""
