@@ -21,6 +21,7 @@ VERBS = {
     'plan': 'Show what a launch file would start, without starting anything',
     'python': 'Run Python with rclpy and the packages of the workspace',
     'recording': 'Look into a recording',
+    'view': 'Show the live page of the machine in a browser',
     'rosdep': 'Name the dependencies of packages that are not here',
 }
 VERBATIM = ('colcon', 'python')

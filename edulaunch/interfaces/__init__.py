@@ -3,8 +3,7 @@
 Reading order: `spec` and `kinds` (what an interface is), `parser` (from text), `layout` (flattened fields),
 `source` and `generator` (the class), `registry` (finds files, makes each class once), `importer` (`import
 geometry_msgs.msg`), `running` (those of a program's workspace), `texts` (kept in recordings), `cdr` and
-`description` (bytes and type hashes, as on a real ROS network), `plain` (wire tuples as JSON, without any
-class).
+`description` (bytes and type hashes, as on a real ROS network).
 """
 
 from __future__ import annotations

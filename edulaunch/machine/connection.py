@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from edulaunch.machine import wire
 
 if TYPE_CHECKING:
+    from edulaunch.machine.desk import Desk
     from edulaunch.machine.terminals import Terminal, Terminals
 
 MOST_UNREAD = 32 << 20
@@ -47,7 +48,7 @@ class Connection:
         self._events = selectors.EVENT_READ
         self.is_open = True
         self.since_s = time.monotonic()
-        self.terminal: Terminal | None = None
+        self.terminal: Terminal | Desk | None = None
         client.setblocking(False)
         selector.register(client, self._events, self._attend)
 

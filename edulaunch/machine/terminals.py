@@ -18,6 +18,7 @@ from edulaunch.sim.pacing import RealTime
 
 if TYPE_CHECKING:
     from edulaunch.machine.connection import Connection
+    from edulaunch.machine.desk import Desk
 
 NOT_FOUND = 127
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
@@ -36,7 +37,7 @@ class Terminals:
         self.is_asked_to_end = False
         self._count = 0
 
-    def open(self, connection: Connection, fields: list[str]) -> Terminal:
+    def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
         """A terminal for what somebody said first.
 
         :raises ValueError, IndexError: when that is not what a terminal says.
@@ -45,6 +46,10 @@ class Terminals:
         words, variables = fields[5 : 5 + int(count)], fields[5 + int(count) :]
         if not words or len(terminals) != 3:
             raise ValueError('no command')
+        if words == ['machine', 'view']:
+            from edulaunch.machine.desk import Desk
+
+            return Desk(self, connection)
         self._count += 1
         env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
         terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)

@@ -1,4 +1,1 @@
-"""Tests of a launch and plain tests of a package, as pytest and `launch_test` run them in simulated time.
-
-`edulaunch/pytest_plugin.py` is the plugin that pytest finds; it loads what is here when a test file needs it.
-"""
+"""Tests of a package, plain ones and those of launch_pytest, on the simulated machine of a run of pytest."""

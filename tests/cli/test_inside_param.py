@@ -98,3 +98,10 @@ def test_a_value_that_is_no_yaml_is_refused_with_help(machine) -> None:
     said = machine.fails('ros2 param set /sim background_r @home')
     assert "found character '@' that cannot start any token" in said
     assert said.endswith("""help: to mean text, put it into quotation marks twice: '"@home"'\n""")
+
+
+def test_dump_into_a_folder_can_be_loaded_again(machine) -> None:
+    said = machine.read('ros2 param dump /sim --output-dir .')
+    assert said == f'Saving to:  {machine.folder}/./sim.yaml\n'
+    assert 'Set parameter background_b successful' in machine.run('ros2 param load /sim sim.yaml', 1.0).out
+    assert machine.fails('ros2 param dump /sim --output-dir nowhere').startswith("'nowhere' is not a valid directory.")

@@ -58,3 +58,29 @@ def test_call_refuses_what_does_not_fit(machine) -> None:
     )
     assert machine.fails(f'{SPAWN} "x: {{}}"').startswith('Failed to populate field: ')
     assert machine.fails(f'{SPAWN} "{{x: "').startswith('The passed value is not valid YAML')
+
+
+def test_echo_prints_the_events_of_a_service_whose_introspection_is_on(machine) -> None:
+    (machine.folder / 'adder.py').write_text(
+        'import rclpy\n'
+        'from example_interfaces.srv import AddTwoInts\n'
+        'from rclpy.qos import qos_profile_system_default\n'
+        'from rclpy.service_introspection import ServiceIntrospectionState\n'
+        'rclpy.init()\nnode = rclpy.create_node("adder")\n'
+        'def add(request, response):\n    response.sum = request.a + request.b\n    return response\n'
+        'service = node.create_service(AddTwoInts, "add_two_ints", add)\n'
+        'service.configure_introspection(node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS)\n'
+        'rclpy.spin(node)\n'
+    )
+    machine.run('python3 adder.py')
+    echo = machine.run('ros2 service echo --flow-style /add_two_ints')
+    machine.run("ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts '{a: 2, b: 3}'", 1.0)
+    documents = echo.out.split('---\n')[:-1]
+    assert len(documents) == 2 and 'event_type: 1' in documents[0] and 'event_type: 2' in documents[1]
+    assert 'request: [{a: 2, b: 3}]' in documents[0] and 'response: [{sum: 5}]' in documents[1]
+
+
+def test_echo_of_a_service_without_introspection_says_so(machine) -> None:
+    said = machine.fails('ros2 service echo /spawn')
+    assert said.startswith("No publishers on topic '/spawn/_service_event'; is service introspection on the client or server ")
+    assert "did you mean '/spawn'?" in machine.fails('ros2 service echo /spwan')

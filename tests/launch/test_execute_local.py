@@ -201,6 +201,13 @@ def test_respawn_starts_again_after_the_delay_under_the_same_name(launch_it: Any
     assert host.log == [(0.0, 'start', 'quick-1'), (1.5, 'start', 'quick-1'), (3.0, 'start', 'quick-1')]
 
 
+def test_a_delay_that_is_no_number_ends_the_launch(launch_it: Any, host: Any) -> None:
+    delay: Any = LaunchConfiguration('d', default='1')
+    code, lines = launch_it(ExecuteProcess(cmd=['quick'], respawn=True, respawn_delay=delay))
+    assert code == 1
+    assert "'>' not supported between instances of 'LaunchConfiguration' and 'float'" in '\n'.join(lines)
+
+
 def test_respawn_ends_with_the_launch_also_during_the_delay(launch_it: Any, host: Any) -> None:
     launch_it(ExecuteProcess(cmd=['failing'], respawn=True, respawn_delay=5), TimerAction(period=2.0, actions=[Shutdown()]))
     assert host.log == [(0.0, 'start', 'failing-1')]

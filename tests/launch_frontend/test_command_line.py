@@ -13,7 +13,8 @@ def described(text):
     ('text', 'words'),
     [
         ('ls -l', [["'ls'"], ["'-l'"]]),
-        ('', []),
+        ('', [[]]),
+        ('  $(var a)', [[], ["LaunchConfig('a')"]]),
         ('  ls  ', [["'ls'"]]),
         ('ls "a b" \'c d\'', [["'ls'"], ["'a b'"], ["'c d'"]]),
         ('$(var a) $(var b)', [["LaunchConfig('a')"], ["LaunchConfig('b')"]]),

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.pytest_plugin import uses_launch_pytest
+from edulaunch.pytest_plugin.asked import uses_launch_pytest
 
 from .conftest import PREAMBLE
 

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
+from launch import LaunchContext
 from launch.actions import GroupAction, SetLaunchConfiguration
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node, PushRosNamespace
+from launch_ros.utilities import to_parameters_list
+
+from edulaunch import Session
 
 
 def drive(**arguments: Any) -> Node:
@@ -162,3 +167,28 @@ def test_node_name_is_known_after_execution_only(run: Any) -> None:
 def test_without_a_package_the_executable_is_a_command(run: Any) -> None:
     (spec,) = run(Node(executable='drive', name='n')).specs
     assert spec.argv == ('drive', '--ros-args', '-r', '__node:=n')
+
+
+def test_a_later_source_of_an_xml_file_wins(tmp_path: Path) -> None:
+    (tmp_path / 'a.yaml').write_text('/**: {ros__parameters: {a: 2}}')
+    (tmp_path / 'talk.py').write_text(
+        'import rclpy\nrclpy.init()\nnode = rclpy.create_node("n")\nnode.declare_parameter("a", 0)\n'
+        'print(node.get_parameter("a").value)\n'
+    )
+    (tmp_path / 'a.launch.xml').write_text(
+        f'<launch><node exec="python3" args="{tmp_path}/talk.py" output="screen">'
+        f'<param name="a" value="1"/><param from="{tmp_path}/a.yaml"/></node></launch>'
+    )
+    said: list[str] = []
+    with Session(env={}, console=lambda stream, text: said.append(text)) as session:
+        session.launch(tmp_path / 'a.launch.xml')
+        session.run(1.0)
+    assert '[python3-1] 2\n' in ''.join(said)
+
+
+def test_an_empty_file_of_a_composable_node_is_an_error(tmp_path: Path) -> None:
+    path = tmp_path / 'empty.yaml'
+    path.write_text('')
+    with pytest.raises(AttributeError, match="^'NoneType' object has no attribute 'items'$") as caught:
+        to_parameters_list(LaunchContext(), 'n', '', (path,))
+    assert 'has nothing in it' in caught.value.edulaunch_help  # type: ignore[attr-defined]

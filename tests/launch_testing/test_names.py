@@ -22,8 +22,6 @@ from launch_testing.test_runner import LaunchTestRunner
 from launch_testing_ros.pytest import hooks as ros_hooks
 from std_msgs.msg import String
 
-from edulaunch.pytest_plugin import MARKS
-
 
 def test_ready_aggregator_calls_once() -> None:
     ready = mock.Mock()
@@ -91,7 +89,7 @@ def test_hooks_know_launch_tests(tmp_path: Path) -> None:
     file = tmp_path / 'test_it.py'
     file.write_text('@pytest.mark.rostest\ndef generate_test_description(): ...\n')
     entrypoint = hooks.find_launch_test_entrypoint(file)
-    assert entrypoint is not None and [mark.name for mark in entrypoint.pytestmark] == ['rostest'] and 'rostest' in MARKS
+    assert entrypoint is not None and [mark.name for mark in entrypoint.pytestmark] == ['rostest'] and 'rostest' in hooks.MARKS
     assert issubclass(ros_hooks.LaunchROSTestModule, pytest.File) and issubclass(hooks.LaunchTestItem, pytest.Item)
 
 

@@ -20,6 +20,25 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
             'record': 'Record ROS data to a bag',
         },
     ),
+    'component': (
+        'Various component related sub-commands',
+        {
+            'list': 'Output a list of running containers and components',
+            'load': 'Load a component into a container node',
+            'standalone': 'Run a component into its own standalone container node',
+            'types': 'Output a list of components registered in the ament index',
+            'unload': 'Unload a component from a container node',
+        },
+    ),
+    'daemon': (
+        'Various daemon related sub-commands',
+        {
+            'start': "Start the daemon if it isn't running",
+            'status': 'Output the status of the daemon',
+            'stop': 'Stop the daemon if it is running',
+        },
+    ),
+    'doctor': ('Check ROS setup and other potential issues', {}),
     'interface': (
         'Show information about ROS interfaces',
         {
@@ -39,6 +58,10 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
             'nodes': 'Output a list of nodes with lifecycle',
             'set': 'Trigger lifecycle state transition',
         },
+    ),
+    'multicast': (
+        'Various multicast related sub-commands',
+        {'receive': 'Receive a single UDP multicast packet', 'send': 'Send a single UDP multicast packet'},
     ),
     'node': (
         'Various node related sub-commands',
@@ -71,6 +94,7 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
         'Various service related sub-commands',
         {
             'call': 'Call a service',
+            'echo': 'Echo a service',
             'find': 'Output a list of available services of a given type',
             'info': 'Print information about a service',
             'list': 'Output a list of available services',
@@ -91,4 +115,14 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
             'type': "Print a topic's type",
         },
     ),
+    'wtf': ('Use `wtf` as alias to `doctor`', {}),
 }
+MODULES = {'daemon': 'daemon', 'multicast': 'multicast', 'wtf': 'doctor'}
+"""Commands whose verbs are one module, or that have another name."""
+NOT_HERE = {
+    'control': 'ros2_control is not here',
+    'plugin': 'plugins are C++ libraries, which cannot run here',
+    'security': 'a simulated machine has no network to protect',
+    'trace': 'every run is recorded: see `edulaunch recording`',
+}
+"""Commands that ROS 2 has on many machines, and why they are not here."""

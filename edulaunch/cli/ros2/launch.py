@@ -57,7 +57,7 @@ def main(arguments: argparse.Namespace) -> int:
     from ros2launch import api
 
     process, given = current_process(), list(arguments.launch_arguments)
-    path = os.path.join(process.spec.cwd or '', arguments.package_name)
+    path = os.path.join(process.cwd or '', arguments.package_name)
     if os.path.isfile(path):
         given = [word for word in (arguments.launch_file_name,) if word is not None] + given
     else:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, names
-from edulaunch.cli.ros2.output import say, with_help
+from edulaunch.cli.ros2.output import with_help
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -127,8 +127,8 @@ def type_help(reason: str) -> str | None:
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 
 
-def say_nested(values: dict[str, Any], node_name: str) -> None:
-    """Print parameters as a parameter file; dots in names nest."""
+def nested_text(values: dict[str, Any], node_name: str) -> str:
+    """Parameters as the text of a parameter file; dots in names nest."""
     import yaml
 
     tree: dict[str, Any] = {}
@@ -138,4 +138,5 @@ def say_nested(values: dict[str, Any], node_name: str) -> None:
         for part in path:
             place = place.setdefault(part, {})
         place[last] = value
-    say(yaml.safe_dump({node_name: {'ros__parameters': tree}}, default_flow_style=False, width=float('inf'), allow_unicode=True))
+    content = {node_name: {'ros__parameters': tree}}
+    return yaml.safe_dump(content, default_flow_style=False, width=float('inf'), allow_unicode=True)

@@ -8,12 +8,16 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import Any, NoReturn
 
-from edulaunch.cli.ros2.commands import COMMANDS
+from edulaunch.cli.ros2.commands import COMMANDS, MODULES, NOT_HERE
 from edulaunch.cli.ros2.output import with_help
 from edulaunch.nearest import nearest
 from edulaunch.processes.current import current_process
 
 WIDTH = 100
+BUFFERING = '--use-python-default-buffering'
+BUFFERING_HELP = f"""  {BUFFERING}
+                        accepted; each line is written at once, whoever reads it
+"""
 
 
 class Parser(argparse.ArgumentParser):
@@ -60,28 +64,30 @@ def command_line(words: Sequence[str]) -> tuple[str, argparse.Namespace]:
 
     :raises SystemExit: 0 after showing help, 2 after an error.
     """
-    command = _chosen(
-        'ros2',
-        'command',
-        'ros2 is an extensible command-line tool for ROS 2.',
-        words,
-        {name: text for name, (text, _) in COMMANDS.items()},
-    )
+    words = words[words[:1] == [BUFFERING] :]
+    command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
     text, verbs = COMMANDS[command]
-    prog, module, rest = f'ros2 {command}', f'edulaunch.cli.ros2.{command}', words[1:]
+    prog, module, rest = f'ros2 {command}', f'edulaunch.cli.ros2.{MODULES.get(command, command)}', words[1:]
+    verb = None
     if verbs:
-        verb = _chosen(prog, 'verb', f'{text}.', rest, verbs)
-        prog, module, text, rest = f'{prog} {verb}', f'{module}.{verb}', verbs[verb], rest[1:]
+        verb = _chosen(prog, 'verb', rest, verbs, text)
+        prog, text, rest = f'{prog} {verb}', verbs[verb], rest[1:]
+        module = module if command in MODULES else f'{module}.{verb}'
     parser = Parser(prog, text)
+    parser.set_defaults(verb=verb)
     import_module(module).add_arguments(parser)
     return module, parser.parse(rest)
 
 
-def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known: dict[str, str]) -> str:
+def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], text: str = '') -> str:
     """The first word, which must be one of the known ones; without one, help is shown."""
-    usage = f'usage: {prog} [-h] Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
+    option = '' if text else f' [{BUFFERING}]'
+    usage = f'usage: {prog} [-h]{option} Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
     if not words or words[0] in ('-h', '--help'):
-        current_process().stdout.write(f'{usage}\n{description}\n\n' + _listed(kind, known))
+        about = text or 'ros2 is an extensible command-line tool for ROS 2.'
+        options = '  -h, --help            show this help message and exit\n' + ('' if text else BUFFERING_HELP)
+        title = f'{usage}\n{about}\n\noptions:\n{options}\nCommands:\n'
+        current_process().stdout.write(f'{title}{_listed(known)}\n  Call `{prog} <{kind}> -h` for more detailed usage.\n')
         raise SystemExit(0)
     word = words[0]
     if word in known:
@@ -89,15 +95,14 @@ def _chosen(prog: str, kind: str, description: str, words: Sequence[str], known:
     near = nearest(word, known)
     choices = ', '.join(repr(name) for name in known)
     message = with_help(
-        f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: '
-        f'invalid choice: {word!r} '
+        f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: invalid choice: {word!r} '
         f'(choose from {choices})',
-        near and f'did you mean `{prog} {near}`?',
+        (NOT_HERE.get(word) if prog == 'ros2' else None) or (near and f'did you mean `{prog} {near}`?'),
     )
     current_process().stderr.write(f'{usage}{message}\n')
     raise SystemExit(2)
 
 
-def _listed(kind: str, known: dict[str, str]) -> str:
+def _listed(known: dict[str, str]) -> str:
     width = max(map(len, known))
-    return f'{kind.capitalize()}s:\n' + ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
+    return ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())

@@ -37,7 +37,7 @@ def main(arguments: argparse.Namespace) -> int | str:
     spec = ProcessSpec(
         argv=tuple(words),
         name=process.name,
-        cwd=process.spec.cwd,
+        cwd=process.cwd,
         env=dict(process.env),
         origin=process.spec.origin,
         package=package,

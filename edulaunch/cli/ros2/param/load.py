@@ -23,7 +23,7 @@ def main(arguments: argparse.Namespace) -> str | None:
     """Set each of them and print how that went."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
-    path = os.path.join(current_process().spec.cwd or '', arguments.parameter_file)
+    path = os.path.join(current_process().cwd or '', arguments.parameter_file)
     with node_parameters.parameters_of(arguments) as parameters:
         try:
             found = parameter_dict_from_yaml_file(path, not arguments.no_use_wildcard, [parameters.name])

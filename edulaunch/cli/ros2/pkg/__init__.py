@@ -1,3 +1,1 @@
 """`ros2 pkg`: one file per verb."""
-
-from __future__ import annotations

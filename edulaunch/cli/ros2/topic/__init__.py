@@ -1,3 +1,1 @@
 """`ros2 topic`: one file per verb."""
-
-from __future__ import annotations

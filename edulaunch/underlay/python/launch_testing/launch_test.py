@@ -1,18 +1,20 @@
 """The command `launch_test FILE [name:=value ...]`: runs a launch test file.
 
-The installed command `launch_test` opens a simulation of its own (see `edulaunch/testing/session.py`); so does
-`python -m launch_testing.launch_test` where the faces are on the path.
+Each run opens a simulation of its own (`_simulated.py`).
 """
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import UnusableInput
 from edulaunch.processes.current import current_process
 from edulaunch.processes.traceback_text import student_traceback
 
+from ._simulated import run_launch_test
 from .loader import LoadTestsFromPythonModule, TestRun
 from .test_result import TestResult, is_pytest_outcome
 
@@ -93,10 +95,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command; returns its exit code."""
-    from edulaunch.testing.session import main
+    """`launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; returns the exit code, 2 for unusable input."""
+    import argparse
 
-    return main(argv)
+    parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
+    add_arguments(parser)
+    given = parser.parse_args(argv)
+    if not os.path.isfile(given.test_file):
+        parser.error(f"Test file '{given.test_file}' does not exist")
+    test = LaunchTest(given.test_file, given.launch_arguments, debug=given.verbose)
+    try:
+        code = run_launch_test(test, workspaces=given.workspace, body=test.show_arguments if given.show_args else None)
+    except KeyboardInterrupt:
+        return 130
+    if isinstance(test.error, UnusableInput):
+        sys.stderr.write(f'error: {test.error}\n')
+    if given.junit_xml:
+        test.write_junit_xml(given.junit_xml, given.package_name)
+    return code
 
 
 if __name__ == '__main__':

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
-
-from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from ..utilities.type_utils import is_substitution, perform_typed_substitution
-
-if TYPE_CHECKING:
-    from ..launch_context import LaunchContext
+from typing import Any, NamedTuple
 
 DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 
 
 class ProcessOptions(NamedTuple):
-    """As in :class:`launch.actions.ExecuteLocal`; frontends may give substitutions for all but texts."""
+    """As in :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions, until the action is prepared: as upstream
+    the others are used as they are given.
+    """
 
     shell: Any = False
     emulate_tty: Any = False
@@ -25,33 +21,18 @@ class ProcessOptions(NamedTuple):
     respawn_delay: Any = None
     respawn_max_retries: Any = -1
 
-    @property
-    def are_plain(self) -> bool:
-        """Whether no substitution is left."""
-        return (
-            self.respawn is False
-            and self.respawn_delay is None
-            and self.respawn_max_retries == -1
-            and self.shell.__class__ is bool
-            and self.emulate_tty.__class__ is bool
-        )
+    def wants_respawn(self, retries: int) -> bool:
+        """Whether a process that has ended is to be started again.
 
-    def performed(self, context: LaunchContext) -> ProcessOptions:
-        """The same with all substitutions evaluated.
-
-        :raises ValueError: when a text is not of the type that is needed.
+        :param retries: how often it was already.
+        :raises TypeError: when the number of retries is none.
         """
-        return self._replace(
-            shell=_performed(context, self.shell, bool),
-            emulate_tty=_performed(context, self.emulate_tty, bool),
-            respawn=perform_typed_substitution(context, self.respawn, bool),
-            respawn_delay=_performed(context, self.respawn_delay, float),
-            respawn_max_retries=_performed(context, self.respawn_max_retries, int),
-        )
+        return bool(self.respawn) and (self.respawn_max_retries < 0 or retries < self.respawn_max_retries)
 
+    @property
+    def has_delay(self) -> bool:
+        """Whether that is to be later.
 
-def _performed(context: LaunchContext, value: Any, data_type: type) -> Any:
-    """A value that frontends may give as substitutions; anything else as it is."""
-    if value is None or isinstance(value, (int, float)) or not is_substitution(value):
-        return value
-    return perform_typed_substitution(context, normalize_to_list_of_substitutions(value), data_type)
+        :raises TypeError: when the delay is no number.
+        """
+        return self.respawn_delay is not None and bool(self.respawn_delay > 0.0)

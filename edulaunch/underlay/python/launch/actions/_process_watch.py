@@ -147,17 +147,18 @@ class ProcessWatch(BaseEventHandler):
         else:
             self._logger.error(f"process has died [pid {pid}, exit code {returncode}, cmd '{self._shown_command()}'].")
         context.emit_event_sync(ProcessExited(returncode=returncode, **self._details))
+        try:
+            self._start_again_or_finish(context)
+        except TypeError as error:  # a delay or a number of retries that is no number
+            self._finish(error)
+
+    def _start_again_or_finish(self, context: LaunchContext) -> None:
         options = self._options
-        if (
-            context.is_shutdown
-            or self._is_asked_to_end
-            or not options.respawn
-            or (0 <= options.respawn_max_retries <= self._retries)
-        ):
+        if context.is_shutdown or self._is_asked_to_end or not options.wants_respawn(self._retries):
             self._finish()
             return
         self._retries += 1
-        if options.respawn_delay is not None and options.respawn_delay > 0.0:
+        if options.has_delay:
             self._respawn = self._loop.call_later(options.respawn_delay, self.begin, context)
         else:
             self.begin(context)

@@ -15,7 +15,7 @@ from ..substitution import Substitution
 from ..substitutions.launch_configuration import LaunchConfiguration
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
-from ..utilities.type_utils import normalize_typed_substitution
+from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 from ._process_options import DEFAULT_OUTPUT_FORMAT, ProcessOptions
 
 if TYPE_CHECKING:
@@ -182,8 +182,9 @@ class ExecuteLocal(Action):
             'cwd': description.final_cwd,
             'env': description.final_env,
         }
-        if not self.__options.are_plain:
-            self.__options = self.__options.performed(context)
+        if self.__options.respawn is not False:
+            respawn = perform_typed_substitution(context, self.__options.respawn, bool)
+            self.__options = self.__options._replace(respawn=respawn)
 
     def _process_spec_details(self) -> dict[str, Any]:
         """Further fields of the `ProcessSpec`; a node says which package and executable it is. For

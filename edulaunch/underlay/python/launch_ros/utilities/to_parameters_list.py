@@ -23,6 +23,8 @@ def to_parameters_list(
 
     Files are read by launch_ros's own rules: the patterns `/**` and `**`, then the exact name; a file without
     any `ros__parameters` is taken as a plain mapping.
+
+    :raises AttributeError: for an empty file, with upstream's text.
     """
     from rclpy.parameter import Parameter
 
@@ -42,7 +44,13 @@ def to_parameters_list(
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
     from launch_yaml.reader import read
 
-    content = read(path.read_text(encoding='utf-8')) or {}
+    content = read(path.read_text(encoding='utf-8'))
+    if content is None:
+        error: Any = AttributeError("'NoneType' object has no attribute 'items'")
+        error.edulaunch_help = (
+            f'the parameter file {path} has nothing in it: write the name of the node, ros__parameters, and the parameters'
+        )
+        raise error
     if not _has_parameters(content):
         return _flat(content)
     full_name = f'{namespace.rstrip("/")}/{node_name}' if namespace else f'/{node_name}'

@@ -1,19 +1,154 @@
-"""What pytest makes of launch test files, under the names that other plugins import.
+"""The pytest plugin for launch tests: files whose `generate_test_description` is marked `launch_test` or `rostest`.
 
-The plugin itself is edulaunch's, which an installation registers; `-p launch_testing.pytest.hooks` registers it where none does.
+Such a file becomes one test, as in ROS 2, run in a fresh simulation.
 """
 
 from __future__ import annotations
 
+import ast
+import unittest
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
 import pytest
 
-from edulaunch import pytest_plugin
-from edulaunch.pytest_plugin import LaunchTestFailure, LaunchTestItem, LaunchTestModule, find_launch_test_entrypoint
+from . import hookspecs
 
-__all__ = ['LaunchTestFailure', 'LaunchTestItem', 'LaunchTestModule', 'find_launch_test_entrypoint']
+if TYPE_CHECKING:
+    from launch_testing.launch_test import LaunchTest
+
+MARKS = {
+    'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
+    'rostest': 'as launch_test, for ROS 2 packages (edulaunch)',
+}
 
 
-def pytest_addoption(pluginmanager: pytest.PytestPluginManager) -> None:
-    """Register edulaunch's plugin, unless somebody else has."""
-    if not pluginmanager.is_registered(pytest_plugin):
-        pluginmanager.register(pytest_plugin, 'edulaunch')
+def pytest_addhooks(pluginmanager: pytest.PytestPluginManager) -> None:
+    """Offer `pytest_launch_collect_makemodule` to other plugins."""
+    pluginmanager.add_hookspecs(hookspecs)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Launch arguments, packages and seed for launch tests."""
+    group = parser.getgroup('launch tests', 'launch tests in simulated time')
+    group.addoption('--launch-args', action='append', nargs='*', default=[], metavar='name:=value', help='launch arguments')
+    group.addoption(
+        '--launch-workspace',
+        action='append',
+        metavar='DIR',
+        help='folder with packages; default: the workspace of each test file',
+    )
+    group.addoption('--launch-seed', type=int, default=0, metavar='N', help='of all randomness in launch tests (default: 0)')
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the marks known."""
+    for name, text in MARKS.items():
+        config.addinivalue_line('markers', f'{name}: {text}')
+
+
+def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """Take a file with a launch test; leave any other to pytest."""
+    entrypoint = find_launch_test_entrypoint(module_path)
+    if entrypoint is None:
+        return None
+    hook = parent.session.gethookproxy(module_path).pytest_launch_collect_makemodule
+    module: pytest.Collector | None = hook(path=module_path, parent=parent, entrypoint=entrypoint)
+    return module
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_launch_collect_makemodule(path: Path, parent: pytest.Collector, entrypoint: Entrypoint) -> pytest.Collector | None:
+    """Take a file with one of our marks."""
+    if not entrypoint.is_ours():
+        return None
+    module: LaunchTestModule = LaunchTestModule.from_parent(parent, path=path)
+    return module
+
+
+class Entrypoint(NamedTuple):
+    """The function `generate_test_description` of a file that has not been run yet, and its marks."""
+
+    pytestmark: list[pytest.Mark]
+
+    def is_ours(self) -> bool:
+        """Whether it has a mark of this plugin."""
+        return any(mark.name in MARKS for mark in self.pytestmark)
+
+
+def find_launch_test_entrypoint(path: str | Path) -> Entrypoint | None:
+    """The function `generate_test_description` in a file, or None; read without running the file."""
+    source = Path(path).read_bytes()
+    if b'generate_test_description' not in source:
+        return None
+    try:
+        statements = ast.parse(source).body
+    except (SyntaxError, ValueError):
+        return None
+    functions = [node for node in statements if isinstance(node, ast.FunctionDef)]
+    found = [node for node in functions if node.name == 'generate_test_description']
+    return Entrypoint(_marks(found[0].decorator_list)) if found else None
+
+
+def _marks(decorators: Iterable[ast.expr]) -> list[pytest.Mark]:
+    called = [node.func if isinstance(node, ast.Call) else node for node in decorators]
+    names = [node.attr for node in called if isinstance(node, ast.Attribute) and 'mark' in ast.unparse(node.value)]
+    return [pytest.Mark(name, (), {}, _ispytest=True) for name in names]
+
+
+class LaunchTestFailure(Exception):
+    """A launch test failed; the text says which of its tests, and why."""
+
+
+class LaunchTestModule(pytest.File):
+    """A launch test file."""
+
+    def collect(self) -> Iterable[LaunchTestItem]:
+        """One item, whatever is in the file, as in ROS 2."""
+        yield LaunchTestItem.from_parent(self, name=self.path.stem)
+
+
+class LaunchTestItem(pytest.Item):
+    """All launches of a file with all their tests."""
+
+    def runtest(self) -> None:
+        """Run in a fresh simulation.
+
+        :raises LaunchTestFailure: when anything went wrong.
+        """
+        from launch_testing._simulated import run_launch_test
+        from launch_testing.launch_test import LaunchTest
+
+        option = self.config.getoption
+        test = LaunchTest(str(self.path), [word for words in option('--launch-args') for word in words])
+        code = run_launch_test(test, workspaces=option('--launch-workspace'), seed=option('--launch-seed'))
+        _skip_if_skipped(test)
+        if code or test.error is not None:
+            raise LaunchTestFailure(_told(test))
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """A failed launch test is told by its own text; there is nothing to see in our frames."""
+        return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
+
+    def reportinfo(self) -> tuple[Path, int, str]:
+        """Where it is, and what it is called."""
+        return self.path, 0, f'launch test {self.name}'
+
+
+def _skip_if_skipped(test: LaunchTest) -> None:
+    if isinstance(test.error, (unittest.SkipTest, pytest.skip.Exception)):
+        pytest.skip(str(test.error))
+    reasons = [reason for result in test.results.values() for _, reason in result.skipped if not result.testsRun]
+    if reasons and len(reasons) == len(test.results):
+        pytest.skip(reasons[0])
+
+
+def _told(test: LaunchTest) -> str:
+    """Each failed test with its text, or why the file could not be run."""
+    if test.error is not None:
+        return test.error_text()
+    lines = []
+    for run, result in test.results.items():
+        lines += [f'{what}: {name} [{run}]\n{text}' for what, name, text in result.problems()]
+    return '\n'.join(lines)

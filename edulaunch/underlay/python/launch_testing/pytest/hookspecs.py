@@ -1,7 +1,17 @@
-"""Hooks that other plugins may implement."""
+"""The hook that the plugin for launch tests offers to other plugins."""
 
 from __future__ import annotations
 
-from edulaunch.testing.hooks import pytest_launch_collect_makemodule
+from pathlib import Path
+from typing import Any
 
-__all__ = ['pytest_launch_collect_makemodule']
+import pytest
+
+
+@pytest.hookspec(firstresult=True)
+def pytest_launch_collect_makemodule(path: Path, parent: pytest.Collector, entrypoint: Any) -> pytest.Collector | None:
+    """Make the collector of a launch test file, or leave it to others by returning None.
+
+    :param path: of the file.
+    :param entrypoint: its function `generate_test_description`, as syntax (`ast.FunctionDef`): the file has not been run yet.
+    """

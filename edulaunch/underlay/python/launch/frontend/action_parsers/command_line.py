@@ -16,6 +16,7 @@ def words_of(text: str, parser: Parser) -> list[Word]:
 
     Substitutions are found first, then the literal pieces between them are split as a shell would. What
     touches a substitution stays in one word with it, and what comes out of a substitution is never split.
+    As upstream, a text of nothing, and blanks before the first substitution, are one empty word.
 
     :raises ValueError: when a quote is not closed within one literal piece.
     """
@@ -26,7 +27,7 @@ def words_of(text: str, parser: Parser) -> list[Word]:
             word.append(piece)
             continue
         tokens = _split(piece.text)
-        if word and (not tokens or piece.text[0].isspace()):
+        if not tokens or (word and piece.text[0].isspace()):
             words.append(word)
             word = []
         for number, token in enumerate(tokens):

@@ -24,15 +24,14 @@ _INSIDE = frozenset(('param',))
 
 
 def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
-    """The argument `parameters` of a node: the files; then, as upstream, all named parameters in one dict.
+    """The argument `parameters` of a node: one source for each element, in the order of the file, so that later ones win.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
     """
     plain = entity.plain_pairs(tag, 'name', 'value', is_typed=True)
     if plain is not None:
-        return [_plain_dictionary(plain, parser)]
+        return [_plain_dictionary([pair], parser) for pair in plain]
     parameters: list[Any] = []
-    named: list[Entity] = []
     for param in entity.get_attr(tag, data_type=Entities):
         given = param.given(_WHICH)
         if 'from' in given:
@@ -40,12 +39,10 @@ def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
         elif 'allow_substs' in given:
             raise _wrong(param, "'allow_substs' can only be used together with 'from' attribute")
         elif 'name' in given:
-            named.append(param)
+            parameters.append(_dictionary([param], parser))
         else:
             hint = "give it name and value, or from='a file'"
             raise hints.at(ValueError('param Entity should have name or from attribute'), param, hint)
-    if named:
-        parameters.append(_dictionary(named, parser))
     return parameters
 
 

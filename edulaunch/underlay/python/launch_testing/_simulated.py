@@ -1,4 +1,4 @@
-"""Launch tests in a simulation of their own: what `launch_test FILE` and the pytest plugin both use."""
+"""A launch test in a simulation of its own: what `launch_test FILE` and the pytest plugin both use."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from edulaunch.sim.pacing import Pacer
 from edulaunch.testing.package_tests import workspaces_of
 
 if TYPE_CHECKING:
-    from launch_testing.launch_test import LaunchTest
+    from .launch_test import LaunchTest
 
 LONGEST_TEST_S = 3600.0
 
@@ -88,29 +88,3 @@ class _Runner:
 
     def _is_over(self) -> bool:
         return self._pressed or self._process.returncode is not None
-
-
-def main(argv: Sequence[str] | None = None) -> int:
-    """`launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; returns the exit code, 2 for unusable input."""
-    import argparse
-
-    from edulaunch.sourcing import source
-
-    source()
-    from launch_testing.launch_test import LaunchTest, add_arguments
-
-    parser = argparse.ArgumentParser(prog='launch_test', description='Run a launch test in simulated time.')
-    add_arguments(parser)
-    given = parser.parse_args(argv)
-    if not os.path.isfile(given.test_file):
-        parser.error(f"Test file '{given.test_file}' does not exist")
-    test = LaunchTest(given.test_file, given.launch_arguments, debug=given.verbose)
-    try:
-        code = run_launch_test(test, workspaces=given.workspace, body=test.show_arguments if given.show_args else None)
-    except KeyboardInterrupt:
-        return 130
-    if isinstance(test.error, UnusableInput):
-        sys.stderr.write(f'error: {test.error}\n')
-    if given.junit_xml:
-        test.write_junit_xml(given.junit_xml, given.package_name)
-    return code

@@ -1,0 +1,70 @@
+"""Columns of numbers and texts as short plain data: steps from one value to the next.
+
+A number column is a list of steps in units of its scale; `[n]` inside it stands for n steps of 0, and `null` for a value that
+is not finite. A text column repeats a text as `null`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+FINE = 10_000
+"""Floats are told to a tenth of a millimetre (or of a milliradian)."""
+
+
+def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[list[Any], int]:
+    """The steps of a column from the value `before` (in scaled units), and the last value for the next piece.
+
+    Values that are not finite, or too large for a browser's numbers, become None and change nothing.
+    """
+    steps: list[Any] = []
+    still = 0
+    for value in values:
+        if not -9e15 < value * scale < 9e15:  # also false for NaN
+            _still(steps, still)
+            still = 0
+            steps.append(None)
+            continue
+        whole = round(value * scale)
+        if whole == before:
+            still += 1
+            continue
+        _still(steps, still)
+        still = 0
+        steps.append(whole - before)
+        before = whole
+    _still(steps, still)
+    return steps, before
+
+
+def _still(steps: list[Any], count: int) -> None:
+    """Write down `count` steps of 0, the short way where there is one."""
+    if count > 2:
+        steps.append([count])
+    else:
+        steps.extend([0] * count)
+
+
+def numbers(steps: Iterable[Any], scale: int, before: int = 0) -> list[float]:
+    """The values that :func:`number_steps` was given, to the scale: the page's own reading, for tests."""
+    found: list[float] = []
+    for step in steps:
+        if step is None:
+            found.append(math.nan)
+        elif isinstance(step, list):
+            found += [before / scale] * step[0]
+        else:
+            before += step
+            found.append(before / scale)
+    return found
+
+
+def text_steps(values: Iterable[str], before: str | None = None) -> tuple[list[str | None], str | None]:
+    """Texts with None for one that equals the one before it."""
+    steps: list[str | None] = []
+    for value in values:
+        steps.append(None if value == before else value)
+        before = value
+    return steps, before

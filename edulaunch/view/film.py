@@ -1,0 +1,222 @@
+"""A run as the page wants it: plain data that only ever grows, handed out piece by piece.
+
+The first piece of a finished recording is all of it; a living machine gives what came since the piece before. Times are whole
+microseconds since the start of the simulation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple, Protocol
+
+from edulaunch.recording.frames import TF_TYPE
+from edulaunch.view.columns import FINE, number_steps, text_steps
+
+NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
+FLOATS = {'float32', 'float64'}
+SCAN_TYPE = 'sensor_msgs/msg/LaserScan'
+SCAN_EVERY_US = 200_000
+"""A scan is shown five times a second: there are hundreds of numbers in each."""
+LONGEST_TEXT = 160
+"""Characters of an array or text field that the page shows of a message."""
+
+
+class Source(Protocol):
+    """What a film is made from: a recorder of a living machine, or a finished recording."""
+
+    def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
+        """Times (ns since the start), publishers and wires of a topic, from message number `first` on."""
+
+    def topics(self) -> list[tuple[str, str]]:
+        """(topic, type) of all there are."""
+
+    def part(self, name: str) -> Sequence[Any]:
+        """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output' or 'notes'."""
+
+    def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
+        """(dotted path, type) of each entry of a wire."""
+
+    def start_ns(self) -> int:
+        """When the simulation started, since the epoch."""
+
+    def now_ns(self) -> int:
+        """Simulated time since the start."""
+
+
+class _Column(NamedTuple):
+    """One leaf of a message type: its path, its place in a wire, and how it is told ('float', 'number', 'text')."""
+
+    path: str
+    place: int
+    how: str
+
+
+class Film:
+    """Gives what a source has, in pieces that fit behind each other. See :meth:`piece`."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._told: dict[tuple[str, str], int] = {}
+        self._layout: dict[str, list[_Column]] = {}
+        self._last: dict[Any, Any] = {}
+        self._rows: dict[str, int] = {}
+        self._open: dict[str, list[int]] = {}
+
+    def piece(self) -> dict[str, Any]:
+        """What came since the last call, ready for JSON.
+
+        `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else.
+        """
+        source = self._source
+        piece: dict[str, Any] = {
+            'start': source.start_ns() // 1000,
+            'now': source.now_ns() // 1000,
+            'topics': [],
+            'tf': [],
+            'scans': [],
+        }
+        for topic, kind in source.topics():
+            first = self._told.get((topic, kind), 0)
+            times, publishers, wires = source.rows(topic, kind, first)
+            if len(times) or not first:
+                self._told[topic, kind] = first + len(times)
+                piece['topics'].append(self._columns(topic, kind, times, wires))
+                if kind == TF_TYPE:
+                    piece['tf'] += self._transforms(topic, times, publishers, wires)
+                elif kind == SCAN_TYPE:
+                    piece['scans'] += self._scans(topic, times, wires)
+        piece['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
+        for name in ('parameters', 'logs', 'output', 'notes'):
+            piece[name] = [_event(row) for row in self._new(name)]
+        for name, told, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
+            piece[name] = self._living(name, told, end)
+        return {name: value for name, value in piece.items() if value != []}
+
+    def _new(self, name: str) -> Sequence[Any]:
+        rows = self._source.part(name)
+        first, self._rows[name] = self._rows.get(name, 0), len(rows)
+        return rows[first:]
+
+    def _living(self, name: str, told: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
+        """New rows, and old ones that have ended since; each begins with its number."""
+        rows = self._source.part(name)
+        first = self._rows.get(name, 0)
+        self._rows[name] = len(rows)
+        open_before = self._open.get(name, [])
+        numbers = [number for number in open_before if rows[number][end] is not None] + list(range(first, len(rows)))
+        self._open[name] = [number for number in [*open_before, *range(first, len(rows))] if rows[number][end] is None]
+        return [told(number, rows[number]) for number in numbers]
+
+    def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
+        """The messages of a topic: steps of the times, and of each leaf that is a number or a text."""
+        if kind not in self._layout:
+            self._layout[kind] = _layout(self._source.wire_type(kind)) if kind != TF_TYPE else []
+        found: dict[str, Any] = {'name': topic, 'type': kind}
+        found['t'] = self._steps((topic, kind, 't'), (time // 1000 for time in times), 1)
+        layout = self._layout[kind]
+        found['fields'] = [[column.path, column.how] for column in layout]
+        found['c'] = [self._leaf((topic, kind, column.place), column, wires) for column in layout]
+        return found
+
+    def _leaf(self, key: Any, column: _Column, wires: Sequence[Any]) -> list[Any]:
+        place = column.place
+        if column.how == 'text':
+            steps, self._last[key] = text_steps((_text(wire[place]) for wire in wires), self._last.get(key))
+            return steps
+        return self._steps(key, (wire[place] for wire in wires), FINE if column.how == 'float' else 1)
+
+    def _steps(self, key: Any, values: Iterable[float], scale: int) -> list[Any]:
+        steps, self._last[key] = number_steps(values, scale, self._last.get(key, 0))
+        return steps
+
+    def _transforms(
+        self, topic: str, times: Sequence[int], publishers: Sequence[int], wires: Sequence[Any]
+    ) -> list[dict[str, Any]]:
+        """The transforms of TFMessages, a track for each child in each parent from each publisher."""
+        tracks: dict[tuple[str, str, int], list[tuple[float, ...]]] = {}
+        for time, publisher, wire in zip(times, publishers, wires, strict=True):
+            for sec, nanosec, parent, child, *numbers in wire[0]:
+                stamp = sec * 1_000_000 + nanosec // 1000
+                tracks.setdefault((child, parent, publisher), []).append((time // 1000, stamp, *numbers))
+        found = []
+        for (child, parent, publisher), rows in tracks.items():
+            key = (topic, child, parent, publisher)
+            scales = (1, 1, *[FINE] * 3, *[FINE * 100] * 4)
+            columns = [self._steps((*key, i), [row[i] for row in rows], scale) for i, scale in enumerate(scales)]
+            found.append({'child': child, 'parent': parent, 'by': publisher, 'static': topic == '/tf_static', 'c': columns})
+        return found
+
+    def _scans(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
+        """[topic, time, frame, first angle, step (radians), ranges in cm or None] of some of the scans."""
+        places = {path: place for place, (path, _) in enumerate(self._source.wire_type(SCAN_TYPE))}
+        found = []
+        for time, wire in zip(times, wires, strict=True):
+            key = ('scan', topic)
+            if time // 1000 - self._last.get(key, -SCAN_EVERY_US) >= SCAN_EVERY_US:
+                self._last[key] = time // 1000
+                near = wire[places['range_min']]
+                far = wire[places['range_max']]
+                ranges = [round(value * 100) if near <= value <= far else None for value in wire[places['ranges']]]
+                angles = (round(wire[places[name]], 5) for name in ('angle_min', 'angle_increment'))
+                found.append([topic, time // 1000, wire[places['header.frame_id']], *angles, ranges])
+        return found
+
+
+def _layout(wire_type: Sequence[tuple[str, str]]) -> list[_Column]:
+    return [
+        _Column(path, place, 'float' if kind in FLOATS else 'number' if kind in NUMBERS or kind == 'boolean' else 'text')
+        for place, (path, kind) in enumerate(wire_type)
+    ]
+
+
+def _text(value: Any) -> str:
+    """A text, or an array as a short text."""
+    text = value if isinstance(value, str) else repr(list(value[:24]) if isinstance(value, (tuple, bytes)) else value)
+    return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 1] + '…'
+
+
+def _event(row: Sequence[Any]) -> list[Any]:
+    """A row that begins with its time."""
+    return [row[0] // 1000, *map(_json, row[1:])]
+
+
+def _endpoint(row: Sequence[Any]) -> list[Any]:
+    """[time, kind, name, type, number of the node, number of the endpoint, QoS]"""
+    *what, time, qos = row
+    return [time // 1000, *what, _json(qos)]
+
+
+def _json(value: Any) -> Any:
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    if isinstance(value, float):
+        return value if value - value == 0 else str(value)
+    if isinstance(value, bytes):
+        return list(value)
+    return [_json(entry) for entry in value] if isinstance(value, (list, tuple)) else str(value)
+
+
+def _node(number: int, row: Sequence[Any]) -> list[Any]:
+    """[number, name, process, index, from, to]"""
+    name, process, start, end, index = row
+    return [number, name, process, index, start // 1000, None if end is None else end // 1000]
+
+
+def _process(number: int, row: Any) -> list[Any]:
+    """[number, name, pid, argv, from, to, return code]"""
+    end = row['ended']
+    return [
+        number,
+        row['name'],
+        row['pid'],
+        list(row['argv']),
+        row['started'] // 1000,
+        None if end is None else end // 1000,
+        row['returncode'],
+    ]
+
+
+def _call(number: int, row: Sequence[Any]) -> list[Any]:
+    """[number, time, service, type, client, request, served, replied]; the request as a list of its leaves."""
+    time, service, kind, client, request, served, replied, _ = row
+    return [number, time // 1000, service, kind, client, _json(request), served, None if replied is None else replied // 1000]

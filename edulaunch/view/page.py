@@ -1,0 +1,58 @@
+"""The front end put together: a page that needs nothing else, and the module that a notebook's widget loads."""
+
+from __future__ import annotations
+
+import html
+import json
+import zlib
+from base64 import b64encode
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+FILES = ('dom.js', 'data.js', 'tf.js', 'turtles.js', 'frames.js', 'graph.js', 'charts.js', 'tables.js', 'desk.js')
+"""In the order in which they build on each other; together they are one script."""
+
+
+@cache
+def script() -> str:
+    """All of the front end as one script without imports; it defines `openDesk` and `unpacked`."""
+    folder = Path(__file__).with_name('page')
+    style = json.dumps((folder / 'style.css').read_text(encoding='utf-8'))
+    parts = [(folder / name).read_text(encoding='utf-8') for name in FILES]
+    return '\n'.join([f'const STYLE = {style};', *parts])
+
+
+def module() -> str:
+    """The script as an ES module with `render`, as anywidget asks for."""
+    link = (Path(__file__).with_name('page') / 'widget.js').read_text(encoding='utf-8')
+    return f'{script()}\n{link}'
+
+
+def packed(piece: dict[str, Any]) -> str:
+    """A piece of film as text for a page: JSON, deflated, in base64."""
+    return b64encode(zlib.compress(json.dumps(piece, separators=(',', ':')).encode(), 9)).decode()
+
+
+def recorded_page(piece: dict[str, Any], title: str, tab: str = 'graph') -> str:
+    """An HTML page that plays a whole film, from disk and without a network."""
+    options = json.dumps({'tab': tab}).replace('</', '<\\/')
+    start = f"unpacked('{packed(piece)}').then(film => openDesk(document.getElementById('desk'), null, {options}).load(film));"
+    return _page(title, start)
+
+
+def live_page(title: str, tab: str = 'graph') -> str:
+    """The page beside a terminal: it talks to the server that it came from."""
+    link = (Path(__file__).with_name('page') / 'socket.js').read_text(encoding='utf-8')
+    return _page(title, f'{link}\nopenDesk(document.getElementById("desk"), socketLink(), {{ tab: {json.dumps(tab)} }});')
+
+
+def _page(title: str, start: str) -> str:
+    policy = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+        f'<title>{html.escape(title)}</title>\n<style>body {{ margin: 0; }}</style>\n<div id="desk"></div>\n'
+        f"<script>\n'use strict';\n{script()}\n{start}\n</script>\n</html>\n"
+    )

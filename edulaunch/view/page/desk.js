@@ -1,0 +1,261 @@
+/* The desk: what is shown where, the bar of time, the keyboard, and the words that go to the machine. */
+
+const TICK_S = 0.016, SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 0];
+
+class Desk {
+  /* `link` is null for a recording; else {send(words), on(handler)} to a machine that lives. */
+  constructor(root, link, options = {}) {
+    Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1 });
+    this.machine = { running: true, speed: 1 };
+    this.options = { axes: false, colours: true };
+    this.box = make('section', { class: 'desk', 'aria-label': link ? 'live view of the machine' : 'replay of a run' });
+    root.append(this.box);
+    this.head();
+    this.stage();
+    this.side(options.tab);
+    this.bar();
+    this.theme(options.theme || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
+    new ResizeObserver(() => this.redraw()).observe(this.box);
+    if (link) link.on(message => this.hear(message));
+    this.box.addEventListener('keydown', event => this.key(event));
+    this.beat = this.beat.bind(this);
+    this.redraw();
+  }
+  head() {
+    this.title = make('strong', {}, 'edulaunch');
+    this.state = make('span', { class: 'state', role: 'status' });
+    this.alerts = make('details', { class: 'alerts', hidden: true });
+    this.dark = button('◐', 'dark or light', () => this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'));
+    this.box.append(make('header', {}, this.title, this.state, this.alerts, this.dark));
+  }
+  stage() {
+    this.worlds = make('div', { class: 'worlds' });
+    this.empty = make('p', { class: 'soft' }, 'No turtle and no robot has told where it is yet.');
+    const toggle = (text, name) => {
+      const box = make('input', { type: 'checkbox' });
+      box.checked = this.options[name];
+      box.addEventListener('change', () => { this.options[name] = box.checked; this.redraw(); });
+      return make('label', {}, box, ' ' + text);
+    };
+    this.drivebar = make('div', { class: 'drive', hidden: !this.live });
+    this.pad();
+    this.left = make('div', { class: 'left' }, this.worlds, this.empty,
+      make('div', { class: 'tools' }, toggle('tf axes', 'axes'), toggle('a colour for each trail', 'colours')), this.drivebar);
+  }
+  side(first) {
+    this.views = {
+      frames: [new FramesView(this), 'Frames'], tree: [new TreeView(this), 'tf tree'], graph: [new GraphView(this), 'Graph'],
+      timeline: [new TimelineView(this), 'Timeline'], plot: [new PlotView(this), 'Plot'], log: [new LogView(this), 'Log'],
+      parameters: [new ParameterView(this), 'Parameters'], terminal: [new TerminalView(this), this.live ? 'Terminal' : 'Output'],
+    };
+    this.tabs = make('div', { class: 'tabs', role: 'tablist' });
+    this.panel = make('div', { class: 'panel', role: 'tabpanel' });
+    for (const [name, [, text]] of Object.entries(this.views)) {
+      const tab = make('button', { type: 'button', role: 'tab', id: 'tab-' + name, 'data-tab': name }, text);
+      tab.addEventListener('click', () => this.open(name));
+      this.tabs.append(tab);
+    }
+    this.tabs.addEventListener('keydown', event => {
+      const names = Object.keys(this.views), way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      if (!way) return;
+      event.stopPropagation();
+      this.open(names[(names.indexOf(this.tab) + way + names.length) % names.length]);
+      this.tabs.querySelector('[aria-selected=true]').focus();
+    });
+    this.box.append(make('div', { class: 'body' }, this.left, make('div', { class: 'right' }, this.tabs, this.panel)));
+    this.open(this.views[first] ? first : 'graph');
+  }
+  bar() {
+    this.play = button('', 'play or pause (space bar)', () => this.toggle());
+    this.what = make('select', { 'aria-label': 'what one step is' }, ...[['tick', 'one tick'], ['message', 'one message'], ...(this.live ? [['callback', 'one callback']] : [])].map(([value, text]) => make('option', { value }, text)));
+    this.pace = make('select', { 'aria-label': 'speed' }, ...SPEEDS.map(value => make('option', { value }, value ? `${value}×` : 'as fast as possible')));
+    this.pace.value = 1;
+    this.pace.addEventListener('change', () => { this.speed = Number(this.pace.value); if (this.live) this.send({ op: 'speed', speed: this.speed }); });
+    this.slider = make('input', { type: 'range', min: 0, max: 1000000, step: 1, value: 0, 'aria-label': 'time in the run' });
+    this.slider.addEventListener('input', () => this.seek(Number(this.slider.value) / 1e6 * this.store.now));
+    this.clock = make('output', { class: 'clock mono' });
+    this.now = button('● Live', 'show what happens now', () => { this.follow = true; this.redraw(); });
+    this.again = button('Continue from here', 'run the launch again with the same seed and inputs up to this instant, and go on', () => this.send({ op: 'continue', time: this.time }));
+    for (const control of [this.now, this.again]) control.hidden = true;
+    this.box.append(make('footer', { role: 'group', 'aria-label': 'time' }, this.play, button('⇤', 'one step back', () => this.step(-1)),
+      button('⇥', 'one step on', () => this.step(1)), this.what, make('label', {}, 'speed ', this.pace), this.slider, this.clock, this.now, this.again));
+  }
+  pad() {
+    const ways = [['↺', 0, 2, 'turn left'], ['↑', 2, 0, 'forward'], ['↓', -2, 0, 'backward'], ['↻', 0, -2, 'turn right']];
+    this.who = make('select', { 'aria-label': 'who is driven' });
+    const stick = make('div', { class: 'stick', role: 'img', 'aria-label': 'joystick: drag to drive' }, make('i', {}));
+    const drive = event => {
+      const box = stick.getBoundingClientRect(), part = (value, size) => Math.max(-1, Math.min(1, value / size * 2 - 1));
+      const across = part(event.clientX - box.left, box.width), down = part(event.clientY - box.top, box.height);
+      stick.firstChild.style.transform = `translate(${across * 22}px, ${down * 22}px)`;
+      this.wanted = [-down * 2, -across * 2];
+    };
+    stick.addEventListener('pointerdown', event => {
+      stick.setPointerCapture(event.pointerId);
+      drive(event);
+      this.driving = setInterval(() => this.drive(...this.wanted), 100);
+      this.drive(...this.wanted);
+    });
+    stick.addEventListener('pointermove', event => { if (event.buttons) drive(event); });
+    for (const end of ['pointerup', 'pointercancel']) stick.addEventListener(end, () => { clearInterval(this.driving); stick.firstChild.style.transform = ''; this.drive(0, 0); });
+    this.drivebar.append(make('label', {}, 'drive ', this.who), ...ways.map(([text, linear, angular, title]) => button(text, title, () => this.drive(linear, angular))), stick,
+      make('span', { class: 'soft' }, 'or click the picture and use the arrow keys'));
+  }
+  get shown() { return this.views[this.tab][0]; }
+  open(name) {
+    this.tab = name;
+    for (const tab of this.tabs.children) {
+      tab.setAttribute('aria-selected', tab.dataset.tab === name);
+      tab.tabIndex = tab.dataset.tab === name ? 0 : -1;
+    }
+    this.panel.setAttribute('aria-labelledby', 'tab-' + name);
+    this.panel.replaceChildren(this.shown.box);
+    this.redraw();
+  }
+  theme(name) {
+    this.box.dataset.theme = name;
+    const of = name => getComputedStyle(this.box).getPropertyValue('--' + name).trim();
+    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar'].map(name => [name, of(name)]));
+    this.redraw();
+  }
+  tree(time) {
+    if (this.known?.time !== time || this.known.store !== this.store || this.known.now !== this.store.now) this.known = Object.assign(new Tree(this.store, time), { now: this.store.now });
+    return this.known;
+  }
+  plot(topic, path) { this.views.plot[0].add(topic.name, path); this.open('plot'); }
+  select(mover) { if (mover) this.who.value = mover.path; }
+  canMove(mover) { return this.live && !this.machine.running && this.follow && mover.world.kind === 'turtlesim'; }
+  drive(linear, angular) { if (this.live) this.send({ op: 'drive', turtle: this.who.value, linear, angular }); }
+  send(words) { this.link?.send(words); }
+
+  /* What a machine says: a piece of film, its state, output of the terminal, or a sentence. */
+  hear(message) {
+    if (message.reset) { this.store = new Store(); this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
+    if (message.piece) this.store.apply(message.piece);
+    if (message.machine) Object.assign(this.machine, message.machine);
+    if (message.text) this.views.terminal[0].write(message.text);
+    if (message.completed) this.views.terminal[0].completed(...message.completed);
+    if (message.ended) this.ended = message.ended;
+    if (message.said) this.say(message.said);
+    this.redraw();
+  }
+  say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
+  load(piece) { this.store.apply(piece); this.time = 0; this.redraw(); }
+
+  toggle() {
+    if (this.live) { if (this.follow) this.send({ op: this.machine.running ? 'pause' : 'play' }); else { this.playing = !this.playing; } }
+    else {
+      this.playing = !this.playing;
+      if (this.playing && this.time >= this.store.now) this.time = 0;
+    }
+    this.redraw();
+  }
+  step(way) {
+    if (this.live && this.follow && way > 0) { this.send({ op: 'step', what: this.what.value }); return; }
+    this.playing = false;
+    if (this.what.value === 'message') {
+      const stamps = [...this.store.topics.values()].map(topic => topic.t);
+      const next = way > 0 ? stamps.map(t => t.a[t.upTo(this.time + 1e-7)] ?? Infinity).filter((_, i) => stamps[i].upTo(this.time + 1e-7) < stamps[i].n)
+        : stamps.map(t => t.upTo(this.time - 1e-6)).map((count, i) => count ? stamps[i].a[count - 1] : -Infinity);
+      const found = way > 0 ? Math.min(...next, Infinity) : Math.max(...next, 0);
+      if (Number.isFinite(found)) this.seek(found);
+    } else this.seek(Math.round(this.time / TICK_S + way) * TICK_S);
+  }
+  seek(time) {
+    this.follow = false;
+    this.time = Math.max(0, Math.min(this.store.now, time));
+    if (!this.live || !this.playing) this.playing = false;
+    this.redraw();
+  }
+  key(event) {
+    const inside = event.composedPath()[0];
+    if (['SELECT', 'INPUT', 'TEXTAREA'].includes(inside.tagName) && inside.type !== 'range' && inside.type !== 'checkbox') return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const picture = inside.tagName === 'CANVAS' && this.live && this.follow;
+    const ways = { ArrowUp: [2, 0], ArrowDown: [-2, 0], ArrowLeft: [0, 2], ArrowRight: [0, -2] };
+    if (picture && event.key in ways) this.drive(...ways[event.key]);
+    else if (event.key === ' ' && inside.tagName !== 'BUTTON' && inside.tagName !== 'SUMMARY') this.toggle();
+    else if (event.key === 'ArrowLeft' || event.key === 'ArrowRight') {
+      const way = event.key === 'ArrowRight' ? 1 : -1;
+      if (event.shiftKey) this.seek(this.time + way); else this.step(way);
+    } else if (event.key === 'Home') this.seek(0);
+    else if (event.key === 'End') { this.seek(this.store.now); this.follow = this.live; }
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+  redraw() {
+    if (!this.beat || this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(stamp => { this.asked = false; this.beat(stamp); });
+  }
+  beat(stamp) {
+    const passed = Math.min(0.1, (stamp - (this.before || stamp)) / 1000);
+    this.before = stamp;
+    if (this.live && this.follow) this.time = this.store.now;
+    else if (this.playing) {
+      this.time = Math.min(this.store.now, this.time + passed * (this.speed || 50));
+      if (this.time >= this.store.now) { this.playing = false; this.follow = this.live; }
+    }
+    if (!this.colours || !this.views) return;
+    this.layout();
+    for (const view of this.worldViews || []) view.draw(this.time);
+    this.shown.draw(this.time);
+    this.marks();
+    if (this.playing) this.redraw(); else this.before = 0;
+  }
+  layout() {
+    const key = this.store.version;
+    if (key !== this.worldKey || !this.worldViews) {
+      this.worldKey = key;
+      const worlds = readWorlds(this.store), same = this.worldViews && worlds.length === this.worldViews.length && worlds.every((world, i) => world.title === this.worldViews[i].world.title);
+      if (same) worlds.forEach((world, i) => { this.worldViews[i].world = world; });
+      else {
+        this.worldViews = worlds.map(world => new WorldView(this, world));
+        this.worlds.replaceChildren(...this.worldViews.map(view => view.figure));
+      }
+      this.empty.hidden = worlds.length > 0;
+      const movers = worlds.flatMap(world => world.movers), before = this.who.value;
+      this.who.replaceChildren(...movers.map(mover => make('option', { value: mover.path }, mover.path)));
+      if (movers.some(mover => mover.path === before)) this.who.value = before;
+      const warned = [...new Set(this.store.notes.filter(row => ['deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'incompatible'].includes(row.kind)).map(row => `${row.process ?? ''}: ${row.text}`))];
+      this.alerts.hidden = !warned.length;
+      if (warned.length !== this.warned) {
+        this.warned = warned.length;
+        this.alerts.replaceChildren(make('summary', {}, `⚠ ${warned.length}`), make('ul', {}, ...warned.map(text => make('li', {}, text))));
+      }
+    }
+    const room = this.left.clientWidth, count = this.worldViews.length;
+    if (room) for (const view of this.worldViews) view.resize(Math.floor(Math.max(180, Math.min(count > 1 ? (room - 14) / 2 : room - 4, count > 1 ? 360 : 560))));
+  }
+  marks() {
+    const { store } = this, running = this.live && this.follow ? this.machine.running : this.playing;
+    this.play.textContent = running ? '❚❚ Pause' : '▶ Play';
+    this.clock.textContent = `${this.time.toFixed(3)} s`;
+    this.slider.value = store.now ? Math.round(this.time / store.now * 1e6) : 0;
+    this.slider.setAttribute('aria-valuetext', `${this.time.toFixed(2)} of ${store.now.toFixed(2)} seconds`);
+    this.now.hidden = !this.live || this.follow;
+    this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
+    if (this.saidAt && performance.now() - this.saidAt < 6000) return;
+    this.state.textContent = this.ended || (!this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
+      : this.machine.running ? 'running' : 'paused');
+  }
+}
+
+function button(text, title, action) {
+  const element = make('button', { type: 'button', title, 'aria-label': title }, text);
+  element.addEventListener('click', action);
+  return element;
+}
+
+/* A desk in a shadow root of its own, so that neither page spoils the other's looks. */
+function openDesk(host, link, options) {
+  const root = host.shadowRoot || host.attachShadow({ mode: 'open' });
+  root.replaceChildren(make('style', {}, STYLE));
+  return new Desk(root, link, options);
+}
+
+async function unpacked(text) {
+  const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  return JSON.parse(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text());
+}

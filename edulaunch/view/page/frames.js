@@ -1,0 +1,219 @@
+/* tf frames: from above or in 3D, as seen from a chosen frame; the tf tree; and a lookup made by hand. */
+
+class FramesView {
+  constructor(desk) {
+    this.desk = desk;
+    this.turn = { yaw: -0.6, pitch: 0.55 };
+    this.above = false;
+    this.box = make('div', { class: 'pane' });
+    this.fixed = make('select', { 'aria-label': 'fixed frame: as seen from' });
+    this.mode = make('select', { 'aria-label': 'how frames are drawn' });
+    for (const [value, text] of [['3d', 'in 3D'], ['above', 'from above']]) this.mode.append(make('option', { value }, text));
+    this.canvas = make('canvas', { role: 'img', tabindex: 0 });
+    this.table = make('table', { class: 'small' });
+    const bar = make('div', { class: 'tools' });
+    bar.append(make('label', {}, 'seen from ', this.fixed), this.mode, make('span', { class: 'soft' }, 'drag to turn, wheel to zoom'));
+    this.box.append(bar, this.canvas, this.probe(), this.table);
+    this.zoom = 1;
+    this.canvas.addEventListener('pointermove', event => {
+      if (!event.buttons) return;
+      this.turn.yaw -= event.movementX / 150;
+      this.turn.pitch = Math.min(1.55, Math.max(-0.2, this.turn.pitch + event.movementY / 150));
+      desk.redraw();
+    });
+    this.canvas.addEventListener('wheel', event => { event.preventDefault(); this.zoom *= event.deltaY < 0 ? 1.1 : 1 / 1.1; desk.redraw(); }, { passive: false });
+    this.canvas.addEventListener('keydown', event => {
+      const ways = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+      if (!(event.key in ways)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      this.turn.yaw += ways[event.key][0];
+      this.turn.pitch += ways[event.key][1];
+      desk.redraw();
+    });
+    for (const control of [this.fixed, this.mode]) control.addEventListener('change', () => desk.redraw());
+  }
+  probe() {
+    const box = make('fieldset', { class: 'probe' });
+    this.target = make('select', { 'aria-label': 'target frame' });
+    this.source = make('select', { 'aria-label': 'source frame' });
+    this.when = make('input', { type: 'number', step: 0.01, placeholder: 'latest', 'aria-label': 'time in seconds; empty: latest' });
+    this.answer = make('output', { class: 'mono' });
+    this.spans = make('canvas', { class: 'spans', role: 'img' });
+    box.append(make('legend', {}, 'lookup_transform'), make('label', {}, 'target ', this.target), make('label', {}, 'source ', this.source),
+      make('label', {}, 'time ', this.when), this.answer, this.spans);
+    for (const control of [this.target, this.source, this.when]) control.addEventListener('input', () => this.desk.redraw());
+    return box;
+  }
+  choices(names) {
+    const key = names.join('\n');
+    if (key === this.known) return;
+    this.known = key;
+    const usual = names.includes('world') ? 'world' : names[0];
+    for (const [select, wanted] of [[this.fixed, usual], [this.target, names.includes('turtle2') ? 'turtle2' : usual],
+      [this.source, names.includes('turtle1') ? 'turtle1' : names[names.length - 1]]]) {
+      const before = select.value || wanted;
+      select.replaceChildren(...names.map(name => make('option', { value: name }, name)));
+      select.value = names.includes(before) ? before : wanted;
+    }
+  }
+  draw(time) {
+    const tree = this.desk.tree(time), names = tree.names();
+    this.choices(names);
+    const width = this.box.clientWidth - 4, height = Math.min(width * 0.72, 430);
+    const pen = sized(this.canvas, width, height);
+    pen.fillStyle = this.desk.colours.field;
+    pen.fillRect(0, 0, width, height);
+    if (!names.length) { note(pen, 'nobody has broadcast a transform yet', width, height, this.desk.colours.soft); return; }
+    const seen = tree.seenFrom(this.fixed.value);
+    this.project(seen, width, height);
+    this.floor(pen);
+    pen.lineWidth = 1.2;
+    for (const link of tree.links.values()) {
+      if (!seen.has(link.child) || !seen.has(link.parent)) continue;
+      pen.strokeStyle = this.desk.colours.soft;
+      pen.setLineDash(link.fixed ? [5, 3] : []);
+      line(pen, [this.at(seen.get(link.child).p), this.at(seen.get(link.parent).p)]);
+    }
+    pen.setLineDash([]);
+    const taken = [];
+    for (const [name, pose] of seen) this.axes(pen, pose);
+    for (const [name, pose] of seen) this.label(pen, name, this.at(pose.p), taken, width, height);
+    this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
+    this.rows(tree, seen, time);
+    this.look(time);
+  }
+  project(seen, width, height) {
+    const above = this.mode.value === 'above', points = [...seen.values()].map(pose => pose.p);
+    const span = axis => [Math.min(...points.map(p => p[axis])), Math.max(...points.map(p => p[axis]))];
+    const [[x0, x1], [y0, y1], [z0, z1]] = [span(0), span(1), span(2)];
+    const wanted = { c: [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2], r: Math.max(x1 - x0, y1 - y0, z1 - z0, 0.6) };
+    const view = this.view ??= wanted;
+    if (wanted.r > view.r * 1.02 || wanted.r < view.r * 0.6 || Math.hypot(...wanted.c.map((v, i) => v - view.c[i])) > view.r * 0.2) this.view = wanted;
+    const { c, r } = this.view, scale = this.zoom * Math.min(width, height) / (r * 1.5);
+    const [cy, sy] = [Math.cos(this.turn.yaw), Math.sin(this.turn.yaw)], [cp, sp] = [Math.cos(this.turn.pitch), Math.sin(this.turn.pitch)];
+    this.length = r * 0.12;
+    this.low = Math.min(0, z0);
+    this.at = p => {
+      const [x, y, z] = p.map((value, i) => value - c[i]);
+      if (above) return [width / 2 + x * scale, height / 2 - y * scale];
+      const across = x * cy - y * sy, deep = x * sy + y * cy;
+      return [width / 2 + across * scale, height / 2 - (z * cp + deep * sp) * scale];
+    };
+  }
+  floor(pen) {
+    const { c, r } = this.view, step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20].find(size => r * 1.5 / size < 9) || 50;
+    const from = axis => Math.floor((c[axis] - r * 0.75) / step) * step, to = axis => Math.ceil((c[axis] + r * 0.75) / step) * step;
+    pen.strokeStyle = this.desk.colours.grid;
+    pen.lineWidth = 1;
+    for (let x = from(0); x <= to(0) + 1e-9; x += step) line(pen, [this.at([x, from(1), this.low]), this.at([x, to(1), this.low])]);
+    for (let y = from(1); y <= to(1) + 1e-9; y += step) line(pen, [this.at([from(0), y, this.low]), this.at([to(0), y, this.low])]);
+  }
+  axes(pen, pose) {
+    const start = this.at(pose.p);
+    for (const [axis, colour] of [[[0, 0, 1], '#265cb2'], [[0, 1, 0], '#2e8c30'], [[1, 0, 0], '#cc241d']]) {
+      const tip = turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length);
+      pen.strokeStyle = colour;
+      pen.lineWidth = axis[0] ? 3 : 2;
+      line(pen, [start, this.at(tip)]);
+    }
+    if (Math.abs(pose.p[2] - this.low) > 1e-3 && this.mode.value !== 'above') {
+      pen.strokeStyle = this.desk.colours.soft;
+      pen.lineWidth = 0.8;
+      pen.setLineDash([2, 3]);
+      line(pen, [start, this.at([pose.p[0], pose.p[1], this.low])]);
+      pen.setLineDash([]);
+    }
+  }
+  label(pen, text, [x, y], taken, width, height) {
+    pen.font = '12px system-ui, sans-serif';
+    const wide = pen.measureText(text).width + 6;
+    const places = [[8, -10], [8, 8], [-wide - 8, -10], [-wide - 8, 8], [8, -26], [8, 24], [-wide / 2, -30], [-wide / 2, 28], [8, -42], [8, 40]];
+    const free = ([l, t]) => l > 0 && t > 0 && l + wide < width && t + 15 < height && !taken.some(([a, b, w]) => l < a + w && a < l + wide && t < b + 15 && b < t + 15);
+    const [left, top] = places.map(([dx, dy]) => [x + dx, y + dy - 8]).find(free) || [x + 8, y - 18];
+    taken.push([left, top, wide]);
+    pen.fillStyle = this.desk.colours.plate;
+    pen.fillRect(left, top, wide, 15);
+    pen.fillStyle = this.desk.colours.ink;
+    pen.fillText(text, left + 3, top + 12);
+  }
+  rows(tree, seen, time) {
+    const head = make('tr', {}, ...['frame', 'parent', 'x', 'y', 'z', 'yaw', 'age'].map(text => make('th', {}, text)));
+    const rows = [...tree.links.values()].map(link => {
+      const pose = seen.get(link.child), age = time - (link.stamp - this.desk.store.start);
+      const cells = [link.child + (link.parents > 1 ? ' ⚠ two parents' : ''), link.parent,
+        ...(pose ? [...pose.p, yawOf(pose.q)].map(value => value.toFixed(3)) : ['another', 'tree', '', '']),
+        link.fixed ? 'static' : `${Math.max(0, age).toFixed(2)} s`];
+      return make('tr', { class: !link.fixed && age > 1 ? 'old' : '' }, ...cells.map(text => make('td', {}, text)));
+    });
+    this.table.replaceChildren(head, ...rows);
+  }
+  look(time) {
+    const asked = this.when.value === '' ? null : Number(this.when.value);
+    const found = lookup(this.desk.store, this.target.value, this.source.value, asked, time);
+    if (found.error) {
+      this.answer.textContent = `${found.error}: ${found.text}`;
+      this.answer.className = 'mono bad';
+    } else {
+      const { p, q } = found.transform, show = values => values.map(value => value.toFixed(3)).join(', ');
+      this.answer.textContent = `translation [${show(p)}]  rotation [${show(q)}]  yaw ${yawOf(q).toFixed(3)} rad`;
+      this.answer.className = 'mono';
+    }
+    this.bars(found, time);
+  }
+  /* What the buffer held of each link of the chain, and what was asked. */
+  bars(found, time) {
+    const spans = found.spans || [], width = this.box.clientWidth - 28, height = spans.length ? 16 * spans.length + 18 : 1;
+    const pen = sized(this.spans, width, height);
+    if (!spans.length) return;
+    const from = Math.min(time - CACHE_S - 0.5, found.asked), to = Math.max(time, found.asked) + 0.5, at = value => 90 + (value - from) / (to - from) * (width - 96);
+    pen.font = '11px system-ui, sans-serif';
+    spans.forEach((span, i) => {
+      pen.fillStyle = this.desk.colours.ink;
+      pen.fillText(span.child, 2, 16 * i + 12, 84);
+      pen.fillStyle = '#4c8dd6';
+      pen.fillRect(at(span.from), 16 * i + 4, Math.max(2, at(span.to) - at(span.from)), 9);
+    });
+    const close = Math.abs(at(time) - at(found.asked)) < 34;
+    for (const [value, colour, text] of [[time, this.desk.colours.soft, close ? '' : 'now'], [found.asked, found.error ? '#cc241d' : '#2e8c30', 'asked']]) {
+      pen.strokeStyle = pen.fillStyle = colour;
+      pen.lineWidth = 1.5;
+      line(pen, [[at(value), 0], [at(value), height - 12]]);
+      pen.fillText(text, Math.min(at(value) - 10, width - 34), height - 2);
+    }
+    this.spans.setAttribute('aria-label', spans.map(span => `${span.child} from ${span.from.toFixed(2)} to ${span.to.toFixed(2)} s`).join('; '));
+  }
+}
+
+class TreeView {
+  /* The tf tree, parents above children. */
+  constructor(desk) {
+    this.desk = desk;
+    this.box = make('div', { class: 'pane scroll' });
+  }
+  draw(time) {
+    const { store } = this.desk, tree = this.desk.tree(time);
+    const key = store.version + ' ' + tree.names().join();
+    const rates = link => link.fixed ? 'static' : `${(link.track.c[0].upTo(time) - link.track.c[0].upTo(time - 1)).toFixed(0)} Hz`;
+    if (key !== this.key) {
+      this.key = key;
+      const children = new Map(), roots = tree.names().filter(name => !tree.links.has(name));
+      for (const link of tree.links.values()) children.set(link.parent, [...(children.get(link.parent) || []), link]);
+      this.said = [];
+      const item = (name, link) => {
+        const about = make('span', { class: 'soft' });
+        if (link) this.said.push([link.child, about]);
+        const entry = make('li', {}, make('span', { class: 'box' }, name), about);
+        const below = (children.get(name) || []).map(next => item(next.child, next));
+        if (below.length) entry.append(make('ul', {}, ...below));
+        return entry;
+      };
+      this.box.replaceChildren(roots.length ? make('ul', { class: 'tree' }, ...roots.map(root => item(root))) : 'nobody has broadcast a transform yet');
+      if (roots.length > 1) this.box.prepend(make('p', { class: 'bad' }, `${roots.length} trees that never meet: no transform leads from one to another`));
+    }
+    for (const [child, about] of this.said || []) {
+      const link = tree.links.get(child);
+      if (link) about.textContent = ` ${rates(link)}, by ${store.nodeName(store.publisherNode.get(link.track.by))}`;
+    }
+  }
+}

@@ -1,0 +1,194 @@
+/* Nodes and topics from left to right; edges light up as messages pass; a click tells about a box. */
+
+const QUIET_TOPICS = new Set(['/rosout', '/parameter_events']);
+const NODE_SERVICES = /\/(describe_parameters|get_parameters|get_parameter_types|list_parameters|set_parameters|set_parameters_atomically|get_type_description)$/;
+const LIT_S = 0.25;
+
+/* Nodes of commands such as `ros2 topic echo` are hidden, as ROS 2 hides them. */
+const hidden = node => node.name.split('/').pop().startsWith('_') && node.name !== '/_desk';
+
+class GraphView {
+  constructor(desk) {
+    this.desk = desk;
+    this.box = make('div', { class: 'pane' });
+    this.unused = make('input', { type: 'checkbox' });
+    this.services = make('input', { type: 'checkbox' });
+    const bar = make('div', { class: 'tools' }, make('label', {}, this.unused, ' topics with one end'), make('label', {}, this.services, ' services and actions'));
+    this.sheet = drawing('svg', { role: 'img' });
+    this.told = make('div', { class: 'told', 'aria-live': 'polite' }, 'Click a node or a topic to hear about it.');
+    this.box.append(bar, make('div', { class: 'scroll' }, this.sheet), this.told);
+    for (const control of [this.unused, this.services]) control.addEventListener('change', () => { this.key = null; desk.redraw(); });
+  }
+  /* The boxes and arrows at a time. */
+  read(time) {
+    const { store } = this.desk, alive = store.nodes.filter(node => node && store.alive(node, time) && !hidden(node));
+    const names = new Map(), boxes = new Map(), edges = [];
+    for (const node of alive) names.set(node.name, (names.get(node.name) || 0) + 1);
+    for (const node of alive) {
+      boxes.set('n' + node.index, { id: 'n' + node.index, kind: 'node', name: node.name === '/_desk' ? 'you, driving' : node.name, node, mark: names.get(node.name) > 1 ? 'two nodes have this name' : '' });
+    }
+    const ends = new Map();
+    for (const end of store.endpoints) {
+      if (end.t > time + 1e-7 || !boxes.has('n' + end.node)) continue;
+      const service = end.kind === 'service' || end.kind === 'client';
+      if (service ? !this.services.checked || NODE_SERVICES.test(end.name) || end.name.includes('/_action/') : QUIET_TOPICS.has(end.name)) continue;
+      const action = !service && end.name.match(/^(.*)\/_action\/(feedback|status)$/);
+      if (action && (!this.services.checked || action[2] === 'status')) continue;
+      const name = action ? action[1] : end.name, kind = service ? 'service' : action ? 'action' : 'topic', id = kind[0] + kind[1] + name;
+      if (!ends.has(id)) ends.set(id, { id, kind, name, from: new Set(), to: new Set(), rows: [] });
+      const box = ends.get(id);
+      box.rows.push(end);
+      const asks = action ? end.kind === 'subscription' : end.kind === 'publisher' || end.kind === 'client';
+      (asks ? box.from : box.to).add('n' + end.node);
+    }
+    for (const box of ends.values()) {
+      if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked) continue;
+      if (box.kind === 'service' && !box.from.size) continue;
+      box.mark = box.kind === 'service' ? (box.to.size ? '' : 'no server')
+        : !box.from.size ? 'no publisher' : !box.to.size && box.name !== '/tf_static' ? 'no subscriber' : this.misfit(box, time);
+      boxes.set(box.id, box);
+      for (const node of box.from) edges.push({ from: node, to: box.id, box });
+      for (const node of box.to) edges.push({ from: box.id, to: node, box });
+    }
+    return { boxes, edges };
+  }
+  misfit(box, time) {
+    const found = this.desk.store.notes.find(row => row.kind === 'incompatible' && row.t <= time && row.text.startsWith(box.name + ':'));
+    return found ? found.text.match(/because of (.+)$/)?.[1].toLowerCase() + ' does not fit' : '';
+  }
+  draw(time) {
+    const { store } = this.desk, stops = store.nodes.filter(node => node && store.alive(node, time)).map(node => node.index).join();
+    const known = store.endpoints.filter(end => end.t <= time + 1e-7).length;
+    const key = [stops, known, store.notes.length, this.unused.checked, this.services.checked].join(';');
+    if (key !== this.key) { this.key = key; this.lay(this.read(time)); }
+    for (const { box, path } of this.paths) {
+      let lit = 0;
+      if (box.kind === 'topic') for (const topic of store.byName(box.name)) {
+        const number = topic.at(time), age = number < 0 ? Infinity : time - topic.t.a[number];
+        lit = Math.max(lit, 1 - age / LIT_S);
+      }
+      if (box.kind === 'service') lit = store.calls.some(call => call?.service === box.name && call.t <= time && time - call.t < 2 * LIT_S) ? 1 : 0;
+      const strength = lit > 0 ? 'lit' : 'idle';
+      if (path.getAttribute('class') !== strength) path.setAttribute('class', strength);
+    }
+    if (this.chosen) this.tell(time);
+  }
+  /* Ranks from left to right by the longest way from a source, rings cut where they are met again; rows by neighbours' middle. */
+  lay({ boxes, edges }) {
+    const rank = new Map(), out = new Map(), path = new Set();
+    for (const edge of edges) out.set(edge.from, [...(out.get(edge.from) || []), edge.to]);
+    const visit = (id, depth) => {
+      if (path.has(id) || depth > 60 || (rank.get(id) ?? -1) >= depth) return;
+      rank.set(id, depth);
+      path.add(id);
+      for (const next of out.get(id) || []) visit(next, depth + 1);
+      path.delete(id);
+    };
+    const fed = new Set(edges.map(edge => edge.to));
+    for (const id of boxes.keys()) if (!fed.has(id)) visit(id, 0);
+    for (const id of boxes.keys()) if (!rank.has(id)) visit(id, boxes.get(id).kind === 'node' ? 0 : 1);
+    const columns = [];
+    for (const id of boxes.keys()) (columns[rank.get(id)] ??= []).push(boxes.get(id));
+    const order = new Map(), around = new Map();
+    for (const { from, to } of edges) { around.set(from, [...(around.get(from) || []), to]); around.set(to, [...(around.get(to) || []), from]); }
+    const used = columns.filter(Boolean);
+    if (!used.length) { this.sheet.replaceChildren(); this.paths = []; return; }
+    used.forEach(column => column.forEach((box, i) => order.set(box.id, i)));
+    for (let sweep = 0; sweep < 6; sweep++) {
+      for (const column of sweep % 2 ? [...used].reverse() : used) {
+        const middle = box => { const near = (around.get(box.id) || []).map(id => order.get(id)); return near.length ? near.reduce((a, b) => a + b) / near.length : order.get(box.id); };
+        const middles = new Map(column.map(box => [box, middle(box)]));
+        column.sort((a, b) => middles.get(a) - middles.get(b));
+        column.forEach((box, i) => order.set(box.id, i));
+      }
+    }
+    let left = 10, tall = 0;
+    for (const column of used) {
+      const wide = Math.max(...column.map(box => Math.max(box.name.length, (box.mark || '').length) * 7.3 + 26));
+      column.forEach((box, i) => Object.assign(box, { x: left + wide / 2, w: Math.max(box.name.length, (box.mark || '').length) * 7.3 + 22, h: box.mark ? 38 : 26, i }));
+      left += wide + 34;
+      tall = Math.max(tall, column.length);
+    }
+    const height = Math.max(tall * 52 + 10, 60);
+    for (const column of used) column.forEach(box => { box.y = height / 2 + (box.i - (column.length - 1) / 2) * 52; });
+    this.paint(boxes, edges, left - 24, height);
+  }
+  paint(boxes, edges, width, height) {
+    let deep = 0;
+    this.sheet.setAttribute('aria-label', `node graph: ${[...boxes.values()].filter(box => box.kind === 'node').map(box => box.name).join(', ')}`);
+    const arrow = drawing('marker', { id: 'arrow', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: 'userSpaceOnUse', orient: 'auto-start-reverse' },
+      drawing('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }));
+    this.sheet.replaceChildren(drawing('defs', {}, arrow));
+    this.paths = edges.map(edge => {
+      const a = boxes.get(edge.from), b = boxes.get(edge.to), x1 = a.x + a.w / 2, x2 = b.x - b.w / 2, bend = Math.max(24, (x2 - x1) / 2);
+      const low = Math.max(a.y + a.h / 2, b.y + b.h / 2) + 16 + Math.abs(a.x - b.x) / 14;  /* what goes back goes below the boxes */
+      const d = b.x > a.x ? `M${x1} ${a.y} C${x1 + bend} ${a.y} ${x2 - bend} ${b.y} ${x2} ${b.y}`
+        : `M${a.x} ${a.y + a.h / 2} C${a.x} ${low + 14} ${b.x} ${low + 14} ${b.x} ${b.y + b.h / 2}`;
+      const path = drawing('path', { d, 'marker-end': 'url(#arrow)' });
+      deep = Math.max(deep, b.x > a.x ? 0 : low);
+      this.sheet.append(path);
+      return { box: edge.box, path };
+    });
+    for (const box of boxes.values()) this.sheet.append(this.one(box));
+    this.sheet.setAttribute('viewBox', `0 0 ${width} ${Math.max(height, deep + 12)}`);
+    this.sheet.style.width = `min(100%, ${width}px)`;
+    this.sheet.style.minWidth = `${width * 0.72}px`;
+  }
+  one(box) {
+    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}`, tabindex: 0, role: 'button', transform: `translate(${box.x} ${box.y})` });
+    group.append(drawing('rect', { x: -box.w / 2, y: -box.h / 2, width: box.w, height: box.h, rx: box.kind === 'node' ? box.h / 2 : 3 }));
+    const text = drawing('text', { y: box.mark ? -3 : 4, 'text-anchor': 'middle' });
+    text.textContent = box.name;
+    group.append(text);
+    if (box.mark) {
+      const mark = drawing('text', { y: 12, 'text-anchor': 'middle', class: 'mark' });
+      mark.textContent = '⚠ ' + box.mark;
+      group.append(mark);
+    }
+    const choose = () => { this.chosen = box; this.tell(this.desk.time, true); };
+    group.addEventListener('click', choose);
+    group.addEventListener('keydown', event => { if (event.key === 'Enter') choose(); });
+    return group;
+  }
+  tell(time, now = false) {
+    if (!now && performance.now() - (this.toldAt || 0) < 250) return;
+    this.toldAt = performance.now();
+    const { store } = this.desk, box = this.chosen, rows = [];
+    if (box.kind === 'node') {
+      const process = store.processes.find(row => row?.name === box.node.process);
+      rows.push(make('b', {}, box.name), ` runs in ${box.node.process}${process ? `, pid ${process.pid}` : ''}`);
+      const given = store.parametersAt(time).filter(row => row.node === box.name);
+      rows.push(make('p', { class: 'mono' }, given.map(row => `${row.name}: ${JSON.stringify(row.value)}`).join('   ')));
+    }
+    for (const topic of box.kind === 'topic' ? store.byName(box.name) : []) {
+      const number = topic.at(time);
+      rows.push(make('b', {}, box.name), ` ${topic.type}, ${number + 1} messages, ${topic.rate(time).toFixed(1)} Hz`);
+      const qos = new Set(box.rows.map(end => `${end.kind} ${store.nodeName(end.node)}: ${end.qos[1]}, ${end.qos[2]}, depth ${end.qos[0]}`));
+      rows.push(make('p', {}, [...qos].join(' · ')));
+      if (number >= 0) rows.push(this.message(topic, number));
+    }
+    if (box.kind === 'service' || box.kind === 'action') {
+      const calls = store.calls.filter(call => call?.service.startsWith(box.name) && call.t <= time);
+      rows.push(make('b', {}, box.name), ` ${box.rows[0].type}, ${calls.length} calls so far`);
+      const last = calls[calls.length - 1];
+      if (last) rows.push(make('p', { class: 'mono' }, `${last.t.toFixed(3)} s  ${last.client}: ${JSON.stringify(last.request)}  ${last.replied <= time ? 'answered' : 'no answer yet'}`));
+    }
+    if (box.mark) rows.push(make('p', { class: 'bad' }, `⚠ ${box.mark}`));
+    this.told.replaceChildren(...rows);
+  }
+  /* The fields of a message; a number can be dragged to the plot. */
+  message(topic, number) {
+    const list = make('div', { class: 'message mono' });
+    topic.fields.forEach(([path, how], i) => {
+      const column = topic.columns[i], value = how === 'text' ? column[number] : column.a[number];
+      const entry = make('button', { type: 'button', class: 'field', draggable: how !== 'text', title: how === 'text' ? '' : 'click or drag to plot' },
+        `${path}: ${how === 'float' ? value.toFixed(4) : value}`);
+      if (how !== 'text') {
+        entry.addEventListener('click', () => this.desk.plot(topic, path));
+        entry.addEventListener('dragstart', event => event.dataTransfer.setData('text/plain', `${topic.name} ${path}`));
+      }
+      list.append(entry);
+    });
+    return list;
+  }
+}

@@ -1,0 +1,17 @@
+/* The link of the page beside a terminal: a web socket to the server that the page came from. The page asks for each piece. */
+
+const SHOWN_EVERY_MS = 33;
+
+function socketLink() {
+  const handlers = [], waiting = [], socket = new WebSocket(location.href.replace(/^http/, 'ws').replace(/[?#].*$/, '') + 'socket');
+  const hear = message => handlers.forEach(handler => handler(message));
+  const send = words => { if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(words)); else waiting.push(words); };
+  socket.addEventListener('open', () => { waiting.splice(0).forEach(send); send({ op: 'next' }); });
+  socket.addEventListener('message', event => {
+    const message = JSON.parse(event.data);
+    hear(message);
+    if (message.piece) setTimeout(() => requestAnimationFrame(() => send({ op: 'next' })), SHOWN_EVERY_MS - 8);
+  });
+  socket.addEventListener('close', () => hear({ ended: 'the machine has ended; what was seen stays here', machine: { running: false } }));
+  return { send, on: handler => handlers.push(handler) };
+}

@@ -1,0 +1,122 @@
+/* The log, the parameters, and a terminal. */
+
+const LEVELS = [[50, 'FATAL'], [40, 'ERROR'], [30, 'WARN'], [20, 'INFO'], [10, 'DEBUG']];
+const levelName = level => (LEVELS.find(([value]) => level >= value) || [0, 'DEBUG'])[1];
+
+class LogView {
+  constructor(desk) {
+    this.desk = desk;
+    this.box = make('div', { class: 'pane' });
+    this.process = make('select', { 'aria-label': 'process' });
+    this.level = make('select', { 'aria-label': 'from this level up' }, ...[10, 20, 30, 40, 50].map(value => make('option', { value }, levelName(value))));
+    this.word = make('input', { type: 'search', placeholder: 'word', 'aria-label': 'lines with this word' });
+    this.table = make('table', { class: 'small log' });
+    this.sheet = make('div', { class: 'scroll tall', tabindex: 0 }, this.table);
+    this.box.append(make('div', { class: 'tools' }, this.process, make('label', {}, 'from ', this.level), this.word), this.sheet);
+    for (const control of [this.process, this.level, this.word]) control.addEventListener('input', () => { this.key = null; desk.redraw(); });
+  }
+  draw(time) {
+    const { store } = this.desk, all = store.logs, names = [...new Set(all.map(row => row.process))];
+    if (names.join() !== this.names) {
+      this.names = names.join();
+      const before = this.process.value;
+      this.process.replaceChildren(make('option', { value: '' }, 'all processes'), ...names.map(name => make('option', { value: name }, name)));
+      this.process.value = names.includes(before) ? before : '';
+    }
+    const word = this.word.value.toLowerCase(), level = Number(this.level.value);
+    let count = 0;
+    while (count < all.length && all[count].t <= time + 1e-7) count++;
+    const key = [count, this.process.value, level, word].join();
+    if (key === this.key) return;
+    this.key = key;
+    const rows = all.slice(0, count).filter(row => row.level >= level && (!this.process.value || row.process === this.process.value) && (!word || row.text.toLowerCase().includes(word)));
+    const stays = this.sheet.scrollTop + this.sheet.clientHeight < this.sheet.scrollHeight - 30;
+    this.table.replaceChildren(make('tr', {}, ...['time', 'level', 'from', 'message'].map(text => make('th', {}, text))),
+      ...rows.slice(-500).map(row => make('tr', { class: levelName(row.level).toLowerCase() },
+        ...[row.t.toFixed(3), levelName(row.level), row.logger, row.text].map(text => make('td', {}, text)))));
+    if (rows.length > 500) this.table.prepend(make('caption', {}, `the last 500 of ${rows.length} lines`));
+    if (!stays) this.sheet.scrollTop = this.sheet.scrollHeight;
+  }
+}
+
+class ParameterView {
+  constructor(desk) {
+    this.desk = desk;
+    this.box = make('div', { class: 'pane scroll' });
+    this.table = make('table', { class: 'small' });
+    this.every = make('input', { type: 'checkbox' });
+    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all of them'), make('span', { class: 'soft' }, 'a value can be changed while the machine lives')), this.table);
+    this.every.addEventListener('change', () => { this.key = null; desk.redraw(); });
+  }
+  draw(time) {
+    const { store, desk } = { store: this.desk.store, desk: this.desk };
+    const rows = store.parametersAt(time).filter(row => this.every.checked || !/^(use_sim_time|start_type_description_service|qos_overrides\.)/.test(row.name));
+    const key = rows.map(row => row.node + row.name + JSON.stringify(row.value)).join() + desk.live;
+    if (key === this.key || this.box.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
+    this.key = key;
+    this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'where it came from'].map(text => make('th', {}, text))),
+      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name), make('td', {}, this.value(row)), make('td', { class: 'soft' }, row.origin))));
+    if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 4 }, 'no node has parameters yet')));
+  }
+  value(row) {
+    if (!this.desk.live) return JSON.stringify(row.value);
+    const colour = /^background_[rgb]$/.test(row.name), input = make('input', {
+      type: typeof row.value === 'boolean' ? 'checkbox' : colour ? 'range' : 'text', min: colour ? 0 : undefined, max: colour ? 255 : undefined,
+      'aria-label': `${row.node} ${row.name}`,
+    });
+    if (typeof row.value === 'boolean') input.checked = row.value;
+    else input.value = typeof row.value === 'string' ? row.value : JSON.stringify(row.value);
+    input.addEventListener('change', () => this.desk.send({ op: 'param', node: row.node, name: row.name, value: input.type === 'checkbox' ? String(input.checked) : input.value }));
+    return colour ? make('span', {}, input, ' ', input.value) : input;
+  }
+}
+
+class TerminalView {
+  constructor(desk) {
+    this.desk = desk;
+    this.box = make('div', { class: 'pane' });
+    this.sheet = make('pre', { class: 'terminal scroll tall', tabindex: 0, 'aria-live': 'polite' });
+    this.line = make('input', { type: 'text', class: 'mono', placeholder: 'ros2 topic list', 'aria-label': 'a command for the machine', spellcheck: 'false', autocomplete: 'off' });
+    this.stop = make('button', { type: 'button', title: 'Ctrl-C' }, '^C');
+    this.box.append(this.sheet, make('div', { class: 'tools' }, make('span', { class: 'mono' }, '$'), this.line, this.stop));
+    this.past = [];
+    this.at = 0;
+    this.line.addEventListener('keydown', event => this.key(event));
+    this.stop.addEventListener('click', () => desk.send({ op: 'interrupt' }));
+    this.shown = 0;
+  }
+  key(event) {
+    event.stopPropagation();
+    if (event.key === 'Enter' && this.line.value.trim()) {
+      this.past.push(this.line.value);
+      this.at = this.past.length;
+      this.write(`$ ${this.line.value}\n`);
+      this.desk.send({ op: 'line', line: this.line.value });
+      this.line.value = '';
+    } else if (event.key === 'c' && event.ctrlKey) {
+      this.desk.send({ op: 'interrupt' });
+    } else if (event.key === 'Tab' && this.line.value) {
+      event.preventDefault();
+      this.desk.send({ op: 'complete', line: this.line.value });
+    } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+      event.preventDefault();
+      this.at = Math.max(0, Math.min(this.past.length, this.at + (event.key === 'ArrowUp' ? -1 : 1)));
+      this.line.value = this.past[this.at] || '';
+    }
+  }
+  completed(line, choices) {
+    if (line) this.line.value = line;
+    if (choices.length > 1) this.write(choices.join('  ') + '\n');
+  }
+  write(text) {
+    this.sheet.append(text.replace(/\x1b\[[0-9;?]*[A-Za-z]/g, ''));
+    while (this.sheet.childNodes.length > 2000) this.sheet.firstChild.remove();
+    this.sheet.scrollTop = this.sheet.scrollHeight;
+  }
+  draw(time) {
+    if (this.desk.live) return;
+    const { output } = this.desk.store;
+    if (this.shown && (this.shown > output.length || output[this.shown - 1].t > time)) { this.sheet.replaceChildren(); this.shown = 0; }
+    for (; this.shown < output.length && output[this.shown].t <= time + 1e-7; this.shown++) this.write(output[this.shown].text);
+  }
+}

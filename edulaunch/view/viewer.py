@@ -1,0 +1,181 @@
+"""One desk on a machine that lives: hands out the film, and does what somebody asks for with a mouse or a keyboard.
+
+What comes from the page is plain data that may be anything: a word that is not understood is answered with a sentence.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import signal
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.inputs import PipedInput
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.view.film import Film
+from edulaunch.view.sources import OfRecorder
+
+if TYPE_CHECKING:
+    from edulaunch.session import Session
+    from edulaunch.sim.pacing import RealTime
+
+TICK_NS = 16_000_000
+"""One step of turtlesim's window."""
+LONGEST_STEP_NS = 10_000_000_000
+FASTEST = 100.0
+LONGEST_LINE = 4000
+DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
+
+
+class Viewer:
+    """What stands behind one page.
+
+    :param time: keeps the machine's time; pausing and stepping go through it.
+    :param runs: runs something on the machine's hub, as everything has to that lets simulated time pass.
+    """
+
+    def __init__(self, session: Session, time: RealTime, say: Callable[[dict[str, Any]], object]) -> None:
+        self._session = session
+        self._time = time
+        self._say = say
+        self._film = Film(OfRecorder(session.recorder))
+        self._driver: PipedInput | None = None
+        self._jobs: list[Process] = []
+        self._told: tuple[bool, float] | None = None
+
+    def show(self) -> None:
+        """Say what is new: a piece of film, and how time goes."""
+        state = (not self._time.paused, self._time.speed)
+        message: dict[str, Any] = {'piece': self._film.piece()}
+        if state != self._told:
+            self._told = state
+            message['machine'] = {'running': state[0], 'speed': state[1]}
+        self._say(message)
+
+    def take(self, words: Any) -> None:
+        """Do what a page asks for: a dict with `op` and what belongs to it."""
+        op = words.get('op') if isinstance(words, dict) else None
+        action = _ACTIONS.get(op) if isinstance(op, str) else None
+        if action is None:
+            self._say({'said': 'the machine did not understand this'})
+            return
+        try:
+            action(self, words)
+        except (KeyError, TypeError, ValueError) as error:
+            self._say({'said': f'{words["op"]}: {error}'})
+
+    def _pause(self, words: dict[str, Any]) -> None:
+        self._time.paused = words['op'] == 'pause'
+
+    def _speed(self, words: dict[str, Any]) -> None:
+        speed = _number(words, 'speed')
+        self._time.speed = min(speed, FASTEST) if speed > 0 else FASTEST
+
+    def _step(self, words: dict[str, Any]) -> None:
+        """Let time go on by a tick of turtlesim, to the next message, or by one item of the agenda; then it stands still."""
+        self._time.paused = True
+        sim, recorder = self._session.sim, self._session.recorder
+        what = words.get('what', 'tick')
+        if what == 'tick':
+            sim.run(sim.now_ns + TICK_NS)
+        elif what == 'callback':
+            sim.step()
+        elif what == 'message':
+            before, latest = recorder.publication_count(), sim.now_ns + LONGEST_STEP_NS
+            while recorder.publication_count() == before and (sim.next_time_ns() or latest) < latest:
+                sim.step()
+        else:
+            raise ValueError(f'one step is a tick, a message or a callback, not {what!r}')
+        self._time.go_on()
+
+    def _drive(self, words: dict[str, Any]) -> None:
+        who = _name(words, 'turtle')
+        if self._driver is None:
+            self._driver = PipedInput()
+            process = self._start(['python3', DRIVER], 'desk')
+            process.stdin = self._driver
+        self._driver.feed(f'{who or "/"} {_number(words, "linear")} {_number(words, "angular")}\n')
+
+    def _teleport(self, words: dict[str, Any]) -> None:
+        x, y, theta = (_number(words, name) for name in ('x', 'y', 'theta'))
+        request = f'{{x: {x:.4f}, y: {y:.4f}, theta: {theta:.4f}}}'
+        name = f'{_name(words, "turtle")}/teleport_absolute'
+        self._start(['ros2', 'service', 'call', name, 'turtlesim/srv/TeleportAbsolute', request], 'ros2')
+        self._step({'what': 'tick'})
+
+    def _parameter(self, words: dict[str, Any]) -> None:
+        value = str(words['value'])
+        words_of_line = ['ros2', 'param', 'set', _name(words, 'node'), str(words['name']), '--', value]
+        self._start(words_of_line, 'ros2', self._tell)
+
+    def _line(self, words: dict[str, Any]) -> None:
+        """A line typed in the page's terminal."""
+        line = str(words['line'])[:LONGEST_LINE]
+        parts = shlex.split(line)
+        if parts[:1] != ['ros2']:
+            self._tell('stderr', f'{parts[0] if parts else line}: this terminal knows ros2 ... only\n')
+            return
+        background = parts[-1] == '&'
+        process = self._start(parts[: len(parts) - background], 'ros2', self._tell)
+        if not background:
+            self._jobs = [job for job in self._jobs if job.returncode is None] + [process]
+
+    def _interrupt(self, words: dict[str, Any]) -> None:
+        """Ctrl-C for what was started last."""
+        running = [job for job in self._jobs if job.returncode is None]
+        if running:
+            running[-1].send_signal(signal.SIGINT)
+
+    def _tell(self, stream: str, text: str) -> None:
+        self._say({'text': text})
+
+    def _start(self, argv: list[str], name: str, on_output: Callable[[str, str], object] | None = None) -> Process:
+        spec = ProcessSpec(argv=tuple(argv), name=f'{name}-view', cwd=os.getcwd())
+        process = self._session.host.start(spec, on_output)
+        assert isinstance(process, Process)
+        return process
+
+    def close(self) -> None:
+        """The page is gone: what it started ends, the machine goes on."""
+        if self._driver is not None:
+            self._driver.feed('', last=True)
+        for job in self._jobs:
+            if job.returncode is None:
+                job.send_signal(signal.SIGINT)
+
+
+_ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
+    'pause': Viewer._pause,
+    'play': Viewer._pause,
+    'speed': Viewer._speed,
+    'step': Viewer._step,
+    'drive': Viewer._drive,
+    'teleport': Viewer._teleport,
+    'param': Viewer._parameter,
+    'line': Viewer._line,
+    'interrupt': Viewer._interrupt,
+}
+
+
+def _number(words: dict[str, Any], name: str) -> float:
+    """A finite number.
+
+    :raises ValueError: when it is something else.
+    """
+    value = words.get(name)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
+        raise ValueError(f'{name} has to be a number')
+    return float(value)
+
+
+def _name(words: dict[str, Any], name: str) -> str:
+    """A ROS name: letters, digits, underscores and slashes.
+
+    :raises ValueError: when it is something else.
+    """
+    value = words.get(name)
+    if not isinstance(value, str) or len(value) > 255 or not all(letter.isalnum() or letter in '_/' for letter in value):
+        raise ValueError(f'{name} has to be a name')
+    return value

@@ -1,0 +1,53 @@
+"""Runs of pytest that ask for ROS tests, and runs that do not and are left alone."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ALONE = """
+import importlib.util, sys
+def test_alone(pytestconfig):
+    assert 'edulaunch.sourcing' not in sys.modules and importlib.util.find_spec('rclpy') is None
+    assert not [finder for finder in sys.meta_path if type(finder).__module__.startswith('edulaunch')]
+    assert not hasattr(pytestconfig.option, 'launch_args')
+"""
+HELPED = """
+import rclpy, time
+def test_helped(pytestconfig):
+    assert pytestconfig.option.launch_args == []
+"""
+PACKAGE = '<package format="3"><name>bot</name><version>0.0.1</version></package>'
+
+
+def run(folder: Path, *words: str) -> str:
+    env = {name: value for name, value in os.environ.items() if name not in ('PYTHONPATH', 'PYTEST_ADDOPTS')}
+    command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', *words]
+    done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    return done.stdout + done.stderr
+
+
+def test_a_project_that_does_not_ask_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / 'test_alone.py').write_text(ALONE)
+    assert '1 passed' in run(tmp_path)
+
+
+@pytest.mark.parametrize('way', ['-p edulaunch', 'addopts', 'package', 'workspace', 'a file of a package'])
+def test_a_project_asks(way: str, tmp_path: Path) -> None:
+    tests, words = tmp_path, []
+    if way == '-p edulaunch':
+        words = way.split()
+    elif way == 'addopts':
+        (tmp_path / 'pytest.ini').write_text('[pytest]\naddopts = -p edulaunch\n')
+    else:
+        package = tmp_path if way == 'package' else tmp_path / 'src' / 'bot'
+        tests = package / 'test'
+        tests.mkdir(parents=True)
+        (package / 'package.xml').write_text(PACKAGE)
+        words = [] if way != 'a file of a package' else ['src/bot/test/test_helped.py::test_helped']
+    (tests / 'test_helped.py').write_text(HELPED)
+    assert '1 passed' in run(tmp_path, *words)

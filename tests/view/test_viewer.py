@@ -1,0 +1,137 @@
+"""What a page may ask of a living machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.session import Session
+from edulaunch.sim.pacing import RealTime
+from edulaunch.view.viewer import TICK_NS, Viewer
+
+
+class Desk:
+    """A viewer with what it said, on a machine whose wall clock the test moves."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.wall_s = 0.0
+        self.time = RealTime(session.sim, clock=lambda: self.wall_s)
+        self.said: list[dict[str, Any]] = []
+        self.viewer = Viewer(session, self.time, self.said.append)
+
+    def ask(self, op: str, **words: Any) -> None:
+        self.viewer.take({'op': op, **words})
+
+    def go(self, seconds: float) -> None:
+        """Let real time pass in small steps."""
+        self.time.paused = False
+        for _ in range(round(seconds / 0.02)):
+            self.wall_s += 0.02
+            self.time.advance()
+
+    def text(self) -> str:
+        return ''.join(message.get('text', '') for message in self.said)
+
+
+@pytest.fixture
+def desk() -> Iterator[Desk]:
+    with Session() as session, streams_of_programs():
+        session.launch('turtlesim', 'multisim.launch.py')
+        session.run(1)
+        yield Desk(session)
+
+
+def test_a_tick_is_exactly_sixteen_milliseconds_and_time_stands_still_after_it(desk: Desk) -> None:
+    before = desk.session.sim.now_ns
+    desk.ask('step')
+    assert desk.session.sim.now_ns - before == TICK_NS
+    desk.wall_s += 5
+    desk.time.advance()
+    assert desk.session.sim.now_ns - before == TICK_NS
+
+
+def test_a_step_to_the_next_message_ends_with_it(desk: Desk) -> None:
+    before = desk.session.recorder.publication_count()
+    desk.ask('step', what='message')
+    assert 0 < desk.session.recorder.publication_count() - before <= 4  # one turn publishes pose and colour of a window
+
+
+def test_driving_is_a_message_of_a_node_and_moves_the_turtle(desk: Desk) -> None:
+    desk.ask('drive', turtle='/turtlesim1/turtle1', linear=2, angular=0)
+    desk.go(1.2)
+    recording = desk.session.recording()
+    assert [(message.linear.x, message.angular.z) for _, message in recording.messages('/turtlesim1/turtle1/cmd_vel')] == [
+        (2.0, 0.0)
+    ]
+    assert recording.trajectory('/turtlesim1/turtle1').x[-1] > 7
+
+
+def test_a_parameter_is_set_as_ros2_param_set_does(desk: Desk) -> None:
+    desk.ask('param', node='/turtlesim1/turtlesim', name='background_r', value='200')
+    desk.go(2)
+    assert 'Set parameter successful' in desk.text()
+    assert desk.session.recording().parameters('/turtlesim1/turtlesim')['background_r'].value == 200
+
+
+def test_dragging_teleports_by_a_service_call(desk: Desk) -> None:
+    desk.time.paused = True
+    desk.ask('teleport', turtle='/turtlesim1/turtle1', x=3.0, y=4.0, theta=0.0)
+    desk.go(1)
+    calls = [call.service for call in desk.session.recording().service_calls]
+    assert '/turtlesim1/turtle1/teleport_absolute' in calls
+
+
+def test_a_line_runs_and_ctrl_c_ends_the_last_one(desk: Desk) -> None:
+    desk.ask('line', line='ros2 node list')
+    desk.go(1)
+    assert '/turtlesim1/turtlesim' in desk.text()
+    desk.ask('line', line='ros2 topic echo /turtlesim1/turtle1/pose')
+    desk.go(0.5)
+    desk.ask('interrupt')
+    desk.go(0.5)
+    length = len(desk.text())
+    desk.go(1)
+    assert len(desk.text()) == length
+
+
+def test_another_command_is_refused_with_a_sentence(desk: Desk) -> None:
+    desk.ask('line', line='rm -rf /')
+    assert desk.text() == 'rm: this terminal knows ros2 ... only\n'
+
+
+def test_the_state_of_time_is_told_when_it_changes(desk: Desk) -> None:
+    desk.viewer.show()
+    desk.viewer.show()
+    desk.ask('pause')
+    desk.viewer.show()
+    assert [message.get('machine') for message in desk.said] == [
+        {'running': True, 'speed': 1.0},
+        None,
+        {'running': False, 'speed': 1.0},
+    ]
+
+
+ANYTHING = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
+    max_leaves=5,
+)
+OPS = st.sampled_from(['pause', 'play', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'interrupt', 'what'])
+FIELDS = st.sampled_from(
+    ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']
+)
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None, max_examples=150)
+@given(
+    words=ANYTHING | st.tuples(OPS, st.dictionaries(FIELDS, ANYTHING, max_size=4)).map(lambda pair: {**pair[1], 'op': pair[0]})
+)
+def test_whatever_a_page_says_is_answered_and_harms_nothing(desk: Desk, words: Any) -> None:
+    desk.viewer.take(words)
+    desk.time.advance()
