@@ -8,6 +8,7 @@ import socket
 import sys
 import time
 import traceback
+from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 MOST_UNREAD = 32 << 20
 """Bytes that wait for a terminal that does not read; with more it is taken for dead."""
 CHUNK = 1 << 16
+SOON_S = 0.02
 
 
 class Connection:
@@ -46,16 +48,19 @@ class Connection:
         self._unsent = bytearray()
         self._is_last = False
         self._events = selectors.EVENT_READ
+        self._heard: deque[tuple[bytes, bytes]] = deque()
         self.is_open = True
-        self.since_s = time.monotonic()
+        self.since_s = self._flushed_s = time.monotonic()
         self.terminal: Terminal | Desk | None = None
         client.setblocking(False)
         selector.register(client, self._events, self._attend)
 
     def send(self, kind: bytes, payload: bytes = b'') -> None:
-        """Say something; it leaves with the next :meth:`flush`."""
+        """Say something; it leaves with the next :meth:`flush`, or now when that is long ago: some turns last."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
             self._unsent += wire.frame(kind, payload[begin : begin + wire.LONGEST])
+        if time.monotonic() - self._flushed_s > SOON_S:
+            self._push()
 
     def end(self) -> None:
         """Close as soon as everything is said."""
@@ -65,21 +70,26 @@ class Connection:
         """Send what waits, as far as the other side takes it."""
         if not self.is_open:
             return
-        try:
-            while self._unsent:
-                del self._unsent[: self._socket.send(self._unsent[:CHUNK])]
-        except BlockingIOError:
-            pass
-        except OSError:
-            self.close()
-            return
-        if len(self._unsent) > MOST_UNREAD or (self._is_last and not self._unsent):
+        is_there = self._push()
+        if not is_there or len(self._unsent) > MOST_UNREAD or (self._is_last and not self._unsent):
             self.close()
             return
         events = selectors.EVENT_READ | (selectors.EVENT_WRITE if self._unsent else 0)
         if events != self._events:
             self._events = events
             self._selector.modify(self._socket, events, self._attend)
+
+    def _push(self) -> bool:
+        """Send as much as goes; False when the other side is gone."""
+        self._flushed_s = time.monotonic()
+        try:
+            while self._unsent and self.is_open:
+                del self._unsent[: self._socket.send(self._unsent[:CHUNK])]
+        except BlockingIOError:
+            pass
+        except OSError:
+            return False
+        return True
 
     def close(self) -> None:
         """The other side is gone, or has to go: its programs end as those of a closed terminal."""
@@ -93,25 +103,43 @@ class Connection:
 
     def _attend(self, events: int) -> None:
         if events & selectors.EVENT_READ and self.is_open:
-            self._read()
+            is_good = self._read()
+            self.take_heard()
+            if not is_good:
+                self.close()
 
-    def _read(self) -> None:
+    def _read(self) -> bool:
+        """Hear what has come; False when nothing good will come any more."""
         try:
             data = self._socket.recv(CHUNK)
+            self._heard += self._frames.feed(data)
         except BlockingIOError:
-            return
-        except OSError:
-            data = b''
+            return True
+        except (OSError, wire.BadFrame):
+            return False
+        return bool(data)
+
+    def take_heard(self) -> None:
+        """Do what was said. What makes no sense closes the connection."""
         try:
-            for kind, payload in self._frames.feed(data):
-                self._take(kind, payload)
+            while self._heard and self.is_open:
+                self._take(*self._heard.popleft())
         except (wire.BadFrame, ValueError, IndexError):
-            data = b''
+            self.close()
         except Exception:  # a mistake of ours: the machine and its other terminals go on
             traceback.print_exc(file=sys.__stderr__)
-            data = b''
-        if not data:
             self.close()
+
+    def look_for_signals(self, deliver: Callable[[int], object]) -> None:
+        """While a program of the terminal keeps its turn: let Ctrl-C, and the end of the terminal, reach it.
+
+        :raises BaseException: what the signal raises in the program, here in the midst of its code.
+        """
+        if not self._read():
+            self.close()
+        for heard in [heard for heard in self._heard if heard[0] == wire.SIGNAL]:
+            self._heard.remove(heard)
+            deliver(int(heard[1]))
 
     def _take(self, kind: bytes, payload: bytes) -> None:
         if self.terminal is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import math
 import os
 import selectors
 import signal
@@ -10,11 +11,13 @@ import socket
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 
 from edulaunch.machine.connection import Connection
+from edulaunch.machine.impatience import Impatience, wake_by_signal
 from edulaunch.machine.place import LISTENER, locked, read_address, remove_address
-from edulaunch.machine.terminals import Terminals
+from edulaunch.machine.terminals import Terminal, Terminals
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
@@ -23,6 +26,10 @@ GRACE_S = 10.0
 """Seconds that a machine waits for another terminal after the last one has gone."""
 MOST_CONNECTIONS = 512
 HELLO_WITHIN_S = 5.0
+LOOK_EVERY_S = 5.0
+QUIET_S = 0.04
+TURN_LIMIT_S = 2.0
+"""As in a Session, but others wait here."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 """What most commands need; loaded while nothing else is to be done."""
 
@@ -30,10 +37,12 @@ EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 class Server:
     """Serves terminals on a listening socket, with one Session behind them.
 
-    Everything happens in :meth:`attend`, which never waits longer than it is told: a loop of its own (:meth:`serve`) or somebody
-    else's (a notebook's) calls it.
+    Everything happens in :meth:`run_due` and :meth:`listen`, by turns: in a loop of its own (:func:`serve`), or in somebody
+    else's, such as a notebook's, which waits for the `selector` itself.
 
     :param token: what a terminal has to say first.
+    :ivar is_listening: whether it waits, and no program has its turn.
+    :ivar rounds: how many times it has waited.
     """
 
     def __init__(self, session: Session, listener: socket.socket, token: str) -> None:
@@ -42,6 +51,9 @@ class Server:
         self.terminals = Terminals(session, self.time)
         self.selector = selectors.DefaultSelector()
         self.is_asked_to_end = False
+        self.is_listening = False
+        self.rounds = 0
+        self.is_behind = False
         self.last_seen_s = time.monotonic()
         self._listener = listener
         self._token = token
@@ -50,20 +62,37 @@ class Server:
         listener.setblocking(False)
         self.selector.register(listener, selectors.EVENT_READ, self._accept)
 
-    def attend(self, longest_s: float | None = None) -> None:
-        """Run what is due, hand on what was said, and wait at most until something is due or `longest_s`."""
+    def run_due(self) -> float | None:
+        """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
         wait_s = self.time.advance()
         for connection in list(self._connections):
             connection.flush()
-        waits = [seconds for seconds in (wait_s, longest_s) if seconds is not None]
-        for key, events in self.selector.select(min(waits) if waits else None):
+        return wait_s
+
+    def listen(self, seconds: float | None) -> None:
+        """Take what terminals say, and wait for it at most so long."""
+        if self.is_behind:
+            self.is_behind = False
+            for connection in list(self._connections):
+                connection.take_heard()
+        self.rounds += 1
+        self.is_listening = True
+        heard = self.selector.select(seconds)
+        self.is_listening = False
+        if heard:
             self.time.advance()  # what was typed is typed now, not when something was due last
+        for key, events in heard:
             take: Callable[[int], object] = key.data
             take(events)
 
-    def next_s(self) -> float | None:
-        """Seconds until :meth:`attend` has something to do, if nobody says anything."""
-        return self.time.advance()
+    def look_for_signals(self) -> None:
+        """Called in the midst of a program's turn: hear whether its terminal wants it to end."""
+        program = self.session.host.program_here()
+        for connection in list(self._connections):
+            terminal = connection.terminal
+            if program is not None and isinstance(terminal, Terminal) and terminal.process is program.group:
+                self.is_behind = True
+                connection.look_for_signals(partial(terminal.signal, running=program))
 
     def has_terminals(self) -> bool:
         """Whether anybody is connected."""
@@ -77,6 +106,7 @@ class Server:
         if len(self._connections) >= MOST_CONNECTIONS or not _is_ours(client):
             client.close()
             return
+        wake_by_signal(client)
         self._connections.append(Connection(client, self.selector, self._token, self.terminals, self._forget))
 
     def _forget(self, connection: Connection) -> None:
@@ -108,17 +138,18 @@ def _is_ours(client: socket.socket) -> bool:
 
 def serve(server: Server, place: str, number: str, token: str) -> None:
     """Serve until the last terminal has been gone for a while, or somebody says so."""
-    early = list(EARLY)
-    while True:
-        if server.is_asked_to_end or server.terminals.is_asked_to_end:
+    early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
+    while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
+        due_s = server.run_due()
+        left_s = math.inf if server.has_terminals() else server.last_seen_s + grace_s - time.monotonic()
+        if left_s <= 0:
             break
-        quiet_s = time.monotonic() - server.last_seen_s
-        if not server.has_terminals() and quiet_s > _grace_s():
-            break
-        longest_s = None if server.has_terminals() and not early else 0.05 if early else _grace_s() - quiet_s + 0.01
-        before = time.monotonic()
-        server.attend(longest_s)
-        if early and time.monotonic() - before > 0.04:
+        if early and (due_s is None or due_s > QUIET_S):
+            left_s = QUIET_S
+        begun_s = time.monotonic()
+        wait_s = min(left_s, math.inf if due_s is None else due_s, LOOK_EVERY_S)
+        server.listen(wait_s)
+        if early and time.monotonic() - begun_s >= QUIET_S:
             import_module(early.pop(0))
         server.drop_the_silent()
     with locked(place, number):
@@ -126,11 +157,12 @@ def serve(server: Server, place: str, number: str, token: str) -> None:
     server.close()
 
 
-def _grace_s() -> float:
+def _seconds(name: str, usual: float) -> float:
+    """A number from the environment."""
     try:
-        return float(os.environ.get('EDULAUNCH_GRACE_S', GRACE_S))
+        return float(os.environ.get(name, usual))
     except ValueError:
-        return GRACE_S
+        return usual
 
 
 def main() -> None:
@@ -142,10 +174,11 @@ def main() -> None:
     if address is None or address.pid != os.getpid():
         return
     for name in ('SIGINT', 'SIGHUP'):
-        signal.signal(getattr(signal, name), signal.SIG_IGN)
-    session = Session(start_ns=time.time_ns(), console=None)
+        signal.signal(getattr(signal, name), lambda signum, frame: None)  # not SIG_IGN, which real programs would inherit
+    session = Session(start_ns=time.time_ns(), turn_limit_s=_seconds('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
     server = Server(session, listener, address.token)
     signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
+    Impatience(server).begin()
     gc.freeze()
     with streams_of_programs():
         serve(server, place, number, address.token)

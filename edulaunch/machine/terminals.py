@@ -109,18 +109,23 @@ class Terminal:
         if kind == wire.INPUT:
             self.input.feed(self._decoder.decode(payload), last=not payload)
         elif kind == wire.SIGNAL:
-            self._signal(int(payload))
+            self.signal(int(payload))
         elif kind == wire.SIZE:
             columns, lines = map(int, payload.split())
             self.input.size = columns, lines
 
-    def _signal(self, signum: int) -> None:
-        """Ctrl-C and Ctrl-\\ reach every program of the terminal; anything else, its command."""
+    def signal(self, signum: int, running: Process | None = None) -> None:
+        """Ctrl-C and Ctrl-\\ reach every program of the terminal; anything else, its command.
+
+        :param running: the program in the midst of whose turn this comes; what the signal raises there leaves this method.
+        """
         if self.process is None:
             return
         reached = [self.process]
         if self.input.isatty() and signum in (signal.SIGINT, getattr(signal, 'SIGQUIT', None)):
             reached = [program for program in self.programs() if not program.is_passed_on]
+        if running is not None:  # who would pass it on does not get a turn
+            reached = [*([] if running.is_passed_on else [each for each in reached if each is not running]), running]
         for program in reached:
             program.send_signal(signum)
 

@@ -10,13 +10,25 @@ import pytest
 from tests.machine.shells import Desk
 
 
-@pytest.fixture
-def desk(tmp_path: Path) -> Iterator[Desk]:
+def desk_in(place: Path, runtime: str = 'run') -> Iterator[Desk]:
     """Terminals on a machine of their own; at the end it must have nothing to complain of."""
-    runtime, folder = tmp_path / 'run', tmp_path / 'home'
-    runtime.mkdir()
-    folder.mkdir()
-    found = Desk(runtime, folder)
+    found = Desk(place / runtime, place / 'home')
+    found.runtime.mkdir()
+    found.folder.mkdir()
     yield found
     found.close()
     assert found.log() == ''
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Iterator[Desk]:
+    """A desk for one test."""
+    yield from desk_in(tmp_path)
+
+
+@pytest.fixture(scope='module')
+def shared_desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Desk]:
+    """A desk for tests that leave it as they found it: a talker talks there."""
+    for found in desk_in(tmp_path_factory.mktemp('desk')):
+        found.ros2('run demo_nodes_py talker').until('Publishing')
+        yield found

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import pty
 import select
 import signal
+import struct
 import sys
 import termios
 import time
@@ -25,6 +27,7 @@ class Shell:
         if self.pid == 0:
             os.chdir(cwd)
             os.execve(program[0], [*program, *words], env)
+        fcntl.ioctl(self.number, termios.TIOCSWINSZ, struct.pack('HHHH', 31, 91, 0, 0))
         self.words = words
         self.output = ''
         self.code: int | None = None
@@ -59,6 +62,14 @@ class Shell:
                 break
         assert found(self.output), f'{self.words}: ended before {ready!r} came: {self.output!r}'
         return self.output
+
+    def wait_for(self, ready: Callable[[], Any], seconds: float = PATIENCE_S) -> None:
+        """Read on until something is so."""
+        deadline = time.monotonic() + seconds
+        while not ready():
+            assert time.monotonic() < deadline, f'{self.words}: {self.output!r}'
+            if not self.read(0.01):
+                select.select([], [], [], 0.01)
 
     def gone(self) -> bool:
         """Whether the command has ended."""
@@ -106,6 +117,7 @@ class Desk:
             **{name: value for name, value in os.environ.items() if name in ('PATH', 'HOME', 'LANG', 'PYTHONPATH')},
             'XDG_RUNTIME_DIR': str(runtime),
             'EDULAUNCH_GRACE_S': '0.2',
+            'EDULAUNCH_TURN_LIMIT_S': '0.5',
         }
         self.shells: list[Shell] = []
 
