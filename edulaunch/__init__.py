@@ -19,12 +19,13 @@ if TYPE_CHECKING:
 
     from edulaunch.checking import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
+    from edulaunch.machine.started import start
     from edulaunch.recording import Recording
     from edulaunch.session import Session, run
     from edulaunch.sourcing import source
 
 __version__ = '0.1.0'
-__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'run', 'source']
+__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'run', 'source', 'start']
 
 _PLACES = {
     'EdulaunchError': ('errors', 'EdulaunchError'),
@@ -35,6 +36,7 @@ _PLACES = {
     'check': ('checking', 'check'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),
+    'start': ('machine.started', 'start'),
 }
 
 

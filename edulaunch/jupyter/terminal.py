@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
-from edulaunch.jupyter.outer_loop import outer_loop_set_aside
-from edulaunch.jupyter.snapshot import snapshot
+from edulaunch.machine.outer_loop import outer_loop_set_aside
+from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording

@@ -20,7 +20,7 @@ class Desk:
 
     def __init__(self, terminals: Terminals, connection: Connection) -> None:
         self._connection = connection
-        self._viewer = Viewer(terminals.session, terminals.time, self._say)
+        self._viewer = Viewer(terminals, self._say)
         self._line = b''
 
     def _say(self, message: dict[str, Any]) -> None:

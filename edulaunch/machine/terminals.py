@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 from codecs import getincrementaldecoder
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.machine import wire
 from edulaunch.machine.remote_input import RemoteInput
@@ -30,12 +30,20 @@ class Terminals:
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     """
 
+    can_continue = False
+
     def __init__(self, session: Session, time: RealTime) -> None:
         self.session = session
         self.time = time
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
         self._count = 0
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this; with other terminals around nobody can repeat it."""
+
+    def continue_at(self, time_s: float) -> None:
+        """A machine with terminals cannot."""
 
     def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
         """A terminal for what somebody said first.

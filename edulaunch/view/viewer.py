@@ -9,7 +9,7 @@ import os
 import shlex
 import signal
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
@@ -29,30 +29,59 @@ LONGEST_LINE = 4000
 DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 
 
+class Living(Protocol):
+    """The machine behind a page: its session, and how its time passes."""
+
+    session: Session
+    time: RealTime
+    can_continue: bool
+    """Whether any instant can be reached again."""
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this."""
+
+    def continue_at(self, time_s: float) -> None:
+        """Go on from an instant that has passed."""
+
+
 class Viewer:
     """What stands behind one page.
 
-    :param time: keeps the machine's time; pausing and stepping go through it.
-    :param runs: runs something on the machine's hub, as everything has to that lets simulated time pass.
+    :param say: hands a message (plain data) to the page.
     """
 
-    def __init__(self, session: Session, time: RealTime, say: Callable[[dict[str, Any]], object]) -> None:
-        self._session = session
-        self._time = time
+    def __init__(self, machine: Living, say: Callable[[dict[str, Any]], object]) -> None:
+        self._machine = machine
         self._say = say
-        self._film = Film(OfRecorder(session.recorder))
+        self._session = machine.session
+        self._film = Film(OfRecorder(self._session.recorder))
         self._driver: PipedInput | None = None
         self._jobs: list[Process] = []
         self._told: tuple[bool, float] | None = None
 
     def show(self) -> None:
         """Say what is new: a piece of film, and how time goes."""
+        message: dict[str, Any] = {}
+        if self._look():
+            message['reset'] = True
         state = (not self._time.paused, self._time.speed)
-        message: dict[str, Any] = {'piece': self._film.piece()}
         if state != self._told:
             self._told = state
-            message['machine'] = {'running': state[0], 'speed': state[1]}
-        self._say(message)
+            message['machine'] = {'running': state[0], 'speed': state[1], 'can_continue': self._machine.can_continue}
+        self._say({**message, 'piece': self._film.piece()})
+
+    @property
+    def _time(self) -> RealTime:
+        return self._machine.time
+
+    def _look(self) -> bool:
+        """Whether another session runs on the machine than before: a page begins anew then."""
+        if self._machine.session is self._session:
+            return False
+        self._session = self._machine.session
+        self._film = Film(OfRecorder(self._session.recorder))
+        self._driver, self._jobs, self._told = None, [], None
+        return True
 
     def take(self, words: Any) -> None:
         """Do what a page asks for: a dict with `op` and what belongs to it."""
@@ -61,6 +90,9 @@ class Viewer:
         if action is None:
             self._say({'said': 'the machine did not understand this'})
             return
+        self._look()
+        if op in ('drive', 'teleport', 'param', 'line', 'interrupt'):
+            self._machine.took(words)
         try:
             action(self, words)
         except (KeyError, TypeError, ValueError) as error:
@@ -89,6 +121,11 @@ class Viewer:
         else:
             raise ValueError(f'one step is a tick, a message or a callback, not {what!r}')
         self._time.go_on()
+
+    def _continue(self, words: dict[str, Any]) -> None:
+        if not self._machine.can_continue:
+            raise ValueError('other terminals hang on this machine: a machine of its own can, see edulaunch.start')
+        self._machine.continue_at(min(max(_number(words, 'time'), 0.0), self._session.sim.elapsed_s))
 
     def _drive(self, words: dict[str, Any]) -> None:
         who = _name(words, 'turtle')
@@ -151,6 +188,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'play': Viewer._pause,
     'speed': Viewer._speed,
     'step': Viewer._step,
+    'continue': Viewer._continue,
     'drive': Viewer._drive,
     'teleport': Viewer._teleport,
     'param': Viewer._parameter,

@@ -18,12 +18,20 @@ from edulaunch.view.viewer import TICK_NS, Viewer
 class Desk:
     """A viewer with what it said, on a machine whose wall clock the test moves."""
 
+    can_continue = False
+
     def __init__(self, session: Session) -> None:
         self.session = session
         self.wall_s = 0.0
         self.time = RealTime(session.sim, clock=lambda: self.wall_s)
         self.said: list[dict[str, Any]] = []
-        self.viewer = Viewer(session, self.time, self.said.append)
+        self.viewer = Viewer(self, self.said.append)
+
+    def took(self, words: dict[str, Any]) -> None:
+        pass
+
+    def continue_at(self, time_s: float) -> None:
+        raise AssertionError('nobody asks this')
 
     def ask(self, op: str, **words: Any) -> None:
         self.viewer.take({'op': op, **words})
@@ -110,11 +118,8 @@ def test_the_state_of_time_is_told_when_it_changes(desk: Desk) -> None:
     desk.viewer.show()
     desk.ask('pause')
     desk.viewer.show()
-    assert [message.get('machine') for message in desk.said] == [
-        {'running': True, 'speed': 1.0},
-        None,
-        {'running': False, 'speed': 1.0},
-    ]
+    going = {'running': True, 'speed': 1.0, 'can_continue': False}
+    assert [message.get('machine') for message in desk.said] == [going, None, {**going, 'running': False}]
 
 
 ANYTHING = st.recursive(
@@ -122,7 +127,7 @@ ANYTHING = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
     max_leaves=5,
 )
-OPS = st.sampled_from(['pause', 'play', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'interrupt', 'what'])
+OPS = st.sampled_from(['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'interrupt', 'what'])
 FIELDS = st.sampled_from(
     ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']
 )

@@ -1,0 +1,230 @@
+"""`edulaunch.start`: a machine of one's own that lives beside the cells of a notebook, or in a script, and can be looked at.
+
+It is deterministic as `edulaunch.run` is: what somebody did by hand is kept with its simulated time, so that any instant can be
+reached again and gone on from.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import shlex
+import signal
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import suppress
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.errors import UnusableInput
+from edulaunch.machine.outer_loop import outer_loop_set_aside
+from edulaunch.machine.snapshot import snapshot
+from edulaunch.packages.discovery import workspaces_of_command
+from edulaunch.processes.process import Process
+from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.session import PathLike, Session
+from edulaunch.sim.pacing import RealTime
+from edulaunch.view.viewer import Viewer
+
+if TYPE_CHECKING:
+    from edulaunch.machine.widget import DeskWidget
+    from edulaunch.recording import Recording
+
+LONGEST_SLEEP_S = 0.02
+COMMAND_S = 5.0
+PATIENCE_S = 15.0
+"""Simulated seconds that a command has, and then to end after Ctrl-C."""
+
+
+class Machine:
+    """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
+
+    Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
+
+    :ivar session: what runs on it.
+    :ivar time: how simulated time follows the clock on the wall: `time.speed`, `time.paused`.
+    """
+
+    can_continue = True
+
+    def __init__(self, make: Callable[[], Session], speed: float = 1.0) -> None:
+        self._make = make
+        self._done: list[tuple[int, dict[str, Any]]] = []
+        self._is_again = False
+        self._task: asyncio.Task[None] | None = None
+        self._begin(speed)
+        with suppress(RuntimeError):  # no loop runs: time passes in `run` only
+            self._task = asyncio.get_running_loop().create_task(self._follow())
+
+    def _begin(self, speed: float) -> None:
+        with outer_loop_set_aside():
+            self.session = self._make()
+        self.time = RealTime(self.session.sim, speed)
+        self._hand = Viewer(self, lambda message: None)
+
+    def __repr__(self) -> str:
+        state = 'paused' if self.time.paused else f'speed {self.time.speed:g}'
+        return f'<Machine at {self.session.sim.elapsed_s:.3f} s, {state}, {len(self.session.graph.nodes)} nodes>'
+
+    async def _follow(self) -> None:
+        """Let simulated time follow the clock on the wall while other cells run."""
+        while True:
+            wait_s = self._advance()
+            await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
+
+    def _advance(self) -> float | None:
+        with outer_loop_set_aside(), streams_of_programs():
+            return self.time.advance()
+
+    def run(self, duration_s: float) -> Recording:
+        """Let simulated seconds pass as fast as possible; returns what was recorded so far.
+
+        The interrupt button (Ctrl-C) ends it early; what was recorded is kept.
+        """
+        with outer_loop_set_aside():
+            self.session.run(duration_s)
+        self.time.go_on()
+        return self.recording()
+
+    def pause(self) -> None:
+        """Let time stand still."""
+        self.time.paused = True
+
+    def play(self, speed: float | None = None) -> None:
+        """Let time go on, at `speed` simulated seconds per real second."""
+        if speed is not None:
+            self.time.speed = speed
+        self.time.paused = False
+
+    def step(self, what: str = 'tick') -> None:
+        """One step: a 'tick' of turtlesim (16 ms), to the next 'message', or one 'callback'; then time stands still.
+
+        :raises UnusableInput: for another word.
+        """
+        if what not in ('tick', 'message', 'callback'):
+            raise UnusableInput(f'one step is a tick, a message or a callback, not {what!r}')
+        self.take({'op': 'step', 'what': what})
+
+    def ros2(self, line: str, seconds: float = COMMAND_S) -> str:
+        """Run a command of ROS 2 to its end and return what it printed: `machine.ros2('topic list')`.
+
+        :param seconds: simulated seconds after which Ctrl-C is pressed.
+        :raises UnusableInput: when the words cannot be read.
+        """
+        try:
+            words = shlex.split(line)
+        except ValueError as error:
+            raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
+        said: list[str] = []
+        spec = ProcessSpec(argv=('ros2', *words), name='ros2')
+        sim = self.session.sim
+        with outer_loop_set_aside():
+            process = self.session.host.start(spec, lambda stream, text: said.append(text), lambda code: sim.stop())
+            assert isinstance(process, Process)
+            self.session.run(seconds)
+            if process.returncode is None:
+                process.send_signal(signal.SIGINT)
+                self.session.run(PATIENCE_S)
+        self.time.go_on()
+        return ''.join(said)
+
+    def recording(self) -> Recording:
+        """What happened until now; the machine goes on."""
+        return snapshot(self.session)
+
+    def view(self, tab: str = 'graph') -> DeskWidget:
+        """The live desk as a widget; `tab` is what it shows beside the turtles, such as 'frames', 'graph' or 'plot'.
+
+        :raises UnusableInput: when anywidget is not installed, or there is no such tab.
+        """
+        from edulaunch.machine.widget import desk_widget
+
+        return desk_widget(self, tab)
+
+    def take(self, words: dict[str, Any]) -> None:
+        """Do by hand what a page would ask for."""
+        self.do_for(self._hand, words)
+
+    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
+        """What the page of a viewer asks for."""
+        with outer_loop_set_aside(), streams_of_programs():
+            viewer.take(words)
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this; kept with its time."""
+        if not self._is_again:
+            self._done.append((self.session.sim.now_ns, dict(words)))
+
+    def continue_at(self, time_s: float) -> None:
+        """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.
+
+        What came after is gone.
+
+        :param time_s: simulated seconds since the start.
+        """
+        old, speed = self.session, self.time.speed
+        until = old.sim.start_ns + round(time_s * 1e9)
+        self._done = [(at, words) for at, words in self._done if at <= until]
+        old.close()
+        self._begin(speed)
+        self.time.paused = True
+        sim, self._is_again = self.session.sim, True
+        try:
+            with outer_loop_set_aside(), streams_of_programs():
+                for at, words in self._done:
+                    sim.run(at)
+                    self._hand.take(words)
+                sim.run(max(until, sim.now_ns))
+        finally:
+            self._is_again = False
+        self.time.paused = True
+
+    def close(self) -> None:
+        """End everything that runs on it."""
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+        with outer_loop_set_aside():
+            self.session.close()
+
+    def __enter__(self) -> Machine:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def __await__(self) -> Generator[Any, None, Recording]:
+        return self._ended().__await__()
+
+    async def _ended(self) -> Recording:
+        while not self.session.is_over:
+            await asyncio.sleep(LONGEST_SLEEP_S)
+        return self.recording()
+
+
+def start(
+    path_or_package: PathLike | None = None,
+    file: str | None = None,
+    *,
+    arguments: Mapping[str, object] | None = None,
+    seed: int = 0,
+    speed: float = 1.0,
+    workspaces: Sequence[PathLike] | None = None,
+) -> Machine:
+    """Start a machine, and a launch file on it: as :func:`edulaunch.run`, but it goes on and can be looked at.
+
+    :param path_or_package: as in `run`; None: nothing is launched.
+    :param speed: simulated seconds per real second.
+    :raises UnusableInput: when the file or package does not exist, or `speed` is no positive number.
+    """
+    if not 0 < speed <= 100:
+        raise UnusableInput(f'speed has to be a number above 0 and up to 100, not {speed!r}')
+    texts = {name: str(value) for name, value in (arguments or {}).items()}
+    folders = workspaces_of_command((), path_or_package or '.') if workspaces is None else workspaces
+
+    def make() -> Session:
+        session = Session(seed=seed, workspaces=folders)
+        if path_or_package is not None:
+            session.launch(path_or_package, file, texts)
+        return session
+
+    return Machine(make, speed)
