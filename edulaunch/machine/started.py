@@ -26,7 +26,7 @@ from edulaunch.sim.pacing import RealTime
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
-    from edulaunch.machine.widget import DeskWidget
+    from edulaunch.machine.widget import DeskWidget, Page
     from edulaunch.recording import Recording
 
 LONGEST_SLEEP_S = 0.02
@@ -41,6 +41,7 @@ class Machine:
     Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
 
     :ivar session: what runs on it.
+    :ivar pages: those that show it, each told what is new as time passes.
     :ivar time: how simulated time follows the clock on the wall: `time.speed`, `time.paused`.
     """
 
@@ -50,10 +51,13 @@ class Machine:
         self._make = make
         self._done: list[tuple[int, dict[str, Any]]] = []
         self._is_again = False
+        self.pages: list[Page] = []
+        self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[None] | None = None
         self._begin(speed)
         with suppress(RuntimeError):  # no loop runs: time passes in `run` only
-            self._task = asyncio.get_running_loop().create_task(self._follow())
+            self._loop = asyncio.get_running_loop()
+            self._task = self._loop.create_task(self._follow())
 
     def _begin(self, speed: float) -> None:
         with outer_loop_set_aside():
@@ -69,7 +73,16 @@ class Machine:
         """Let simulated time follow the clock on the wall while other cells run."""
         while True:
             wait_s = self._advance()
+            for page in list(self.pages):
+                page.show()
             await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
+
+    def soon(self, action: Callable[[], object]) -> None:
+        """Do something where the machine runs; from any thread."""
+        if self._loop is None:
+            action()
+        else:
+            self._loop.call_soon_threadsafe(action)
 
     def _advance(self) -> float | None:
         with outer_loop_set_aside(), streams_of_programs():

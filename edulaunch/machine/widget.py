@@ -5,16 +5,40 @@ It asks for nothing of JupyterLab's own: whatever shows ipywidgets shows it (Not
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
+from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
     from edulaunch.machine.started import Machine
 
+SHOWN_EVERY_S = 1 / 30
+SHOWN_FOR_S = 1.5
+"""How long a page is kept up to date after it asked for it."""
 TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
 DeskWidget = Any
 """An `anywidget.AnyWidget`, which is loaded late."""
+
+
+class Page:
+    """One page that shows the machine: kept up to date for a while after it asked."""
+
+    def __init__(self, viewer: Viewer) -> None:
+        self.viewer = viewer
+        self._until_s = self._next_s = 0.0
+
+    def ask(self) -> None:
+        """The page is there, and wants to know what is new."""
+        self._until_s = time.monotonic() + SHOWN_FOR_S
+
+    def show(self) -> None:
+        """Say what is new, if it is time to."""
+        now_s = time.monotonic()
+        if self._next_s <= now_s < self._until_s:
+            self._next_s = now_s + SHOWN_EVERY_S
+            self.viewer.show()
 
 
 def desk_widget(machine: Machine, tab: str) -> DeskWidget:
@@ -30,7 +54,6 @@ def desk_widget(machine: Machine, tab: str) -> DeskWidget:
         raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
 
     from edulaunch.view.page import module
-    from edulaunch.view.viewer import Viewer
 
     class Desk(anywidget.AnyWidget):
         """One widget; each place that shows it is a page of its own."""
@@ -41,23 +64,29 @@ def desk_widget(machine: Machine, tab: str) -> DeskWidget:
 
         def __init__(self) -> None:
             super().__init__(tab=tab)
-            self._pages: dict[str, Viewer] = {}
+            self._pages: dict[str, Page] = {}
             self.on_msg(self._hear)
 
         def _hear(self, widget: object, words: Any, buffers: object) -> None:
-            page = words.get('page') if isinstance(words, dict) else None
-            if not isinstance(page, str):
+            """A message may come on a thread of its own (a subshell of the kernel): it is taken where the machine runs."""
+            machine.soon(lambda: self._take(words))
+
+        def _take(self, words: Any) -> None:
+            name = words.get('page') if isinstance(words, dict) else None
+            if not isinstance(name, str):
                 return
-            op = words.get('op')
-            if op == 'bye':
-                self._pages.pop(page, None)
+            if words.get('op') == 'bye':
+                page = self._pages.pop(name, None)
+                if page is not None:
+                    machine.pages.remove(page)
                 return
-            if page not in self._pages:
-                self._pages[page] = Viewer(machine, lambda message: self.send({**message, 'page': page}))
-            if op in ('next', 'hello'):
-                self._pages[page].show()
+            if name not in self._pages:
+                self._pages[name] = Page(Viewer(machine, lambda message: self.send({**message, 'page': name})))
+                machine.pages.append(self._pages[name])
+            if words.get('op') == 'next':
+                self._pages[name].ask()
             else:
-                machine.do_for(self._pages[page], words)
+                machine.do_for(self._pages[name].viewer, words)
 
         def _repr_mimebundle_(self, **options: Any) -> Any:
             bundle = super()._repr_mimebundle_(**options)

@@ -250,6 +250,7 @@ function button(text, title, action) {
 
 /* A desk in a shadow root of its own, so that neither page spoils the other's looks. */
 function openDesk(host, link, options) {
+  host.setAttribute('data-lm-suppress-shortcuts', 'true');  /* a notebook keeps its own keys out: what is typed here is ours */
   const root = host.shadowRoot || host.attachShadow({ mode: 'open' });
   root.replaceChildren(make('style', {}, STYLE));
   return new Desk(root, link, options);

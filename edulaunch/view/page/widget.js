@@ -1,25 +1,21 @@
-/* The link of a notebook's widget: messages to the kernel. Nothing here knows which notebook it is in. */
+/* The link of a notebook's widget: messages to the kernel. Nothing here knows which notebook it is in.
+   The kernel shows what is new by itself, for a while after each `next`: a page that nobody sees costs nothing. */
 
-const SHOWN_EVERY_MS = 33;
+const ASK_EVERY_MS = 500;
 
 function render({ model, el }) {
-  const handlers = [], hear = message => handlers.forEach(handler => handler(message));
-  let timer;
-  const next = () => { clearTimeout(timer); timer = setTimeout(() => requestAnimationFrame(() => model.send({ op: 'next', page })), SHOWN_EVERY_MS - 8); };
-  const page = Math.random().toString(36).slice(2);
-  const take = message => {
-    if (message.page && message.page !== page) return;
-    hear(message);
-    if (message.piece) next();
-  };
-  model.on('msg:custom', take);
   if (model.get('film')) {
     unpacked(model.get('film')).then(film => openDesk(el, null, { tab: model.get('tab') }).load(film));
-    return () => model.off('msg:custom', take);
+    return undefined;
   }
-  openDesk(el, { send: words => model.send({ ...words, page }), on: handler => handlers.push(handler) }, { tab: model.get('tab') });
-  model.send({ op: 'hello', page });
-  return () => { clearTimeout(timer); model.off('msg:custom', take); model.send({ op: 'bye', page }); };
+  const handlers = [], page = Math.random().toString(36).slice(2), send = words => model.send({ ...words, page });
+  const take = message => { if (message.page === page) handlers.forEach(handler => handler(message)); };
+  model.on('msg:custom', take);
+  openDesk(el, { send, on: handler => handlers.push(handler) }, { tab: model.get('tab') });
+  const ask = () => { if (!document.hidden) send({ op: 'next' }); };
+  const timer = setInterval(ask, ASK_EVERY_MS);
+  ask();
+  return () => { clearInterval(timer); model.off('msg:custom', take); send({ op: 'bye' }); };
 }
 
 export default { render };

@@ -1,0 +1,171 @@
+"""The live desk beside a terminal, in JupyterLab, and exported to a file: seen, driven, stopped, stepped, turned back and asked."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import edulaunch
+from edulaunch.view.film import Film
+from edulaunch.view.page import recorded_page
+from edulaunch.view.sources import OfRecording
+from tests.browser.desk import Desk
+from tests.browser.lab import Lab
+
+DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+
+
+@pytest.fixture
+def page(browser: Any) -> Iterator[Any]:
+    context = browser.new_context(viewport={'width': 1280, 'height': 860})
+    yield context.new_page()
+    context.close()
+
+
+@pytest.fixture
+def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
+    """The page of a machine of this test's own, on which the demo runs."""
+    env = {**os.environ, 'XDG_RUNTIME_DIR': str(tmp_path), 'EDULAUNCH_GRACE_S': '1', 'ROS_DOMAIN_ID': '88', 'BROWSER': 'true'}
+    tmp_path.chmod(0o700)
+    words = [sys.executable, '-m', 'edulaunch']
+    quiet = {'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL, 'env': env, 'text': True}
+    launch = subprocess.Popen([*words, 'ros2', 'launch', *DEMO], **quiet)  # type: ignore[call-overload]
+    view = subprocess.Popen([*words, 'view', '--no-browser'], **quiet)  # type: ignore[call-overload]
+    address = re.search(r'http://\S+', view.stdout.readline())
+    assert address
+    desk = Desk(page, (address[0], address[0].replace('http', 'ws')))
+    page.goto(address[0])
+    page.locator('.worlds canvas').first.wait_for()
+    yield desk
+    view.terminate()
+    launch.terminate()
+    for process in (view, launch):
+        process.wait(timeout=20)
+        process.stdout.close()
+
+
+def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) -> None:
+    """Watch, drive, pause, step, go back, ask tf, change a parameter, plot, read the log, type a command."""
+    page = desk.page
+    desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
+    page.locator('.worlds canvas').first.click()
+    page.keyboard.press('ArrowUp')
+    page.wait_for_timeout(1500)
+    print(desk.label(), desk.errors)
+    desk.until_js("parseFloat(root.querySelector('.worlds canvas').ariaLabel.match(/turtle1 at .([0-9.]+)/)[1]) > 7.4")
+
+    page.keyboard.press(' ')
+    desk.until('.state', 'paused')
+    before = desk.time()
+    desk.press('one step on')
+    desk.until_js(f"Math.abs(parseFloat(root.querySelector('.clock').textContent) - {before} - 0.016) < 0.0011")
+
+    x, y = desk.pose('turtle1')
+    red, green, blue = desk.pixel(x, y)
+    assert green > red and green > blue, 'the first turtle is green where its pose says that it is'
+
+    desk.seek(0.02)
+    assert desk.pose('turtle1') == (5.54, 5.54)
+    desk.until('.state', 'looking back')
+    desk.open('frames')
+    page.get_by_label('source frame').select_option('turtle1')
+    page.get_by_label('target frame').select_option('world')
+    desk.until('.probe output', 'translation [5.544, 5.544, 0.000]')
+    page.get_by_label('time in seconds').fill('99')
+    desk.until('.probe output', 'ExtrapolationException: Lookup would require extrapolation')
+    page.screenshot(path=shots / f'{name}-frames.png')
+    if can_continue:
+        desk.press('run the launch again')
+        desk.until_js("root.querySelector('.state').textContent === 'paused'")
+        assert desk.pose('turtle1') == (5.54, 5.54)
+    else:
+        page.get_by_text('● Live').click()
+
+    desk.press('play or pause')
+    desk.open('parameters')
+    page.get_by_label('/sim background_r').evaluate('e => { e.value = 250; e.dispatchEvent(new Event("change")); }')
+    page.wait_for_function(
+        """() => { const root = [...document.querySelectorAll('*')].find(e => e.shadowRoot?.querySelector('.desk')).shadowRoot;
+        return root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] > 240; }""",
+        timeout=15_000,
+    )
+    desk.open('plot')
+    page.get_by_label('add a field to the plot').select_option('/turtle1/pose x')
+    desk.until('.key', '/turtle1/pose x')
+    desk.open('log')
+    page.get_by_placeholder('word').fill('turtle2')
+    desk.until('.log td', 'Spawning turtle [turtle2]')
+    assert page.locator('.log td').filter(has_text='[turtle1]').count() == 0
+    desk.open('terminal')
+    page.get_by_label('a command for the machine').fill('ros2 node list')
+    page.keyboard.press('Enter')
+    desk.until('.terminal', '/broadcaster2')
+    desk.open('graph')
+    page.locator('svg path.lit').first.wait_for()
+    page.screenshot(path=shots / f'{name}-graph.png')
+    assert desk.errors == []
+
+
+def test_the_page_beside_a_terminal(beside_terminal: Desk, shots: Path) -> None:
+    check_the_desk(beside_terminal, shots, 'terminal', can_continue=False)
+
+
+def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path) -> None:
+    recording = edulaunch.run(*DEMO, duration_s=20)
+    file = tmp_path / 'demo.html'
+    file.write_text(recorded_page(Film(OfRecording(recording)).piece(), 'demo'), encoding='utf-8')
+    assert file.stat().st_size < 400_000
+    desk = Desk(page, (file.as_uri(),))
+    page.goto(file.as_uri())
+    page.locator('.worlds canvas').first.wait_for()
+    desk.seek(0.5)
+    expected = recording.trajectory('turtle2')
+    at = int((expected.t <= desk.time()).sum()) - 1
+    x, y = desk.pose('turtle2')
+    assert (x, y) == (pytest.approx(expected.x[at], abs=0.03), pytest.approx(expected.y[at], abs=0.03))
+    desk.press('play or pause')
+    desk.until_js("parseFloat(root.querySelector('.clock').textContent) > 10.2")
+    for tab in ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal'):
+        desk.open(tab)
+        desk.frame()
+        page.screenshot(path=shots / f'export-{tab}.png')
+    assert desk.errors == []
+
+
+@pytest.mark.parametrize(('scheme', 'width'), [('dark', 1280), ('light', 400)])
+def test_dark_and_narrow(browser: Any, tmp_path: Path, shots: Path, scheme: str, width: int) -> None:
+    recording = edulaunch.run(*DEMO, duration_s=8)
+    file = tmp_path / 'demo.html'
+    file.write_text(recorded_page(Film(OfRecording(recording)).piece(), 'demo'), encoding='utf-8')
+    context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
+    desk = Desk(context.new_page())
+    desk.page.goto(file.as_uri())
+    desk.page.locator('.worlds canvas').first.wait_for()
+    desk.seek(0.9)
+    desk.page.screenshot(path=shots / f'{scheme}-{width}.png')
+    assert desk.page.evaluate('() => document.documentElement.scrollWidth') <= width
+    context.close()
+    assert desk.errors == []
+
+
+def test_the_desk_in_a_notebook(lab: Lab, course: Path, shots: Path) -> None:
+    code = f'import edulaunch\nmachine = edulaunch.start{DEMO!r}\nmachine.view()'
+    cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (course / 'lessons' / 'desk.ipynb').write_text(json.dumps(notebook))
+    with lab.open('desk') as page:
+        desk = Desk(page.page)
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        page.page.locator('.worlds canvas').first.wait_for()
+        desk.errors.clear()  # what JupyterLab itself complains of while it starts
+        check_the_desk(desk, shots, 'lab', can_continue=True)
+        assert page.requests == []
