@@ -7,8 +7,7 @@ import asyncio
 import socket
 
 from edulaunch.errors import UnusableInput
-
-TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
+from edulaunch.view import TABS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -23,11 +23,13 @@ from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import PathLike, Session
 from edulaunch.sim.pacing import RealTime
+from edulaunch.view import TABS
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
-    from edulaunch.machine.widget import DeskWidget, Page
+    from edulaunch.machine.desk_widget import DeskWidget, Page
     from edulaunch.recording import Recording
+
 
 LONGEST_SLEEP_S = 0.02
 COMMAND_S = 5.0
@@ -149,9 +151,15 @@ class Machine:
 
         :raises UnusableInput: when anywidget is not installed, or there is no such tab.
         """
-        from edulaunch.machine.widget import desk_widget
+        from edulaunch.nearest import did_you_mean
 
-        return desk_widget(self, tab)
+        if tab not in TABS:
+            raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
+        try:
+            from edulaunch.machine.desk_widget import DeskWidget
+        except ImportError:
+            raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
+        return DeskWidget(self, tab)
 
     def take(self, words: dict[str, Any]) -> None:
         """Do by hand what a page would ask for."""

@@ -1,0 +1,84 @@
+"""The live desk in a notebook: a widget whose page is the same as everywhere, with the kernel as its machine.
+
+It asks for nothing of JupyterLab's own: whatever shows ipywidgets shows it (Notebook, VS Code, Colab). Loaded late: it needs
+anywidget.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+import anywidget
+import traitlets
+
+from edulaunch.view.page import module
+from edulaunch.view.viewer import Viewer
+
+if TYPE_CHECKING:
+    from edulaunch.machine.started import Machine
+
+SHOWN_EVERY_S = 1 / 30
+SHOWN_FOR_S = 1.5
+"""How long a page is kept up to date after it asked for it."""
+
+
+class Page:
+    """One page that shows the machine: kept up to date for a while after it asked."""
+
+    def __init__(self, viewer: Viewer) -> None:
+        self.viewer = viewer
+        self._until_s = self._next_s = 0.0
+
+    def ask(self) -> None:
+        """The page is there, and wants to know what is new."""
+        self._until_s = time.monotonic() + SHOWN_FOR_S
+
+    def show(self) -> None:
+        """Say what is new, if it is time to."""
+        now_s = time.monotonic()
+        if self._next_s <= now_s < self._until_s:
+            self._next_s = now_s + SHOWN_EVERY_S
+            self.viewer.show()
+
+
+class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]
+    """One widget; each place that shows it is a page of its own."""
+
+    _esm = module()
+    tab = traitlets.Unicode('graph').tag(sync=True)
+    film = traitlets.Unicode('').tag(sync=True)
+
+    def __init__(self, machine: Machine, tab: str) -> None:
+        super().__init__(tab=tab)
+        self._machine = machine
+        self._pages: dict[str, Page] = {}
+        self.on_msg(self._hear)
+
+    def _hear(self, widget: object, words: Any, buffers: object) -> None:
+        """A message may come on a thread of its own (a subshell of the kernel): it is taken where the machine runs."""
+        self._machine.soon(lambda: self._take(words))
+
+    def _take(self, words: Any) -> None:
+        name = words.get('page') if isinstance(words, dict) else None
+        if not isinstance(name, str):
+            return
+        if words.get('op') == 'bye':
+            page = self._pages.pop(name, None)
+            if page is not None:
+                self._machine.pages.remove(page)
+            return
+        if name not in self._pages:
+            self._pages[name] = Page(Viewer(self._machine, lambda message: self.send({**message, 'page': name})))
+            self._machine.pages.append(self._pages[name])
+        if words.get('op') == 'next':
+            self._pages[name].ask()
+        else:
+            self._machine.do_for(self._pages[name].viewer, words)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The widget; where there is no front end, a line that says so."""
+        bundle = super()._repr_mimebundle_(**options)
+        data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
+        data['text/plain'] = f'live view of {self._machine!r}: nothing to see where no front end is'
+        return (data, *bundle[1:]) if isinstance(bundle, tuple) else data
