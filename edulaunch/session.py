@@ -61,7 +61,7 @@ class Session:
         self.graph = Graph(self.sim, self.recorder)
         self.index = index_for(workspaces)
         self.console = console
-        self.host = Host(self.sim, self.graph, self.index, env=machine_environment(env), ros2=_ros2_command, stdin=stdin)
+        self.host = Host(self.sim, self.graph, self.index, env=machine_environment(env, self.index), ros2=_ros2_command, stdin=stdin)
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []
@@ -199,12 +199,15 @@ def index_for(workspaces: Sequence[PathLike]) -> Index:
     return Index([*built, underlay_prefix()], sources)
 
 
-def machine_environment(env: Mapping[str, str] | None) -> dict[str, str]:
-    """The environment of the simulated machine: ROS 2 Jazzy is sourced in it, and there is a user."""
+def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:
+    """The environment of the simulated machine: ROS 2 Jazzy and the workspaces of an index are sourced in it, and there is a
+    user.
+    """
     found = dict(os.environ if env is None else env)
     found.setdefault('USER', 'student')
     found['PATH'] = os.pathsep.join(filter(None, [os.path.join(underlay_prefix(), 'bin'), found.get('PATH')]))
-    found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3', AMENT_PREFIX_PATH=underlay_prefix())
+    found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3')
+    found['AMENT_PREFIX_PATH'] = os.pathsep.join(index.search_paths())
     return found
 
 

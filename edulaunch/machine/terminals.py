@@ -92,12 +92,13 @@ class Terminal:
         """Run the command inside the simulation."""
         host = self._terminals.session.host
         name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
-        spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env))
+        index = index_for(find_workspaces(cwd, env, _launch_file(words, cwd)))
+        spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
         if not host.knows(spec):
             self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
             self.ended(NOT_FOUND)
             return
-        process = host.start(spec, self._show, self.ended, index=index_for(find_workspaces(cwd, env, _launch_file(words, cwd))))
+        process = host.start(spec, self._show, self.ended, index=index)
         assert isinstance(process, Process)
         process.stdin = self.input
         process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])

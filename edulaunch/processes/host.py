@@ -194,11 +194,13 @@ class Host:
         argv, program = known
         process = Process(self, spec, self.next_pid(), argv, self.ros2 if program is None else _runner(program))  # type: ignore[arg-type]
         process.index = index
+        if index is not self.index:
+            process.sourced_path = os.pathsep.join(index.search_paths())
         process.on_output = on_output
         process.on_exit = on_exit
-        starter = running_task()
-        if starter is not None and isinstance(starter.owner, Process):
-            starter.owner.speaks_for += 2
+        starter = self.program_here()
+        if starter is not None:
+            starter.speaks_for += 2
         return self.adopt(process)
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:

@@ -12,10 +12,7 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
 def own_path() -> str | None:
-    """What the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it.
-
-    Sourcing puts workspaces of a session into its index and not into the variable, so only another value says something.
-    """
+    """What the running program has made of AMENT_PREFIX_PATH; None while it is as sourcing left it."""
     process = current_process()
     path = process.env.get(AMENT_PREFIX_PATH_ENV_VAR, '')
     return None if path == process.sourced_path else path
@@ -33,8 +30,9 @@ def existing(path: str) -> list[str]:
 
 
 def _index_of(path: str, sourced: Index) -> Index:
-    """With the built-in packages, and the workspaces that were sourced on top of them, if they are still named."""
-    underlay, folders = underlay_prefix(), existing(path)
-    if underlay not in folders:
-        return Index(folders, underlay=None)
-    return Index(folders, [workspace.folder for workspace in sourced.workspaces])
+    """With the built-in packages and the workspaces that were sourced, as far as they are still named."""
+    underlay, named = underlay_prefix(), path.split(os.pathsep)
+    folders = [workspace.folder for workspace in sourced.workspaces if workspace.path in named]
+    generated = {workspace.path for workspace in sourced.workspaces}
+    prefixes = [prefix for prefix in existing(path) if prefix not in generated]
+    return Index(prefixes, folders, underlay=underlay if underlay in named else None)
