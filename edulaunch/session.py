@@ -61,7 +61,9 @@ class Session:
         self.graph = Graph(self.sim, self.recorder)
         self.index = index_for(workspaces)
         self.console = console
-        self.host = Host(self.sim, self.graph, self.index, env=machine_environment(env, self.index), ros2=_ros2_command, stdin=stdin)
+        self.host = Host(
+            self.sim, self.graph, self.index, env=machine_environment(env, self.index), ros2=_ros2_command, stdin=stdin
+        )
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
         self.launches: list[LaunchRun] = []

@@ -30,6 +30,7 @@ def spec_of(
         env=dict(process.env if env is None else env),
         shell=shell,
         origin=process.spec.origin,
+        has_pipe=process.spec.has_pipe,
     )
 
 

@@ -86,7 +86,7 @@ class Host:
     :param env: the environment that programs inherit.
     :param ros2: what runs `ros2 ...` command lines; None: there is no such command.
     :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
-        of (simulated seconds, text), or an open text file; others read an empty input.
+        of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
@@ -146,13 +146,13 @@ class Host:
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
         """What the program reads: what is given for its launch name or executable, else nothing."""
-        from edulaunch.processes.inputs import Input, TypedInput
+        from edulaunch.processes.inputs import Input, SilentPipe, TypedInput
         from edulaunch.processes.real_input import RealInput
 
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
         name = next((name for name in names if name in self._stdin), None)
         if name is None:
-            return Input('')
+            return SilentPipe() if spec.has_pipe else Input()
         if name in self.unread_stdin:
             self.unread_stdin.remove(name)
         given = self._stdin[name]

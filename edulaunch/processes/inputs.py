@@ -165,6 +165,30 @@ class Input:
         """Nothing to do."""
 
 
+class SilentPipe(Input):
+    """What a program of a launch reads: a pipe into which nobody ever writes and which nobody closes, as ROS 2 makes it."""
+
+    is_inherited = True
+    _is_told = False
+
+    def has_ended(self) -> bool:
+        """Never."""
+        return False
+
+    def take_more(self, deadline_ns: int | None) -> bool:
+        """Wait until the deadline, or until a signal ends the program; the recording tells of the latter."""
+        process: Process = current_task().owner
+        if deadline_ns is None and not self._is_told:
+            self._is_told = True
+            process.note(
+                'waits for input',
+                'waits for input that never comes: a program of a launch has no keyboard. '
+                'Start it with ros2 run in a terminal of its own, or give it its text (stdin=, --stdin)',
+            )
+        self._wait_for_ever(deadline_ns)
+        return False
+
+
 class BytesInput:
     """`sys.stdin.buffer`: text is UTF-8 bytes."""
 

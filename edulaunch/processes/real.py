@@ -47,7 +47,7 @@ class RealProcess:
                 shell=spec.shell,
                 cwd=spec.cwd,
                 env=environment,
-                stdin=subprocess.DEVNULL,
+                stdin=subprocess.PIPE if spec.has_pipe else subprocess.DEVNULL,
                 stdout=outputs[0][1],
                 stderr=outputs[1][1],
                 start_new_session=True,

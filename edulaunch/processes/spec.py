@@ -21,6 +21,7 @@ class ProcessSpec(NamedTuple):
     :ivar package, executable: of a Node action.
     :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
     :ivar emulate_tty: whether a real program writes to a terminal instead of pipes; a simulated one writes as if to one anyway.
+    :ivar has_pipe: whether it reads from a pipe of the program that starts it, into which nobody writes; else an empty file.
     """
 
     argv: tuple[str, ...]
@@ -33,3 +34,4 @@ class ProcessSpec(NamedTuple):
     executable: str | None = None
     parameter_origins: Mapping[str, str] = MappingProxyType({})
     emulate_tty: bool = False
+    has_pipe: bool = False

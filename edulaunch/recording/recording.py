@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from edulaunch.recording.trajectory import Trajectory
 
 
-SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted')
+SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted', 'waits for input')
 """Kinds of notes that people should hear of, and of which ROS 2 says nothing."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -103,3 +104,54 @@ def test_a_child_reads_what_is_written_to_it(world: Any) -> None:
         """)
         == 'early 0.0\nlate 2.0\n(None, None)\n'
     )
+
+
+READS = [
+    'input()',
+    'import sys\nsys.stdin.read()',
+    'import sys\nfor line in sys.stdin: pass',
+    'import sys\nsys.stdin.buffer.readline()',
+    'import os\nos.read(0, 1)',
+]
+
+
+@pytest.mark.parametrize('text', READS)
+def test_a_program_of_a_launch_waits_for_ever_for_its_input(world: Any, text: str) -> None:
+    """As under the real `ros2 launch`, whose pipe nobody closes; without one it reads an empty file."""
+    path = world.write('p.py', f'print("asks")\n{text}\nprint("read")')
+    piped = world.start(path, 'piped-1', has_pipe=True)
+    world.start(path, 'plain-2')
+    world.sim.run(world.sim.now_ns + 10**12)
+    assert [who for _, who, said in world.log if said == 'asks\n'] == ['piped-1', 'plain-2']
+    assert [who for _, who, said in world.log if said == 'read\n'] == (['plain-2'] if text != 'input()' else [])
+    assert piped.returncode is None and 'plain-2' in world.codes
+    piped.send_signal(2)
+    world.sim.run(world.sim.now_ns + 1)
+    assert world.codes['piped-1'] == -2
+
+
+def test_select_on_the_pipe_times_out(world: Any) -> None:
+    world.start(
+        world.write('p.py', 'import select, sys, time\nprint(select.select([sys.stdin], [], [], 2.0), time.monotonic())'),
+        has_pipe=True,
+    )
+    world.sim.run(world.sim.now_ns + 10**12)
+    assert world.log[0][2] == '([], [], []) 2.0\n'
+
+
+LAUNCH = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=['python3', {script!r}], name='game')])
+"""
+
+
+def test_after_a_launch_one_is_told_what_waits_for_input(tmp_path: Path) -> None:
+    import edulaunch
+
+    (tmp_path / 'child.py').write_text('input("name? ")')
+    (tmp_path / 'game.py').write_text(f'import subprocess\nsubprocess.run(["python3", "{tmp_path}/child.py"])')
+    (tmp_path / 'a.launch.py').write_text(LAUNCH.format(script=str(tmp_path / 'game.py')))
+    recording = edulaunch.run(tmp_path / 'a.launch.py', duration_s=5.0)
+    assert recording.duration_s == 5.0 and recording.processes[1].returncode is None
+    assert [line.partition(';')[0][:52] for line in recording.warnings] == ['game-1: waits for input that never comes: a progr']

@@ -42,6 +42,7 @@ def main(arguments: argparse.Namespace) -> int | str:
         origin=process.spec.origin,
         package=package,
         executable=executable,
+        has_pipe=process.spec.has_pipe,
     )
     code = run_child(process, spec)
     if code:

@@ -191,6 +191,7 @@ class ProcessWatch(BaseEventHandler):
             shell=self._options.shell,
             emulate_tty=emulate_tty,
             origin=self._action.origin,
+            has_pipe=True,
             **self._action._process_spec_details(),
         )
 
