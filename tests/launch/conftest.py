@@ -82,6 +82,8 @@ class FakeHost:
         self.scripts[spec.argv[0]](program)
         return program
 
+    start_launched = start
+
 
 @pytest.fixture
 def host(fresh_simulation: Any) -> FakeHost:
