@@ -1,14 +1,15 @@
 """Pictures of a Recording.
 
-A recording and a time become a *scene* (plain data, `*_scene.py`), a scene becomes a picture (`draw_*.py`). matplotlib is
-loaded when the first picture is drawn.
+A recording and a time become a *scene* (plain data, `*_scene.py`), a scene is drawn on matplotlib's axes (`draw_*.py`). Each
+`plot_*` gives a `Picture`, which a notebook shows; with `ax=` it draws on those axes and returns them, so that one can go on.
+matplotlib is loaded when the first picture is drawn.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from edulaunch.canvas.picture import Picture
+from edulaunch.canvas.picture import Picture, shown
 
 if TYPE_CHECKING:
     from edulaunch.canvas.player import Replay
@@ -18,96 +19,71 @@ if TYPE_CHECKING:
 __all__ = ['Picture', 'parameter_table', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles', 'replay']
 
 
-def plot_turtles(recording: Recording, time_s: float | None = None) -> Picture:
+def plot_turtles(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
     """The turtle windows, and the field of each robot, as they look at a time.
 
     :param time_s: seconds since the start; default: the end of the recording.
-    :raises ValueError: when nothing moved in the recording.
+    :param ax: matplotlib axes to draw on, in metres; a list of them when there are several windows.
+    :returns: a Picture, or what was given as `ax`.
+    :raises ValueError: when nothing moved in the recording, or for another number of axes than of windows.
     """
     from edulaunch.canvas.turtle_scene import turtle_scene
     from edulaunch.canvas.worlds import read_worlds
 
-    scene = turtle_scene(read_worlds(recording), recording.duration_s if time_s is None else time_s)
-
-    def draw() -> bytes:
-        from edulaunch.canvas.draw_turtles import draw_turtles
-
-        return draw_turtles(scene)
-
-    return Picture(draw, scene.caption(), scene)
+    return shown(turtle_scene(read_worlds(recording), recording.duration_s if time_s is None else time_s), 'draw_turtles', ax)
 
 
-def plot_frames(recording: Recording, time_s: float | None = None) -> Picture:
+def plot_frames(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
     """The tf frames from above, as rviz2 shows them: each tree of frames in its root frame.
 
     :param time_s: seconds since the start; default: the end of the recording.
-    :raises ValueError: when no frame had been broadcast by then.
+    :param ax: matplotlib axes to draw on, in metres; a list of them when there are several trees.
+    :returns: a Picture, or what was given as `ax`.
+    :raises ValueError: when no frame had been broadcast by then, or for another number of axes than of trees.
     """
     from edulaunch.canvas.frames_scene import frames_scene
 
-    scene = frames_scene(recording, recording.duration_s if time_s is None else time_s)
-
-    def draw() -> bytes:
-        from edulaunch.canvas.draw_frames import draw_frames
-
-        return draw_frames(scene)
-
-    return Picture(draw, scene.caption(), scene)
+    return shown(frames_scene(recording, recording.duration_s if time_s is None else time_s), 'draw_frames', ax)
 
 
-def plot_tf_tree(recording: Recording) -> Picture:
+def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:
     """Which frame is whose parent over the whole run, which node broadcasts it and how often; trees that are not connected stand
     side by side.
 
+    :param ax: matplotlib axes to draw on.
+    :returns: a Picture, or what was given as `ax`.
     :raises ValueError: when no frame was broadcast.
     """
     from edulaunch.canvas.tree_scene import tree_scene
 
-    scene = tree_scene(recording)
-
-    def draw() -> bytes:
-        from edulaunch.canvas.draw_tree import draw_tree
-
-        return draw_tree(scene)
-
-    return Picture(draw, scene.caption(), scene)
+    return shown(tree_scene(recording), 'draw_tree', ax)
 
 
-def plot_graph(recording: Recording, *, unused: bool = False, services: bool = False) -> Picture:
+def plot_graph(recording: Recording, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
     """Nodes and the topics between them, as `rqt_graph` shows them.
 
     :param unused: also show topics that nobody listens to. `/rosout` and `/parameter_events` are never shown.
     :param services: also show services that a node calls.
+    :param ax: matplotlib axes to draw on.
+    :returns: a Picture, or what was given as `ax`.
     """
     from edulaunch.canvas.graph_scene import graph_scene
 
-    scene = graph_scene(recording, unused=unused, services=services)
-
-    def draw() -> bytes:
-        from edulaunch.canvas.draw_graph import draw_graph
-
-        return draw_graph(scene)
-
-    return Picture(draw, scene.caption(), scene)
+    return shown(graph_scene(recording, unused=unused, services=services), 'draw_graph', ax)
 
 
-def plot_distance(recording: Recording, first: str, second: str, close_m: float = 1.0) -> Picture:
+def plot_distance(recording: Recording, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
     """How far a follower is from what it follows, over time, in metres; below `close_m` it counts as close.
 
     :param first, second: turtles as in `Recording.trajectory`, or tf frames.
+    :param ax: matplotlib axes to draw on: seconds across, metres up.
+    :returns: a Picture, or what was given as `ax`.
     :raises KeyError: when there is no such thing; the message names what there is.
     :raises ValueError: when the two were never there at the same time.
     """
     from edulaunch.canvas.distance_scene import distance_scene
 
-    scene = distance_scene(recording, first, second, close_m)
-
-    def draw() -> bytes:
-        from edulaunch.canvas.draw_distance import draw_distance
-
-        return draw_distance(scene)
-
-    return Picture(draw, scene.caption(), scene)
+    return shown(distance_scene(recording, first, second, close_m), 'draw_distance', ax)
 
 
 def parameter_table(recording: Recording, node: str | None = None, *, every: bool = False) -> Table:

@@ -2,48 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from matplotlib.axes import Axes
+
 from edulaunch.canvas.distance_scene import DistanceScene
 from edulaunch.canvas.labels import Box
-from edulaunch.canvas.panel import Panel, ticks
-from edulaunch.canvas.paper import Paper
-from edulaunch.canvas.style import BLUE, GREEN, GREEN_TINT, MUTED, PAPER, SMALL, TEXT
+from edulaunch.canvas.sheet import HALO, Sheet, rgb, world
+from edulaunch.canvas.style import BLUE, GREEN, GREEN_TINT, GRID, MUTED, SMALL
 from edulaunch.canvas.thinning import thinned
 
 WIDTH, HEIGHT, LEFT, RIGHT, BELOW, ABOVE = 640, 260, 44, 18, 38, 30
 
 
-def draw_distance(scene: DistanceScene) -> bytes:
-    """PNG bytes: the distance as a line, the band that counts as close as a tinted ground with its border dashed."""
-    paper = Paper(WIDTH, HEIGHT)
+def sheet(scene: DistanceScene) -> Sheet:
+    """One wide diagram."""
+    return Sheet(WIDTH, HEIGHT, [Box(LEFT, BELOW, WIDTH - RIGHT, HEIGHT - ABOVE)])
+
+
+def draw(scene: DistanceScene, axes: Sequence[Axes]) -> None:
+    """The distance as a line, the band that counts as close as a tinted ground with its border dashed."""
+    (ax,) = axes
     highest = max(*(distance for _, distance in scene.points), scene.close_m) * 1.1
-    panel = Panel(
-        paper, Box(LEFT, BELOW, WIDTH - RIGHT, HEIGHT - ABOVE), (0.0, max(scene.duration_s, 1e-3), 0.0, max(highest, 1e-3))
-    )
-    panel.ground(PAPER, grid=False)
-    _draw_band(panel, scene)
-    for value in ticks(*panel.limits[2:])[1:]:
-        paper.line(panel.points([(0, value), (panel.limits[1], value)]), colour=(226, 231, 236), width=0.7)
+    world(ax, (0.0, max(scene.duration_s, 1e-3), 0.0, max(highest, 1e-3)), grid=False, square=False)
+    ax.grid(axis='y', color=rgb(GRID), linewidth=0.7)
+    ax.axhspan(0, scene.close_m, facecolor=rgb(GREEN_TINT))
+    ax.axhline(scene.close_m, color=rgb(GREEN), linewidth=1.2, linestyle='--')
     for stretch in _stretches(scene.points):
-        paper.line(panel.points(stretch), colour=BLUE, width=1.8)
-    if scene.close_since_s is not None:
-        x, y = panel.at(scene.close_since_s, 0)
-        paper.line([(x, y), (x, panel.at(0, scene.close_m)[1])], colour=GREEN, width=1.4)
-        paper.disc(x, panel.at(0, scene.close_m)[1], 3, fill=GREEN)
-    panel.frame()
-    paper.text(LEFT, HEIGHT - 18, f'distance from {scene.first} to {scene.second} [m]', size=TEXT)
-    paper.text(WIDTH - RIGHT, 8, 'time [s]', size=SMALL, colour=MUTED, align='right')
-    return paper.png()
-
-
-def _draw_band(panel: Panel, scene: DistanceScene) -> None:
-    left, right = panel.box.left, panel.box.right
-    y = panel.at(0, scene.close_m)[1]
-    panel.paper.box(left, panel.box.bottom, right - left, y - panel.box.bottom, fill=GREEN_TINT)
-    panel.paper.line([(left, y), (right, y)], colour=GREEN, width=1.2, dash=(5, 3))
+        ax.plot(*zip(*stretch, strict=True), color=rgb(BLUE), linewidth=1.8)
     since = '' if scene.close_since_s is None else f', for good from t = {scene.close_since_s:.2f} s on'
-    panel.paper.text(
-        right - 6, y + 5, f'close: below {scene.close_m:g} m{since}', size=SMALL, colour=GREEN, align='right', halo=PAPER
+    text = f'close: below {scene.close_m:g} m{since}'
+    ax.annotate(
+        text,
+        (1, scene.close_m),
+        (-6, 5),
+        xycoords=('axes fraction', 'data'),
+        textcoords='offset points',
+        ha='right',
+        fontsize=SMALL,
+        color=rgb(GREEN),
+        path_effects=HALO,
     )
+    if scene.close_since_s is not None:
+        ax.plot(
+            [scene.close_since_s] * 2,
+            [0, scene.close_m],
+            color=rgb(GREEN),
+            linewidth=1.4,
+            marker='o',
+            markevery=[1],
+            markersize=6,
+        )
+    ax.set_title(f'distance from {scene.first} to {scene.second} [m]', loc='left')
+    ax.set_xlabel('time [s]', loc='right', fontsize=SMALL, color=rgb(MUTED), labelpad=1)
 
 
 def _stretches(points: list[tuple[float, float]]) -> list[list[tuple[float, float]]]:

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from edulaunch.canvas.graph_scene import Box, GraphScene, label_lines
-from edulaunch.canvas.paper import Paper
-from edulaunch.canvas.routes import draw_route
+from collections.abc import Sequence
+
+from matplotlib.axes import Axes
+
+from edulaunch.canvas.graph_scene import Box as Item
+from edulaunch.canvas.graph_scene import GraphScene, label_lines
+from edulaunch.canvas.labels import Box
+from edulaunch.canvas.routes import DASHED, draw_box, draw_route, write
+from edulaunch.canvas.sheet import Sheet, layout, rgb
 from edulaunch.canvas.style import (
     BLUE,
     BLUE_TINT,
@@ -28,43 +34,42 @@ LOOKS: dict[str, tuple[Colour, Colour, float]] = {
 }
 """Fill, edge, and radius of the corners."""
 LEGEND = 'oval: node   box: topic'
-DASHES = (4.0, 2.5)
 
 
-def draw_graph(scene: GraphScene) -> bytes:
-    """PNG bytes of the graph."""
-    paper = Paper(max(scene.width, 340), scene.height + 18)
+def sheet(scene: GraphScene) -> Sheet:
+    """As large as the graph, with the legend below."""
+    width, height = _size(scene)
+    return Sheet(width, height, [Box(0, 0, width, height)])
+
+
+def _size(scene: GraphScene) -> tuple[float, float]:
+    return max(scene.width, 340), scene.height + 18
+
+
+def draw(scene: GraphScene, axes: Sequence[Axes]) -> None:
+    """Arrows, boxes over them, and the legend."""
+    (ax,) = axes
+    pixel = layout(ax, *_size(scene))
     for (start, end), route in zip(scene.arrows, scene.routes, strict=True):
         wrong = scene.boxes[start].mark or scene.boxes[end].mark
-        draw_route(paper, route, scene.direction, RED if 'fit' in wrong else MUTED, DASHES if wrong else ())
+        draw_route(ax, route, scene.direction, RED if 'fit' in wrong else MUTED, linestyle=DASHED if wrong else '-')
     for box in scene.boxes:
-        _draw_box(paper, box)
+        _draw_box(ax, box, pixel)
     more = '   double border: service' if any(box.kind == 'service' for box in scene.boxes) else ''
     more += '   dashed: an end is missing' if any(box.mark for box in scene.boxes) else ''
-    paper.text(12, 8, LEGEND + more, size=SMALL, colour=MUTED)
-    return paper.png()
+    ax.text(12, _size(scene)[1] - 8, LEGEND + more, fontsize=SMALL * pixel, color=rgb(MUTED))
 
 
-def _draw_box(paper: Paper, box: Box) -> None:
+def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
     fill, edge, radius = LOOKS[box.kind]
-    top = paper.height - box.top
     if box.mark:
         fill, edge = (RED_TINT, RED) if 'fit' in box.mark else (PAPER, MUTED)
-    paper.box(
-        box.left,
-        top - box.height,
-        box.width,
-        box.height,
-        radius=radius,
-        fill=fill,
-        edge=edge,
-        line_width=1.3,
-        dash=DASHES if box.mark else (),
-    )
+    line = {'linewidth': 1.3, 'linestyle': DASHED if box.mark else '-'}
+    draw_box(ax, box.left, box.top, box.width, box.height, radius, fill, edge, **line)
     if box.kind == 'service':
-        paper.box(box.left + 3, top - box.height + 3, box.width - 6, box.height - 6, radius=2, edge=edge, line_width=0.7)
+        draw_box(ax, box.left + 3, box.top + 3, box.width - 6, box.height - 6, 2, None, edge, linewidth=0.7)
     lines = label_lines(box.kind, box.name, box.mark)
     for number, (text, size, is_mark) in enumerate(lines):
-        y = top - box.height / 2 + ((len(lines) - 1) / 2 - number) * 13.5
+        y = box.top + box.height / 2 + (number - (len(lines) - 1) / 2) * 13.5
         colour = RED if is_mark else INK if size > SMALL else MUTED
-        paper.text(box.left + box.width / 2, y, text, size=size, font='mono', colour=colour, align='center', middle=True)
+        write(ax, box.left + box.width / 2, y, text, size * pixel, colour)

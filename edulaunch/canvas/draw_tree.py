@@ -2,35 +2,54 @@
 
 from __future__ import annotations
 
-from edulaunch.canvas.paper import Paper
-from edulaunch.canvas.routes import draw_route
-from edulaunch.canvas.style import BLUE, BLUE_TINT, GREEN, GREEN_TINT, INK, MUTED, PAPER, RED, RED_TINT, SMALL, Colour, shortened
+from collections.abc import Sequence
+
+from matplotlib.axes import Axes
+
+from edulaunch.canvas.labels import Box
+from edulaunch.canvas.routes import DASHED, draw_box, draw_route, write
+from edulaunch.canvas.sheet import Sheet, layout
+from edulaunch.canvas.style import (
+    BLUE,
+    BLUE_TINT,
+    GREEN,
+    GREEN_TINT,
+    INK,
+    MUTED,
+    PAPER,
+    RED,
+    RED_TINT,
+    SMALL,
+    TEXT,
+    Colour,
+    shortened,
+)
 from edulaunch.canvas.tree_scene import LINE, FrameBox, TreeScene
 
-LOOKS: dict[str, tuple[Colour, Colour, tuple[float, ...]]] = {
-    'root': (PAPER, INK, ()),
-    'static': (GREEN_TINT, GREEN, (4, 2.5)),
-    'dynamic': (BLUE_TINT, BLUE, ()),
-}
-"""Fill, edge and dashes of a box; the word in it says the same."""
+LOOKS: dict[str, tuple[Colour, Colour]] = {'root': (PAPER, INK), 'static': (GREEN_TINT, GREEN), 'dynamic': (BLUE_TINT, BLUE)}
+"""Fill and edge of a box; the word in it says the same, and a static one is dashed."""
 
 
-def draw_tree(scene: TreeScene) -> bytes:
-    """PNG bytes: an arrow from each parent to its children."""
-    paper = Paper(scene.width, scene.height)
+def sheet(scene: TreeScene) -> Sheet:
+    """As large as the tree."""
+    return Sheet(scene.width, scene.height, [Box(0, 0, scene.width, scene.height)])
+
+
+def draw(scene: TreeScene, axes: Sequence[Axes]) -> None:
+    """An arrow from each parent to its children."""
+    (ax,) = axes
+    pixel = layout(ax, scene.width, scene.height)
     for (_, child), route in zip(scene.links, scene.routes, strict=True):
-        draw_route(paper, route, scene.direction, RED if scene.boxes[child].mark else MUTED)
+        draw_route(ax, route, scene.direction, RED if scene.boxes[child].mark else MUTED)
     for box in scene.boxes:
-        _draw_box(paper, box)
-    return paper.png()
+        _draw_box(ax, box, pixel)
 
 
-def _draw_box(paper: Paper, box: FrameBox) -> None:
-    fill, edge, dash = (RED_TINT, RED, LOOKS[box.kind][2]) if box.mark else LOOKS[box.kind]
-    top = paper.height - box.top
-    paper.box(box.left, top - box.height, box.width, box.height, radius=7, fill=fill, edge=edge, line_width=1.3, dash=dash)
-    x, y = box.left + box.width / 2, top - LINE / 2 - 6
-    paper.text(x, y, shortened(box.name), font='mono', align='center', middle=True)
+def _draw_box(ax: Axes, box: FrameBox, pixel: float) -> None:
+    fill, edge = (RED_TINT, RED) if box.mark else LOOKS[box.kind]
+    style = DASHED if box.kind == 'static' else '-'
+    draw_box(ax, box.left, box.top, box.width, box.height, 7, fill, edge, linewidth=1.3, linestyle=style)
+    x, y = box.left + box.width / 2, box.top + LINE / 2 + 6
+    write(ax, x, y, shortened(box.name), TEXT * pixel, INK)
     for number, line in enumerate([*box.lines, *([box.mark] if box.mark else [])], 1):
-        colour = RED if number > len(box.lines) else MUTED
-        paper.text(x, y - number * LINE, shortened(line), size=SMALL, font='mono', colour=colour, align='center', middle=True)
+        write(ax, x, y + number * LINE, shortened(line), SMALL * pixel, RED if number > len(box.lines) else MUTED)

@@ -3,75 +3,85 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
-from edulaunch.canvas.glyphs import text_width
+from matplotlib.axes import Axes
+
 from edulaunch.canvas.labels import Box, place_labels
-from edulaunch.canvas.panel import Panel
-from edulaunch.canvas.paper import Paper
 from edulaunch.canvas.shapes import LOOKS, SHELLS, Part, robot, shade, turtle
-from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, TEXT
+from edulaunch.canvas.sheet import Sheet, box_of, points_of, polygon, rgb, side_of, world
+from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, mono_width
 from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 
-SIDE, LEFT, BETWEEN, BELOW, ABOVE, TOP = 320, 30, 22, 24, 24, 22
+SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
 TURTLESIM_PX = 500
 """Size of a real turtlesim window, in which widths of pens are meant."""
 
 
-def draw_turtles(scene: TurtleScene) -> bytes:
-    """PNG bytes: one panel per window, at most three in a row, and the time above."""
-    columns = min(3, len(scene.windows))
-    rows = math.ceil(len(scene.windows) / columns)
-    cell_width, cell_height = LEFT + SIDE + BETWEEN, ABOVE + SIDE + BELOW
-    paper = Paper(columns * cell_width, TOP + rows * cell_height)
-    paper.text(LEFT, paper.height - 16, f't = {scene.time_s:.2f} s', colour=MUTED)
-    for number, window in enumerate(scene.windows):
-        left = number % columns * cell_width + LEFT
-        top = paper.height - TOP - number // columns * cell_height - ABOVE
-        paper.text(left + SIDE / 2, top + 8, window.title, size=TEXT, font='mono', align='center')
-        panel = Panel(paper, Box(left, top - SIDE, left + SIDE, top), window.limits)
-        draw_window(panel, window)
-        panel.frame()
-    return paper.png()
+def sheet(scene: TurtleScene) -> Sheet:
+    """One window beside the other, at most three in a row."""
+    return rows_of(len(scene.windows), 3, SIDE, LEFT, BETWEEN, ABOVE, BELOW)
 
 
-def draw_window(panel: Panel, window: Window, names: bool = True) -> None:
+def rows_of(count: int, most: int, side: float, left: float, between: float, above: float, below: float) -> Sheet:
+    """Squares in rows of at most `most`, with room around each."""
+    columns = min(most, count)
+    rows = math.ceil(count / columns)
+    width, height = left + side + between, above + side + below
+    corners = [(number % columns * width + left, (rows - number // columns) * height - above) for number in range(count)]
+    return Sheet(columns * width, rows * height, [Box(x, y - side, x + side, y) for x, y in corners])
+
+
+def draw(scene: TurtleScene, axes: Sequence[Axes]) -> None:
+    """Each window in axes of its own, and the time above the first."""
+    for ax, window in zip(axes, scene.windows, strict=True):
+        draw_window(ax, window)
+        ax.set_title(window.title, family='DejaVu Sans Mono')
+    axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED))
+
+
+def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
     """Ground, trails, bodies and, if wanted, their names."""
-    paper, side = panel.paper, panel.box.right - panel.box.left
-    panel.ground(window.background, grid=window.kind == 'robot')
-    paper.clip(panel.box.left, panel.box.bottom, side, panel.box.top - panel.box.bottom)
+    world(ax, window.limits, window.background, grid=window.kind == 'robot')
+    pixel = side_of(ax) / TURTLESIM_PX
     for trail in window.trails:
-        paper.line(panel.points(trail.points), colour=trail.colour, width=max(1.0, trail.width * side / TURTLESIM_PX))
-    size = side / (9.5 if window.kind == 'turtlesim' else 11.0)
+        xs, ys = zip(*trail.points, strict=True)
+        ax.plot(xs, ys, color=rgb(trail.colour), linewidth=max(1.0, trail.width * pixel))
+    size = (window.limits[1] - window.limits[0]) / (9.5 if window.kind == 'turtlesim' else 11.0)
     parts = turtle() if window.kind == 'turtlesim' else robot()
     for body in window.bodies:
-        draw_body(panel, body, parts, size)
-    paper.clip()
-    if names:
-        _draw_names(panel, window.bodies, size)
+        _draw_body(ax, body, parts, size)
+    if names and window.bodies:
+        _draw_names(ax, window.bodies, size / (window.limits[1] - window.limits[0]) * side_of(ax))
 
 
-def draw_body(panel: Panel, body: Body, parts: list[Part], size: float) -> None:
-    """A turtle or robot, `size` pixels long."""
-    x, y = panel.at(body.x, body.y)
+def _draw_body(ax: Axes, body: Body, parts: list[Part], size: float) -> None:
+    """A turtle or robot, `size` metres long."""
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
     shell = SHELLS[body.number % len(SHELLS)]
     for kind, corners in parts:
-        points = [(x + c * px - s * py, y + s * px + c * py) for px, py in corners]
-        if kind == 'seam':
-            panel.paper.line(points, colour=shade(shell, 0.5), width=0.8)
-        else:
-            fill = {'shell': shell, 'plate': shade(shell)}.get(kind) or LOOKS[kind]
-            edge = shade(shell, 0.5) if kind == 'plate' else INK
-            panel.paper.polygon(points, fill=fill, edge=edge, line_width=0.8)
+        points = [(body.x + c * px - s * py, body.y + s * px + c * py) for px, py in corners]
+        fill = {'shell': shell, 'plate': shade(shell), 'seam': shade(shell, 0.5)}.get(kind) or LOOKS[kind]
+        polygon(ax, points, fill, shade(shell, 0.5) if kind in ('plate', 'seam') else INK)
 
 
-def _draw_names(panel: Panel, bodies: list[Body], size: float) -> None:
-    height = SMALL + 4
-    anchors = [panel.at(body.x, body.y) for body in bodies]
-    sizes = [(text_width(body.name, SMALL) + 6, height) for body in bodies]
+def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
+    """Names beside the bodies, which are `size` layout pixels long."""
+    anchors = points_of(ax, [(body.x, body.y) for body in bodies])
+    sizes = [(mono_width(body.name, SMALL) + 6, SMALL + 4) for body in bodies]
     taken = [Box(x - size * 0.4, y - size * 0.4, x + size * 0.4, y + size * 0.4) for x, y in anchors]
-    for body, box in zip(bodies, place_labels(anchors, sizes, panel.box, size * 0.62, taken), strict=True):
-        panel.paper.box(box.left, box.bottom, box.right - box.left, height, radius=3, fill=PAPER, opacity=0.85)
-        panel.paper.text(
-            (box.left + box.right) / 2, (box.bottom + box.top) / 2, body.name, size=SMALL, align='center', middle=True
+    boxes = place_labels(anchors, sizes, box_of(ax), size * 0.62, taken)
+    ground = {'boxstyle': 'round,pad=0.15', 'facecolor': rgb(PAPER), 'edgecolor': 'none', 'alpha': 0.85}
+    for body, (x, y), box in zip(bodies, anchors, boxes, strict=True):
+        away = ((box.left + box.right) / 2 - x, (box.bottom + box.top) / 2 - y)
+        ax.annotate(
+            body.name,
+            (body.x, body.y),
+            away,
+            textcoords='offset points',
+            ha='center',
+            va='center',
+            fontsize=SMALL,
+            family='DejaVu Sans Mono',
+            bbox=ground,
         )

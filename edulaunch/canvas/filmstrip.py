@@ -1,16 +1,22 @@
-"""A run as a strip of small pictures: what stands in for the replay where scripts do not run."""
+"""A run as a strip of small pictures: what stands in for the replay where scripts do not run.
+
+It is an SVG of our own, for it is part of the text that a notebook keeps: equal with every version of matplotlib.
+"""
 
 from __future__ import annotations
 
-from edulaunch.canvas.draw_turtles import draw_window
-from edulaunch.canvas.labels import Box
-from edulaunch.canvas.panel import Panel
-from edulaunch.canvas.paper import Paper
-from edulaunch.canvas.style import MUTED, SMALL
-from edulaunch.canvas.turtle_scene import turtle_scene
+import math
+from collections.abc import Iterable, Iterator
+from html import escape
+
+from edulaunch.canvas.shapes import LOOKS, SHELLS, robot, shade, turtle
+from edulaunch.canvas.style import INK, MUTED, Colour
+from edulaunch.canvas.turtle_scene import Body, Window, turtle_scene
 from edulaunch.canvas.worlds import World
 
-GAP, LINE, SCALE = 8, 16, 1.5
+GAP, LINE = 8, 16
+WINDOW_PX = 500
+"""Size of a real turtlesim window, in which widths of pens are meant."""
 
 
 def strip_times(duration_s: float, worlds: int) -> list[float]:
@@ -19,17 +25,47 @@ def strip_times(duration_s: float, worlds: int) -> list[float]:
     return [duration_s * number / (count - 1) for number in range(count)]
 
 
-def draw_filmstrip(worlds: list[World], duration_s: float) -> bytes:
-    """PNG bytes: one world in two rows of four pictures; several worlds in a row of six each."""
+def filmstrip(worlds: list[World], duration_s: float) -> str:
+    """An SVG: one world in two rows of four pictures; several worlds in a row of six each."""
     times = strip_times(duration_s, len(worlds))
     columns, side = (4, 176) if len(worlds) == 1 else (6, 116)
-    rows = len(times) // columns * len(worlds)
-    paper = Paper(columns * (side + GAP) + GAP, rows * (side + LINE + GAP) + LINE * (len(worlds) > 1), SCALE)
+    parts = []
     for number, time_s in enumerate(times):
         for place, window in enumerate(turtle_scene(worlds, time_s).windows):
-            row = number // columns + place
-            left, top = GAP + number % columns * (side + GAP), paper.height - LINE - row * (side + LINE + GAP)
-            text = f't = {time_s:.1f} s' + (f'   {window.title}' if number == 0 and len(worlds) > 1 else '')
-            paper.text(left, top + 4, text, size=SMALL, colour=MUTED)
-            draw_window(Panel(paper, Box(left, top - side, left + side, top), window.limits), window, names=False)
-    return paper.png()
+            x, y = GAP + number % columns * (side + GAP), LINE + (number // columns + place) * (side + LINE + GAP)
+            title = f'   {escape(window.title)}' if number == 0 and len(worlds) > 1 else ''
+            parts.append(f'<text x="{x}" y="{y - 4}">t = {time_s:.1f} s{title}</text>')
+            parts.append(f'<svg x="{x}" y="{y}" width="{side}" height="{side}" viewBox="0 0 {WINDOW_PX} {WINDOW_PX}">')
+            parts += [*_window(window), '</svg>']
+    width, height = columns * (side + GAP) + GAP, len(times) // columns * len(worlds) * (side + LINE + GAP)
+    look = f'font-family="sans-serif" font-size="9.5" fill="{_hex(MUTED)}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" {look}>{"".join(parts)}</svg>'
+
+
+def _window(window: Window) -> Iterator[str]:
+    left, right, _, top = window.limits
+    scale = WINDOW_PX / (right - left)
+    yield f'<rect width="{WINDOW_PX}" height="{WINDOW_PX}" fill="{_hex(window.background)}"/>'
+    for trail in window.trails:
+        points = _points(((x - left) * scale, (top - y) * scale) for x, y in trail.points)
+        yield f'<polyline points="{points}" fill="none" stroke="{_hex(trail.colour)}" stroke-width="{max(trail.width, 3)}"/>'
+    size = WINDOW_PX / (9.5 if window.kind == 'turtlesim' else 11.0)
+    for body in window.bodies:
+        yield from _body(body, window.kind, (body.x - left) * scale, (top - body.y) * scale, size)
+
+
+def _body(body: Body, kind: str, x: float, y: float, size: float) -> Iterator[str]:
+    c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
+    shell = SHELLS[body.number % len(SHELLS)]
+    for part, corners in turtle() if kind == 'turtlesim' else robot():
+        points = _points((x + c * px - s * py, y - s * px - c * py) for px, py in corners)
+        fill = {'shell': shell, 'plate': shade(shell), 'seam': shell}.get(part) or LOOKS[part]
+        yield f'<polygon points="{points}" fill="{_hex(fill)}" stroke="{_hex(INK)}"/>'
+
+
+def _points(places: Iterable[tuple[float, float]]) -> str:
+    return ' '.join(f'{x + 0.0:.1f},{y + 0.0:.1f}' for x, y in places)
+
+
+def _hex(colour: Colour) -> str:
+    return '#{:02x}{:02x}{:02x}'.format(*colour)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import os
+import struct
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
 from edulaunch.canvas.style import SCALE
@@ -47,11 +49,36 @@ class Picture:
             file.write(self.png())
 
 
+def shown(scene: Any, drawing: str, ax: Any) -> Any:
+    """A scene as a Picture, or drawn on the axes that the caller has, which are returned.
+
+    :param drawing: the module that draws it, of this package.
+    :raises ValueError: for another number of axes than the scene needs.
+    """
+
+    def draw_picture() -> bytes:
+        module = import_module(f'edulaunch.canvas.{drawing}')
+        from edulaunch.canvas.sheet import png_of
+
+        return png_of(module.sheet(scene), lambda axes: module.draw(scene, axes))
+
+    if ax is None:
+        return Picture(draw_picture, scene.caption(), scene)
+    module = import_module(f'edulaunch.canvas.{drawing}')
+    from edulaunch.canvas.sheet import our_style
+
+    axes = list(ax.flat) if hasattr(ax, 'flat') else list(ax) if isinstance(ax, (list, tuple)) else [ax]
+    needed = len(module.sheet(scene).boxes)
+    if len(axes) != needed:
+        raise ValueError(f'ax: {needed} axes are needed, one for each window or tree, not {len(axes)}: plt.subplots(1, {needed})')
+    with our_style():
+        module.draw(scene, axes)
+    return ax
+
+
 def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:
     """What a notebook needs to know of an image: its size on the screen, and the text that says the same."""
-    from edulaunch.canvas.png import size
-
-    width, height = size(png)
+    width, height = struct.unpack('>II', png[16:24])
     return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
 
 

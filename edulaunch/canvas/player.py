@@ -6,11 +6,10 @@ import html
 import json
 import os
 from base64 import b64encode
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.canvas.picture import digest, png_metadata
+from edulaunch.canvas.picture import digest
 from edulaunch.canvas.replay_data import replay_data
 from edulaunch.canvas.shapes import LOOKS, SHELLS, robot, turtle
 from edulaunch.canvas.worlds import World, read_worlds
@@ -46,15 +45,11 @@ class Replay:
     def __repr__(self) -> str:
         return f'{self.caption} [scene {digest(json.dumps(self.data))}]'
 
-    @cached_property
-    def _filmstrip(self) -> bytes:
-        from edulaunch.canvas.filmstrip import draw_filmstrip
+    def filmstrip(self) -> str:
+        """Small pictures of the run as an SVG."""
+        from edulaunch.canvas.filmstrip import filmstrip
 
-        return draw_filmstrip(self._worlds, self.duration_s)
-
-    def png(self) -> bytes:
-        """The filmstrip as PNG."""
-        return self._filmstrip
+        return filmstrip(self._worlds, self.duration_s)
 
     def page(self) -> str:
         """The player as an HTML page that needs no other file."""
@@ -76,27 +71,21 @@ class Replay:
 
     def html(self) -> str:
         """What a notebook shows: the player in an isolated frame, over a picture for places that allow no frames or scripts."""
-        from edulaunch.canvas.filmstrip import SCALE
-
         worlds, side = len(self.data['worlds']), self._side()
         width = max(min(worlds, 2) * (side + 12) + 8, 448)
         height = -(-worlds // 2) * (side + CAPTION) + CONTROLS
-        alternative, picture = html.escape(self.caption), b64encode(self.png()).decode()
-        size = png_metadata(self.png(), '', SCALE)
+        alternative, picture = html.escape(self.caption), b64encode(self.filmstrip().encode()).decode()
         return (
             f'<div style="position:relative;max-width:{width}px;height:{height}px;overflow:hidden">'
-            f'<img alt="{alternative}" width="{size["width"]}" style="max-width:100%;max-height:100%;object-fit:contain" '
-            f'src="data:image/png;base64,{picture}">'
+            f'<img alt="{alternative}" style="max-width:100%;max-height:100%;object-fit:contain" '
+            f'src="data:image/svg+xml;base64,{picture}">'
             f'<iframe title="{alternative}" sandbox="allow-scripts" '
             f'style="position:absolute;inset:0;width:100%;height:100%;border:0" '
             f'srcdoc="{html.escape(self.page())}"></iframe></div>'
         )
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
-        from edulaunch.canvas.filmstrip import SCALE
-
-        bundle = {'text/plain': repr(self), 'text/html': self.html(), 'image/png': self.png()}
-        return bundle, {'image/png': png_metadata(self.png(), self.caption, SCALE)}
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        return {'text/plain': repr(self), 'text/html': self.html()}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the player as an HTML file that any browser plays, without a network."""

@@ -25,7 +25,6 @@ from edulaunch.recording.records import (
 )
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.picture import Picture
     from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
     from edulaunch.recording.misfits import Misfit
@@ -337,35 +336,35 @@ class Recording:
             )
         return calls
 
-    def plot_turtles(self, time_s: float | None = None) -> Picture:
-        """The turtle windows at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_turtles`."""
+    def plot_turtles(self, time_s: float | None = None, *, ax: Any = None) -> Any:
+        """The turtle windows at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_turtles`."""
         from edulaunch.canvas import plot_turtles
 
-        return plot_turtles(self, time_s)
+        return plot_turtles(self, time_s, ax=ax)
 
-    def plot_frames(self, time_s: float | None = None) -> Picture:
-        """tf frames from above at a time (default: the end of the run); see :func:`edulaunch.canvas.plot_frames`."""
+    def plot_frames(self, time_s: float | None = None, *, ax: Any = None) -> Any:
+        """tf frames from above at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_frames`."""
         from edulaunch.canvas import plot_frames
 
-        return plot_frames(self, time_s)
+        return plot_frames(self, time_s, ax=ax)
 
-    def plot_tf_tree(self) -> Picture:
+    def plot_tf_tree(self, *, ax: Any = None) -> Any:
         """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""
         from edulaunch.canvas import plot_tf_tree
 
-        return plot_tf_tree(self)
+        return plot_tf_tree(self, ax=ax)
 
-    def plot_graph(self, *, unused: bool = False, services: bool = False) -> Picture:
+    def plot_graph(self, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
         """Nodes and topics; see :func:`edulaunch.canvas.plot_graph`."""
         from edulaunch.canvas import plot_graph
 
-        return plot_graph(self, unused=unused, services=services)
+        return plot_graph(self, unused=unused, services=services, ax=ax)
 
-    def plot_distance(self, first: str, second: str, close_m: float = 1.0) -> Picture:
+    def plot_distance(self, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
         """How far a turtle, robot or tf frame is from another over time; see :func:`edulaunch.canvas.plot_distance`."""
         from edulaunch.canvas import plot_distance
 
-        return plot_distance(self, first, second, close_m)
+        return plot_distance(self, first, second, close_m, ax=ax)
 
     def parameter_table(self, node: str | None = None, *, every: bool = False) -> Table:
         """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""

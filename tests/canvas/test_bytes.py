@@ -14,7 +14,7 @@ from edulaunch import Recording
 recording = Recording.load(sys.argv[1])
 made = [recording.plot_turtles(), recording.plot_frames(), recording.plot_tf_tree(), recording.plot_graph(unused=True, services=True),
         recording.plot_distance('turtle2', 'turtle1'), recording.replay()]
-for picture in made:
+for picture in made[:-1]:
     print(hashlib.sha256(picture.png()).hexdigest(), repr(picture))
 print(hashlib.sha256(made[-1].html().encode()).hexdigest(), recording.parameter_table())
 """

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edulaunch.canvas.paper import Paper
 from edulaunch.canvas.picture import Picture, digest
+from edulaunch.canvas.sheet import Sheet, png_of
+
+SHEET = png_of(Sheet(30, 20, []), lambda axes: None)
 
 
 def test_the_repr_is_the_caption_with_a_digest_of_the_scene() -> None:
@@ -19,7 +21,7 @@ def test_the_digest_sees_a_micrometre_but_no_rounding_noise() -> None:
 
 def test_the_image_is_drawn_once_and_only_when_it_is_wanted() -> None:
     drawn = []
-    picture = Picture(lambda: drawn.append(1) or Paper(30, 20).png(), 'a sheet', ())  # type: ignore[func-returns-value]
+    picture = Picture(lambda: drawn.append(1) or SHEET, 'a sheet', ())  # type: ignore[func-returns-value]
     assert (repr(picture).startswith('a sheet'), drawn) == (True, [])
     picture.png()
     picture.png()
@@ -27,12 +29,12 @@ def test_the_image_is_drawn_once_and_only_when_it_is_wanted() -> None:
 
 
 def test_the_bundle_has_image_text_size_and_alternative_text() -> None:
-    data, metadata = Picture(lambda: Paper(30, 20).png(), 'a sheet', ())._repr_mimebundle_()
+    data, metadata = Picture(lambda: SHEET, 'a sheet', ())._repr_mimebundle_()
     assert data['text/plain'].startswith('a sheet [scene ') and data['image/png'].startswith(b'\x89PNG')
     assert metadata == {'image/png': {'width': 30, 'height': 20, 'alt': 'a sheet'}}
 
 
 def test_saving_writes_the_same_bytes(tmp_path: Path) -> None:
-    picture = Picture(lambda: Paper(30, 20).png(), '', ())
+    picture = Picture(lambda: SHEET, '', ())
     picture.save(tmp_path / 'sheet.png')
     assert (tmp_path / 'sheet.png').read_bytes() == picture.png()

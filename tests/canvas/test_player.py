@@ -7,6 +7,7 @@ import json
 import re
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 
@@ -51,11 +52,19 @@ def test_a_name_from_a_student_cannot_break_out_of_the_page(maker: Any) -> None:
 
 
 def test_twenty_seconds_take_less_than_300_kilobytes(large: Any) -> None:
-    bundle, metadata = large.replay()._repr_mimebundle_()
+    bundle = large.replay()._repr_mimebundle_()
     assert sum(map(len, bundle.values())) < 300_000
-    assert set(bundle) == {'text/plain', 'text/html', 'image/png'} and metadata['image/png']['alt'].startswith(
-        'replay of 20.00 s'
-    )
+    assert set(bundle) == {'text/plain', 'text/html'} and bundle['text/plain'].startswith('replay of 20.00 s')
+
+
+def test_the_filmstrip_shows_eight_times_with_what_moved(walk: Any) -> None:
+    strip = ElementTree.fromstring(walk(0.0, 2.0).replay().filmstrip())
+    kinds = [item.tag.rpartition('}')[2] for item in strip]
+    assert kinds == ['text', 'svg'] * 8 and [strip[0].text, strip[14].text] == ['t = 0.0 s', 't = 2.0 s']
+    last = [item for item in strip[15] if item.tag.endswith('polyline')]
+    scale = 500 / 11.088889
+    ends = [float(value) / scale for pair in last[0].get('points', '').split() for value in pair.split(',')]
+    assert ends == pytest.approx([2.0, 11.088889 - 3.0, 4.0, 11.088889 - 3.0], abs=0.01)
 
 
 def test_a_saved_page_is_the_player(walk: Any, tmp_path: Path) -> None:

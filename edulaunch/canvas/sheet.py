@@ -1,0 +1,132 @@
+"""matplotlib's figures and axes for our pictures: where the axes stand on a sheet, in which style, and the PNG of it.
+
+A layout pixel is a point (1/72 inch), so sizes of fonts and lines are layout pixels too.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from io import BytesIO
+from typing import Any, NamedTuple
+
+import matplotlib.style
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Polygon
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
+
+from edulaunch.canvas.labels import Box
+from edulaunch.canvas.style import GRID, INK, MUTED, PAPER, SCALE, SMALL, TEXT, Colour
+
+PER_INCH = 72
+HALO = [withStroke(linewidth=2.6, foreground='white')]
+"""A seam around letters that keeps them readable on any ground."""
+STYLE: dict[str, Any] = {
+    'font.family': 'DejaVu Sans',
+    'font.size': SMALL,
+    'axes.titlesize': TEXT,
+    'axes.linewidth': 0.8,
+    'axes.axisbelow': True,
+    'text.parse_math': False,
+    'lines.solid_capstyle': 'round',
+}
+
+
+class Sheet(NamedTuple):
+    """Size of a picture, and the box of each of its axes, in layout pixels with y up."""
+
+    width: float
+    height: float
+    boxes: list[Box]
+
+
+def png_of(sheet: Sheet, draw: Callable[[Sequence[Axes]], None], scale: float = SCALE) -> bytes:
+    """The picture as PNG, without a date or a version in it: equal bytes wherever the same matplotlib draws it.
+
+    :param scale: image pixels for each layout pixel.
+    """
+    with our_style():
+        figure = Figure(figsize=(sheet.width / PER_INCH, sheet.height / PER_INCH), dpi=PER_INCH * scale)
+        draw([figure.add_axes(_part(box, sheet)) for box in sheet.boxes])
+        file = BytesIO()
+        figure.savefig(file, format='png', metadata={'Software': None})
+    return file.getvalue()
+
+
+def _part(box: Box, sheet: Sheet) -> tuple[float, float, float, float]:
+    return (
+        box.left / sheet.width,
+        box.bottom / sheet.height,
+        (box.right - box.left) / sheet.width,
+        (box.top - box.bottom) / sheet.height,
+    )
+
+
+@contextmanager
+def our_style() -> Iterator[None]:
+    """matplotlib's default style with our sizes, whatever the user has set; a letter that no font has is a box, not a warning."""
+    with matplotlib.style.context(['default', STYLE]), warnings.catch_warnings():
+        warnings.filterwarnings('ignore', message='Glyph .* missing from', category=UserWarning)
+        yield
+
+
+def side_of(ax: Axes) -> float:
+    """The width of the axes in layout pixels."""
+    return float(ax.get_window_extent().width * PER_INCH / _dpi(ax))
+
+
+def points_of(ax: Axes, places: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Where places of the axes' world are on the sheet, in layout pixels."""
+    return [(float(x), float(y)) for x, y in ax.transData.transform(list(places)) * PER_INCH / _dpi(ax)]
+
+
+def box_of(ax: Axes) -> Box:
+    """The axes on the sheet, in layout pixels."""
+    extent = ax.get_window_extent()
+    return Box(*(float(edge * PER_INCH / _dpi(ax)) for edge in (extent.x0, extent.y0, extent.x1, extent.y1)))
+
+
+def _dpi(ax: Axes) -> float:
+    return float(ax.get_figure(root=True).dpi)  # type: ignore[union-attr]
+
+
+def rgb(colour: Colour) -> tuple[float, float, float]:
+    """The colour as matplotlib takes it."""
+    red, green, blue = colour
+    return (red / 255, green / 255, blue / 255)
+
+
+def world(
+    ax: Axes, limits: tuple[float, float, float, float], ground: Colour = PAPER, *, grid: bool, square: bool = True
+) -> None:
+    """Let the axes show a piece of the world: (left, right, bottom, top) with ticks, on a ground."""
+    ax.set_xlim(limits[0], limits[1])
+    ax.set_ylim(limits[2], limits[3])
+    ax.set_facecolor(rgb(ground))
+    if square:
+        ax.set_aspect('equal')
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(MaxNLocator(7, steps=[1, 2, 5, 10]))
+    ax.tick_params(length=3, width=0.8, color=rgb(MUTED), labelsize=SMALL - 0.5)
+    for spine in ax.spines.values():
+        spine.set_color(rgb(MUTED))
+    if grid:
+        ax.grid(color=rgb(GRID), linewidth=0.8)
+
+
+def layout(ax: Axes, width: float, height: float) -> float:
+    """Let the axes show a drawing that was laid out in pixels with y down; returns the size of its pixel in layout pixels."""
+    ax.set_xlim(0, width)
+    ax.set_ylim(height, 0)
+    ax.set_aspect('equal')
+    ax.axis('off')
+    return side_of(ax) / width
+
+
+def polygon(ax: Axes, corners: Sequence[tuple[float, float]], fill: Colour, edge: Colour | None = INK) -> None:
+    """A filled shape, over lines."""
+    border = 'none' if edge is None else rgb(edge)
+    ax.add_patch(Polygon(list(corners), closed=True, facecolor=rgb(fill), edgecolor=border, linewidth=0.8, zorder=3))
