@@ -43,6 +43,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
     parser.add_argument(
+        '--view', metavar='FILE', nargs='?', const='', help='write a page that plays the run, and name it (default: NAME.html)'
+    )
+    parser.add_argument(
         '--workspace',
         action='append',
         default=[],
@@ -91,6 +94,11 @@ def main(arguments: argparse.Namespace) -> int:
             recording.save(arguments.record)
             summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
             print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
+        if arguments.view is not None:
+            from edulaunch.cli.recording_show import write_page
+
+            name = os.path.basename(launch.path).partition('.')[0]
+            print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)
     return 0 if launch.process.returncode is None else launch.process.returncode
 
 

@@ -1,25 +1,29 @@
-"""`edulaunch recording info`: what a recording holds, for people and as JSON."""
+"""`edulaunch recording info|show|export`: what a recording holds, as text, pictures and other files."""
 
 from __future__ import annotations
 
 import argparse
 from typing import Any
 
+from edulaunch.cli import recording_export, recording_show
 from edulaunch.recording import Recording
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs."""
-    verbs = parser.add_subparsers(dest='what', metavar='info', required=True)
+    verbs = parser.add_subparsers(dest='what_to_do', metavar='export | info | show', required=True)
     info = verbs.add_parser('info', help='say what a recording holds')
-    info.add_argument('file', metavar='FILE')
+    info.add_argument('file', metavar='FILE', help='a recording')
     info.add_argument('--json', action='store_true', help='as JSON')
+    recording_show.add_arguments(verbs.add_parser('show', help='write a page that plays a recording, or a picture'))
+    recording_export.add_arguments(verbs.add_parser('export', help='write the messages as a bag, or as tables'))
 
 
 def main(arguments: argparse.Namespace) -> int:
-    """Print the summary."""
-    recording = Recording.load(arguments.file)
-    summary = summarise(recording)
+    """Print the summary, or write a page, a picture, a bag or tables; returns the exit code."""
+    if arguments.what_to_do != 'info':
+        return (recording_show.show if arguments.what_to_do == 'show' else recording_export.export)(arguments)
+    summary = summarise(Recording.load(arguments.file))
     if arguments.json:
         import json
 

@@ -27,6 +27,7 @@ from edulaunch.recording.records import (
 if TYPE_CHECKING:
     from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
+    from edulaunch.graph.qos import QoS
     from edulaunch.recording.misfits import Misfit
     from edulaunch.recording.recorded_types import RecordedTypes
     from edulaunch.recording.trajectory import Trajectory
@@ -214,6 +215,17 @@ class Recording:
         rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
         rows.sort(key=_time_of)
         return rows
+
+    def offered(self, topic: str) -> list[QoS]:
+        """The quality of service of each publisher that a topic ever had."""
+        from edulaunch.graph.qos import QoS
+
+        return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
+
+    @property
+    def registry(self) -> RecordedTypes:
+        """The interfaces of this recording: the student's own ones as they were, over those that can be imported now."""
+        return self._registry
 
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
         """Numbers over time: rows of (time in seconds, field, field ...); a field is a path such as 'pose.pose.position.x'."""

@@ -96,3 +96,8 @@ def test_the_seeds_file_records_a_bag(tmp_path: Path, monkeypatch) -> None:
     lines: list[str] = []
     edulaunch.run(seed, duration_s=3, console=lambda stream, text: lines.append(text))
     assert "[ros2-1] [INFO] [1700000000.100000000] [rosbag2_recorder]: Subscribed to topic '/chatter'\n" in lines
+
+
+def test_programs_that_are_windows_name_the_page_that_shows_the_same(machine) -> None:
+    assert '`edulaunch view --tab graph`' in machine.read('ros2 run rqt_graph rqt_graph')
+    assert '`edulaunch view --tab log`' in machine.read('ros2 run rqt_console rqt_console')

@@ -351,3 +351,10 @@ def test_a_launch_file_that_was_deleted_meanwhile(tmp_path: Path) -> None:
         (package / 'launch' / 'go.launch.py').unlink()
         with pytest.raises(UnusableInput, match='does not exist|was not found'):
             session.launch('robo', 'go.launch.py')
+
+
+def test_the_run_can_be_looked_at_afterwards(run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    _, _, err = run(describe("Node(package='turtlesim', executable='turtlesim_node')"), '--view')
+    assert err == 'view: my.html\n'
+    assert (tmp_path / 'my.html').read_text().startswith('<!DOCTYPE html>')

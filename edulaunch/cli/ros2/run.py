@@ -15,6 +15,18 @@ from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import current_task
 
+WINDOWS = {
+    'rqt': 'graph',
+    'rqt_console': 'log',
+    'rqt_graph': 'graph',
+    'rqt_plot': 'plot',
+    'rqt_publisher': 'terminal',
+    'rqt_reconfigure': 'parameters',
+    'rqt_service_caller': 'terminal',
+    'rqt_tf_tree': 'tree',
+}
+"""Packages whose programs are windows, and the tab of the live page that shows the same."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """As in ROS 2."""
@@ -29,6 +41,9 @@ def main(arguments: argparse.Namespace) -> int | str:
     process = current_process()
     package, executable = arguments.package_name, arguments.executable_name
     path = process.index.find_executable(package, executable)
+    if path is None and package in WINDOWS:
+        say(f'{package} opens a window, and there is none here: `edulaunch view --tab {WINDOWS[package]}` shows it in a browser')
+        return 0
     if path is None:
         return _not_found(process.index, package, executable)
     import shlex

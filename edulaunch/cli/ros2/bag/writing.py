@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Protocol
 
-from edulaunch.cli.ros2.bag.topic import BagMessage, BagTopic
+from edulaunch.cli.ros2.bag.topic import BagMessage
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces import current_registry
 from edulaunch.interfaces.cdr import encode
@@ -16,16 +16,27 @@ from edulaunch.interfaces.spec import Constant, FieldType, MessageSpec
 SEPARATOR = '=' * 80
 
 
-def write_bag(folder: str, storage: str, topics: Iterable[BagTopic], messages: list[BagMessage]) -> None:
+class Topic(Protocol):
+    """What a bag says of a topic."""
+
+    name: str
+    cls: Any
+    offered: list[QoS]
+
+
+def write_bag(
+    folder: str, storage: str, topics: Iterable[Topic], messages: list[BagMessage], registry: Registry | None = None
+) -> None:
     """Write `metadata.yaml` and one storage file.
 
     :param folder: to be made; must not exist.
     :param storage: 'mcap' or 'sqlite3'.
     :param messages: in order of time.
+    :param registry: of the message types (default: those that can be imported).
     """
     from rosbags.rosbag2 import StoragePlugin, Writer
 
-    registry = current_registry()
+    registry = registry or current_registry()
     with Writer(folder, version=9, storage_plugin=StoragePlugin[storage.upper()]) as writer:
         connections = {}
         for topic in topics:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shutil
-import subprocess
 import sys
 import time
 from datetime import datetime
@@ -17,6 +15,8 @@ from rclpy.utilities import remove_ros_args
 from tf2_msgs.srv import FrameGraph
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
+
+from ._tree_page import draw_pdf
 
 
 def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
@@ -61,17 +61,12 @@ def ask_for_frames(node: Node) -> Any:
     return future.result()
 
 
-def draw(node: Node, data: dict[Any, dict[str, Any]], name: str) -> None:
-    """Write <name>.gv, and <name>.pdf when graphviz is installed."""
+def draw(data: dict[Any, dict[str, Any]], name: str) -> None:
+    """Write <name>.gv and <name>.pdf."""
+    now = time.time()
     with open(f'{name}.gv', 'w', encoding='utf-8') as file:
-        file.write(generate_dot(data, time.time()))
-    dot = shutil.which('dot')
-    if dot is None:
-        node.get_logger().warning(
-            f'{name}.pdf was not written: the program dot (graphviz) is not installed. The graph as text is in {name}.gv'
-        )
-        return
-    subprocess.run([dot, '-Tpdf', f'{name}.gv', '-o', f'{name}.pdf'], check=True)
+        file.write(generate_dot(data, now))
+    draw_pdf(data, now, f'{name}.pdf')
 
 
 def main() -> int:
@@ -91,7 +86,7 @@ def main() -> int:
     node.get_logger().info(f'Result:{result}')
     name = arguments.output or f'frames_{datetime.now().strftime("%Y-%m-%d_%H.%M.%S")}'
     node.get_logger().info(f'Exporting graph in {name}.pdf file...')
-    draw(node, yaml.safe_load(result.frame_yaml) or {}, name)
+    draw(yaml.safe_load(result.frame_yaml) or {}, name)
     listener.unregister()
     node.destroy_node()
     rclpy.shutdown()
