@@ -128,6 +128,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             return
         if current is not None:
             current.remove_node(self)
+            current._forget_work()
         core.executor = None
         if new_executor is not None:
             add_node = new_executor.add_node

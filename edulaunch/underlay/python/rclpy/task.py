@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Coroutine, Generator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 from warnings import warn
 
@@ -157,7 +158,8 @@ class Future:
             return
         self._callbacks = []
         if self._executor is not None:
-            self._executor._call_soon(callbacks, self)
+            for callback in callbacks:
+                self._executor.create_task(callback, self)
             return
         for callback in callbacks:
             try:
@@ -263,9 +265,8 @@ _COROUTINE_FLAG = 0x80
 
 
 def is_coroutine_function(function: Any) -> bool:
-    """Whether calling it makes a coroutine (`async def`), seen through methods and partials."""
-    code = getattr(function, '__code__', None)
-    while code is None and hasattr(function, 'func'):
+    """Whether calling it makes a coroutine (`async def`), seen through methods and `functools.partial`."""
+    while isinstance(function, partial):
         function = function.func
-        code = getattr(function, '__code__', None)
+    code = getattr(function, '__code__', None)
     return code is not None and code.co_flags & _COROUTINE_FLAG != 0

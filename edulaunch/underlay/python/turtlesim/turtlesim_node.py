@@ -27,7 +27,7 @@ def run() -> None:
         task.sleep_until(tick_ns)
         if not context._ok:
             return
-        executor._spin_some()
+        executor.spin_ready()
         frame.update()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
@@ -110,7 +111,7 @@ def _running_entity(entity: Entity) -> Any:
 def _name_of(entity: Any) -> str:
     """The name of an entity's callback, as people call it."""
     callback: Any = getattr(entity, 'callback', None)
-    while hasattr(callback, 'func'):
+    while isinstance(callback, partial):
         callback = callback.func
     name = getattr(callback, '__name__', None)
     return 'a callback' if name is None else 'a lambda' if name == '<lambda>' else f'{name}()'

@@ -118,15 +118,6 @@ class Executor(Waiting):
                 AttributeError("'NoneType' object has no attribute 'trigger'"), 'this executor was shut down; make a new one'
             )
 
-    def _call_soon(self, callbacks: list[Callable[[Any], object]], future: Future) -> None:
-        """Run the callbacks of a future that is done, in tasks."""
-        args = (future,)
-        for callback in callbacks:
-            self._tasks.append(Task(callback, args, None, self))
-        self._new_tasks = True
-        for waiting in self._waiting:
-            waiting.wake()
-
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Execute nothing more; a wait ends."""
         self._is_shutdown = True
@@ -147,15 +138,13 @@ class Executor(Waiting):
 
         :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
         """
-        item = self._take_item(_nanoseconds(timeout_sec), condition)
+        timeout_ns = _nanoseconds(timeout_sec)
+        deadline_ns = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
+        item = self._next_item((timeout_ns, condition), deadline_ns, timeout_ns == 0, condition)
         if isinstance(item, Task):
             return item, None, None
         node = next((node for node in self._nodes if node._rclpy.ready_list is item._ready_list), None)
         return Task(lambda: self._run_entity(item), executor=self), item, node
-
-    def _take_item(self, timeout_ns: int, condition: Callable[[], bool]) -> Item:
-        deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
-        return self._next_item((timeout_ns, condition), deadline, timeout_ns == 0, condition)
 
     def can_execute(self, entity: Entity) -> bool:
         """Whether the callback of an entity could begin now, by the rules of its group."""
@@ -246,21 +235,48 @@ class Executor(Waiting):
         return self._seen_ns
 
     def spin(self) -> None:
-        """Execute callbacks until ROS 2 or the executor is shut down."""
+        """Execute callbacks until ROS 2 or the executor is shut down.
+
+        :raises ExternalShutdownException: when ROS 2 is shut down from outside while nothing is executed.
+        :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
+        """
         while self._context._ok and not self._is_shutdown:
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
-        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        timeout_ns = -1 if timeout_sec is None else timeout_sec_to_nsec(timeout_sec)
         if not timeout_ns:
             current_task().poll()
-        self._execute_next(lambda: self._take_item(timeout_ns, never))
+        self._spin(timeout_ns, never, (timeout_ns, never), once=True)
 
-    def _execute_next(self, take: Callable[[], Item]) -> None:
+    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
+        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        over = self._is_over(future)
+        self._spin(timeout_sec_to_nsec(timeout_sec), over, over, once=False)
+
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
+        """Execute one callback, unless the future is done before."""
+        over = self._is_over(future)
+        self._spin(_nanoseconds(timeout_sec), over, over, once=True)
+
+    def _is_over(self, future: Future) -> Callable[[], bool]:
+        """The condition of a wait for a future, which wakes this executor when it is done."""
+        check_future(future)
+        future._wake_when_done(self)
+        context = self._context
+        return lambda: future._ended or not context._ok
+
+    def _spin(self, timeout_ns: int, over: Callable[[], bool], key: Any, once: bool) -> None:
+        """Execute items of the wait with that key: one, or until `over()` holds or the timeout has passed."""
+        sim, poll = self._sim, timeout_ns == 0
+        deadline_ns = None if timeout_ns < 0 else sim.now_ns + timeout_ns
         outer, self._spinner = self._spinner, current_task()
         try:
-            self._execute(take())
+            while not (over() or self._is_shutdown):
+                self._execute(self._next_item(key, deadline_ns, poll, over))
+                if once or (deadline_ns is not None and sim.now_ns >= deadline_ns):
+                    return
         except (ShutdownException, TimeoutException, ConditionReachedException):
             return
         except StopIteration as stop:
@@ -268,55 +284,20 @@ class Executor(Waiting):
         finally:
             self._spinner = outer
 
-    def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
-        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
-        check_future(future)
-        future._wake_when_done(self)
-        timeout_ns = timeout_sec_to_nsec(timeout_sec)
-        deadline = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
-
-        def over() -> bool:
-            return future._ended or not self._context._ok
-
-        while not over() and not self._is_shutdown:
-            self._execute_next(lambda: self._next_item(over, deadline, timeout_ns == 0, over))
-            if deadline is not None and self._sim.now_ns >= deadline:
-                return
-
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
-        """Execute one callback, unless the future is done before."""
-        check_future(future)
-        future._wake_when_done(self)
-        self._execute_next(lambda: self._take_item(_nanoseconds(timeout_sec), lambda: future._ended or not self._context._ok))
-
-    def _spin_some(self) -> None:
+    def spin_ready(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
-        now = self._sim.now_ns
-        if self._tasks:
-            self._run_tasks()
-        for ready in self._lists:
-            if ready.entities or ready.due_ns <= now:
-                self._run_batch(ready.entities if len(self._lists) == 1 and ready.due_ns > now else None)
-                return
-
-    def _run_batch(self, only: list[Entity] | None) -> None:
-        """Execute everything that is ready, in rclcpp's order; when that can only be what stands on this list, and it is one
-        thing, without more ado.
-        """
-        batch = [only.pop()] if only is not None and len(only) == 1 else sorted(self._collect(), key=_rclcpp_order)
-        for entity in batch:
+        self._run_tasks()
+        for entity in sorted(self._collect(), key=_rclcpp_order):
             if not entity._destroyed:
                 self._run_entity(entity)
-        if self._tasks:
-            self._run_tasks()
+        self._run_tasks()
 
-    def _run_tasks(self, until: Future | None = None) -> None:
-        """Execute the pending tasks, newest first; stop when `until` is done."""
-        for task in self._tasks_to_run():
-            self._execute(task)
-            if not self._context._ok or (until is not None and until._ended):
-                return
-        self._forget_tasks()
+    def _run_tasks(self) -> None:
+        """Execute the pending tasks, newest first."""
+        if self._tasks:
+            for task in self._tasks_to_run():
+                self._execute(task)
+            self._forget_tasks()
 
 
 _RCLCPP_ORDER = {TIMER: 0, SUBSCRIPTION: 1, SERVICE: 2, CLIENT: 3, GUARD: 4, WAITABLE: 5}

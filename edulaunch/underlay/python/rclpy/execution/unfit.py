@@ -41,6 +41,15 @@ def stopped(error: StopIteration) -> RuntimeError:
     return hinted(RuntimeError('coroutine raised StopIteration'), 'next() found nothing more; write next(values, None)')
 
 
+def two_spinners(error: ValueError) -> ValueError:
+    """What Python raises when two threads take from the same wait: both spin one executor, with equal arguments."""
+    return hinted(
+        error,
+        'another thread spins this executor already; give this one its own: '
+        'rclpy.spin(node, rclpy.executors.SingleThreadedExecutor())',
+    )
+
+
 def no_context(context: Context) -> Exception:
     """What rclpy raises when an executor is made before init or after the end."""
     if context._ended_by_signal:

@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.sim.task import Task as SimTask
 from edulaunch.sim.task import current_task
 from rclpy.execution.exceptions import ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException
-from rclpy.execution.unfit import no_context, without_context
+from rclpy.execution.unfit import no_context, two_spinners, without_context
 from rclpy.readiness import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
 from rclpy.task import Task
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.context import Context
+    from rclpy.timer import Timer
 
 Item = Any
 """What an executor executes: a Task or an Entity."""
@@ -28,6 +29,10 @@ _order_of = attrgetter('_order')
 def never() -> bool:
     """The condition of a wait that only something ready ends."""
     return False
+
+
+def _may_begin(timer: Timer) -> bool:
+    return not timer._queued and timer.callback_group.can_execute(timer)
 
 
 class Waiting:
@@ -51,7 +56,7 @@ class Waiting:
         self._spinner: SimTask | None = None
         self._is_shutdown = False
         self._work: Generator[Item, None, None] | None = None
-        self._work_key: Any = None
+        self._key: Any = None
         self._turns = 0
         self._seen_ns = 0
 
@@ -68,27 +73,18 @@ class Waiting:
     def _collect(self) -> list[Entity]:
         """The entities that are ready now and may begin, in the order of one wait."""
         now = self._sim.now_ns
-        lists = self._lists
-        if len(lists) == 1 and len(lists[0].entities) == 1 and lists[0].due_ns > now:  # the usual case, without more ado
-            entities = lists[0].entities
-            return [entities.pop()] if entities[0].callback_group.can_execute(entities[0]) else []
         batch: list[Entity] = []
-        for ready_list in lists:
+        for ready_list in self._lists:
             start = len(batch)
             if ready_list.due_ns <= now:
-                batch += [
-                    timer
-                    for timer in ready_list.timers
-                    if timer._due_ns <= now and not timer._queued and timer.callback_group.can_execute(timer)
-                ]
-            entities = ready_list.entities
-            if entities:
-                blocked = [entity for entity in entities if not entity.callback_group.can_execute(entity)]
-                batch += [entity for entity in entities if entity not in blocked] if blocked else entities
-                ready_list.entities = blocked
+                batch += [timer for timer in ready_list.timers if timer._due_ns <= now and _may_begin(timer)]
+            if ready_list.entities:
+                waiting, ready_list.entities = ready_list.entities, []
+                for entity in waiting:
+                    (batch if entity.callback_group.can_execute(entity) else ready_list.entities).append(entity)
             if len(batch) - start > 1:
                 batch[start:] = sorted(batch[start:], key=_order_of)
-        if len(lists) > 1:
+        if len(batch) > 1 and len(self._lists) > 1:
             batch.sort(key=lambda entity: entity.category != WAITABLE)
         return batch
 
@@ -109,7 +105,7 @@ class Waiting:
         for ready_list in self._lists:
             if ready_list.due_ns < due:
                 for timer in ready_list.timers:
-                    if timer._due_ns < due and not timer._queued and timer.callback_group.can_execute(timer):
+                    if timer._due_ns < due and _may_begin(timer):
                         due = timer._due_ns
         if not self._woken and self._context._ok and not self._is_shutdown:
             task = current_task()
@@ -148,7 +144,7 @@ class Waiting:
         self._tasks = [task for task in self._tasks if not task._ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
-        """One wait, item by item. With `poll` it does not wait, but gives out what is ready now.
+        """One wait, item by item: tasks first, then what is ready. With `poll` it does not wait, but gives out what is ready now.
 
         :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
         :raises ConditionReachedException: when `condition()` holds.
@@ -157,61 +153,63 @@ class Waiting:
         timed = deadline_ns is not None and not poll
         if not self._context._ok and (timed or not self._is_shutdown):
             raise without_context('create timer' if timed else 'initialize wait set')
-        yielded = False
-        while not yielded and not self._is_shutdown and not condition():
-            self._let_time_pass()
-            self._forget_tasks()
-            for task in self._tasks_to_run():
-                yielded = True
-                yield task
+        given_out = False
+        while not given_out and not self._is_shutdown and not condition():
+            if self._tasks:
+                for task in self._tasks_to_run():
+                    given_out = True
+                    yield task
+                self._forget_tasks()
             batch = self._collect()
-            if not batch and not self._new_tasks and not poll:
+            if batch:
+                batch.reverse()
+                try:
+                    while batch:
+                        entity = batch.pop()
+                        if entity._destroyed:
+                            continue
+                        if entity.callback_group.can_execute(entity):
+                            given_out = True
+                            yield entity
+                        else:
+                            self._put_back((entity,))
+                finally:
+                    self._put_back(reversed(batch))
+            elif not self._new_tasks and not poll:
                 self._wait(deadline_ns)
-                batch = self._collect()
             elif not self._context._ok:
                 raise ExternalShutdownException()
-            for item in self._give_out(batch):
-                yielded = True
-                yield item
-            if poll or (deadline_ns is not None and not yielded and self._sim.now_ns >= deadline_ns):
+            if given_out:
+                self._let_time_pass()
+            if poll or (deadline_ns is not None and not given_out and self._sim.now_ns >= deadline_ns):
                 raise TimeoutException()
         if self._is_shutdown:
             raise ShutdownException()
         if condition():
             raise ConditionReachedException()
 
-    def _give_out(self, batch: list[Entity]) -> Generator[Entity, None, None]:
-        """The entities that can still be executed when their turn comes; what is left when this ends is put back."""
-        batch.reverse()
-        try:
-            while batch:
-                entity = batch[-1]
-                if entity._destroyed:
-                    batch.pop()
-                elif entity.callback_group.can_execute(entity):
-                    yield batch.pop()
-                else:
-                    self._put_back([batch.pop()])
-        finally:
-            self._put_back(reversed(batch))
-
     def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
-        """The next item; what one wait collected is given out over successive calls with the same `key`."""
+        """The next item; what one wait collected is given out over successive calls with the same `key`.
+
+        :raises ValueError: when another thread waits here with the same key, as rclpy's threads do with equal arguments.
+        """
+        if self._key != key:
+            self._forget_work()
+            self._key = key
         while True:
-            if self._work is None or self._work_key != key:
-                self._forget_work()
-                self._work_key = key
+            if self._work is None:
                 self._work = self._ready_items(deadline_ns, poll, condition)
             try:
                 return next(self._work)
             except StopIteration:
                 self._work = None
+            except ValueError as error:
+                if not self._work.gi_running:
+                    raise
+                raise two_spinners(error) from None
 
     def _forget_work(self) -> None:
+        """Begin the next wait anew; another thread that waits with other arguments goes on with what it has."""
         work, self._work = self._work, None
-        if work is not None and not self._is_running(work):
+        if work is not None and not work.gi_running:
             work.close()
-
-    @staticmethod
-    def _is_running(work: Any) -> bool:
-        return bool(work.gi_running)
