@@ -72,8 +72,11 @@ class Publisher(Endpoint):
 
     def kept(self) -> list[Taken]:
         """What a late subscription gets: the messages whose lifespan is not over."""
-        oldest = self._sim.now_ns - self.qos.lifespan_ns if self.qos.lifespan_ns else 0
-        return [taken for taken in self._history or () if taken[1] >= oldest]
+        return [taken for taken in self._history or () if self.is_current(taken[1])]
+
+    def is_current(self, published_ns: int) -> bool:
+        """Whether the lifespan of a message is not over; one that is exactly that old is gone."""
+        return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
         """Leave the topic. Doing it twice is doing it once."""
@@ -117,6 +120,14 @@ class Subscription(Endpoint):
         self.on_ready = on_ready
         self.queue: deque[Taken] = deque(maxlen=qos.queue_length)
         self.publishers: list[Publisher] = []
+        self.may_expire = False
+
+    def drop_expired(self) -> None:
+        """Forget the waiting messages whose publisher's lifespan is over."""
+        current = [taken for taken in self.queue if taken[2].is_current(taken[1])]
+        if len(current) < len(self.queue):
+            self.queue.clear()
+            self.queue.extend(current)
 
     @property
     def publisher_count(self) -> int:
@@ -125,6 +136,8 @@ class Subscription(Endpoint):
 
     def take(self) -> Taken | None:
         """The oldest waiting (wire, source time in ns, publisher), or None."""
+        if self.may_expire:
+            self.drop_expired()
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:
@@ -142,8 +155,8 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
             subscription._tell_incompatible(policy)
         return
     publisher._matched.append(subscription)
-    publisher._matched.sort(key=_creation)
     subscription.publishers.append(publisher)
+    subscription.may_expire |= bool(publisher.qos.lifespan_ns)
     publisher._tell_matched(+1)
     subscription._tell_matched(+1)
     kept = publisher.kept() if publisher._history and subscription.qos.durability == TRANSIENT_LOCAL else ()
@@ -159,7 +172,3 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
         subscription.publishers.remove(publisher)
         publisher._tell_matched(-1)
         subscription._tell_matched(-1)
-
-
-def _creation(endpoint: Endpoint) -> int:
-    return endpoint.index

@@ -7,13 +7,15 @@ machine in ROS 2. It is opened when the first such test file is found, so other 
 from __future__ import annotations
 
 import builtins
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from greenlet import getcurrent
 
+from edulaunch.errors import SimulationError
 from edulaunch.packages import Index
 from edulaunch.processes.ambient import ambient_process_on
 from edulaunch.processes.views import PRIVATE_COPIES
@@ -24,6 +26,10 @@ from edulaunch.testing.package_tests import workspaces_of
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
 """Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
+
+
+LIMIT_S = 600
+"""How long a test may take, in simulated seconds; longer than any of a package, which colcon ends after 60 s."""
 
 
 class TestMachine:
@@ -86,6 +92,23 @@ class TestMachine:
         roots = self.process.loader.roots
         roots += [root for root in index.python_roots() if root not in roots]
         self._imports.look_again()
+
+    @contextmanager
+    def limited(self) -> Iterator[None]:
+        """For the length of a test: a wait that takes longer than `LIMIT_S` of simulated time fails, wherever the test stands."""
+        sim = self.session.sim
+
+        def give_up() -> None:
+            raise SimulationError(
+                f'this test has waited for {LIMIT_S} s of simulated time, and what it waits for has not come',
+                help='give the wait a timeout (timeout_sec=5.0), and assert on what must have come by then',
+            )
+
+        end = sim.schedule(sim.now_ns + LIMIT_S * 10**9, lambda: self._task.interrupt(give_up))
+        try:
+            yield
+        finally:
+            sim.cancel(end)
 
     def let_debug(self, person_is_here: bool) -> None:
         """While a person is in a debugger, a program may keep its turn for as long as it likes."""

@@ -46,9 +46,11 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, A
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
-    """So does a test."""
-    item.config.stash[MACHINE].enter(item.path)
-    return (yield)
+    """So does a test, and it does not wait for ever."""
+    machine = item.config.stash[MACHINE]
+    machine.enter(item.path)
+    with machine.limited():
+        return (yield)
 
 
 def pytest_enter_pdb(config: pytest.Config) -> None:

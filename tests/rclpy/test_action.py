@@ -20,6 +20,7 @@ from rclpy.action import (
     get_action_server_names_and_types_by_node,
 )
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.event_handler import EventHandler
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 
@@ -407,7 +408,7 @@ def test_after_shutdown_no_actions_are_made(ros: Ros, world: World) -> None:
             with pytest.raises(ValueError, match=CREATE) as caught:
                 make()
             world.say(str(caught.value))
-        world.say(list(node.waitables))
+        world.say([waitable for waitable in node.waitables if not isinstance(waitable, EventHandler)])
 
     assert ros(body) == [f"{CREATE}client: rcl node's context is invalid", f"{CREATE}server: rcl node's context is invalid", []]
 
@@ -421,3 +422,37 @@ def test_notifying_that_a_goal_is_done_needs_a_server_that_is_there(ros: Ros, wo
             actions.notify_goal_done()
 
     assert ros(body) == [None]
+
+
+def test_no_feedback_after_the_result_and_a_goal_without_time_is_forgotten(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node, handles = Node('n'), []
+
+        def execute(handle: Any) -> Any:
+            handles.append(handle)
+            handle.succeed()
+            return Fibonacci.Result()
+
+        ActionServer(node, Fibonacci, 'f', execute)
+        client = ActionClient(node, Fibonacci, 'f')
+        sent = client.send_goal_async(Fibonacci.Goal(), feedback_callback=lambda _: world.say('feedback'))
+        rclpy.spin_until_future_complete(node, sent)
+        handles[0].publish_feedback(Fibonacci.Feedback())
+        for _ in range(6):
+            rclpy.spin_once(node, timeout_sec=0.1)
+        rclpy.spin_until_future_complete(node, sent.result().get_result_async())
+        world.say('result')
+        handles[0].publish_feedback(Fibonacci.Feedback())
+        for _ in range(6):
+            rclpy.spin_once(node, timeout_sec=0.1)
+        ActionServer(node, Fibonacci, 'g', execute, result_timeout=0)
+        client = ActionClient(node, Fibonacci, 'g')
+        sent = client.send_goal_async(Fibonacci.Goal())
+        rclpy.spin_until_future_complete(node, sent)
+        rclpy.spin_once(node, timeout_sec=0.1)
+        result = sent.result().get_result_async()
+        rclpy.spin_until_future_complete(node, result)
+        world.say(result.result().status)
+
+    assert world.run_program(program) == ['feedback', 'result', 0]

@@ -680,3 +680,87 @@ def test_an_executor_tells_by_the_group_whether_a_callback_could_begin(ros: Ros,
         world.say([executor.can_execute(timer) for timer in timers])
 
     assert ros(body) == [[False, False, True], [True, True, True]]
+
+
+def two_threads(world: World, first: Callable[[Any], None], second: Callable[[Any], None]) -> list[Any]:
+    """What goes wrong when a thread and then the main program use one executor; it is shut down after a second."""
+
+    def program() -> None:
+
+        rclpy.init()
+        node, executor = Node('n'), SingleThreadedExecutor()
+        executor.add_node(node)
+        node.create_timer(0.2, lambda: None)
+
+        def safely(use: Callable[[Any], None], who: str) -> None:
+            try:
+                use(executor)
+                world.say(f'{who} ended')
+            except ValueError as error:
+                world.say(f'{who}: {error}'.partition('\n')[0])
+
+        process = current_process()
+        process.start_thread(lambda: safely(first, 'thread'), 'thread', True)
+        process.start_thread(lambda: (sleep(1.0), executor.shutdown()), 'end', True)
+        sleep(0.05)
+        safely(second, 'main')
+        sleep(2.0)
+
+    return world.run_program(program)
+
+
+CLASH = ['main: generator already executing']
+
+
+@pytest.mark.parametrize(
+    ('first', 'second', 'clash'),
+    [
+        (lambda e: e.spin(), lambda e: e.spin(), True),
+        (lambda e: e.spin(), lambda e: e.spin_once(), True),
+        (lambda e: e.spin_once(), lambda e: e.spin(), True),
+        (lambda e: e.spin_once(timeout_sec=0.5), lambda e: e.spin_once(timeout_sec=0.5), True),
+        (lambda e: e.spin_once(timeout_sec=0.5), lambda e: e.spin_once(timeout_sec=0.4), False),
+        (lambda e: e.spin_once(timeout_sec=0.5), lambda e: e.spin(), False),
+        (lambda e: e.spin(), lambda e: e.spin_once(timeout_sec=0.5), False),
+        (lambda e: e.spin_until_future_complete(Future()), lambda e: e.spin(), False),
+        (lambda e: e.spin_until_future_complete(Future()), lambda e: e.spin_until_future_complete(Future(), 0.5), False),
+    ],
+)
+def test_two_threads_of_an_executor_clash_only_with_equal_calls(world: World, first: Any, second: Any, clash: bool) -> None:
+    """As in Jazzy: the wait belongs to the arguments, and two threads cannot take from one."""
+    said = two_threads(world, first, second)
+    assert [what for what in said if 'generator' in what] == (CLASH if clash else [])
+
+
+def test_a_mock_is_a_callback(ros: Ros, world: World) -> None:
+    """A mock has every attribute, also `func`; only partials are looked through."""
+    from functools import partial
+    from unittest.mock import AsyncMock, Mock
+
+    def body() -> None:
+        heard, partly, awaited = Mock(), Mock(), AsyncMock()
+        node = Node('n')
+        node.create_subscription(String, 't', heard, 10)
+        node.create_subscription(String, 't', partial(partly, 1), 10)
+        node.create_guard_condition(awaited).trigger()
+        node.create_publisher(String, 't', 10).publish(String(data='x'))
+        for _ in range(4):
+            rclpy.spin_once(node, timeout_sec=0)
+        world.say((heard.call_args.args, partly.call_args.args, awaited.await_count))
+
+    assert ros(body) == [((String(data='x'),), (1, String(data='x')), 1)]
+
+
+def test_a_node_that_moves_takes_what_is_ready_along(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        for name in 'abc':
+            node.create_guard_condition(lambda name=name: world.say(name)).trigger()
+        first, second = SingleThreadedExecutor(), SingleThreadedExecutor()
+        first.add_node(node)
+        first.spin_once(timeout_sec=0)
+        second.add_node(node)
+        for _ in range(2):
+            second.spin_once(timeout_sec=0)
+
+    assert ros(body) == ['a', 'b', 'c']

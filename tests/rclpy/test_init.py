@@ -323,3 +323,11 @@ def test_after_try_shutdown_signals_stay_handled(world: World) -> None:
             rclpy.try_shutdown(uninstall_handlers=True)  # type: ignore[call-arg]
 
     assert world.run_program(body) == ['SignalHandlerOptions.ALL', 'SignalHandlerOptions.NO']
+
+
+def test_half_a_character_is_no_argument(world: World) -> None:
+    def program() -> None:
+        with pytest.raises(UnicodeEncodeError):
+            rclpy.Context().init(args=['\udcbf'])
+
+    world.run_program(program)

@@ -222,3 +222,21 @@ def test_the_logger_service_refuses_a_level_that_there_is_not(ros: Ros, world: W
         world.say([(result.successful, result.reason) for result in future.result().results])
 
     assert ros(body) == [[(False, 'Failed reason: Invalid logger level.'), (True, '')]]
+
+
+def test_once_counts_what_skip_first_lets_through(ros: Ros, world: World) -> None:
+    def body() -> None:
+        logger = get_logger('n')
+        world.say([logger.info('x', once=True, skip_first=True) for _ in range(4)])
+
+    assert ros(body) == [[False, True, False, False]]
+
+
+def test_the_root_logger_sets_the_default_level(ros: Ros, world: World) -> None:
+    def body() -> None:
+        from rclpy import logging
+
+        logging._root_logger.set_level(logging.LoggingSeverity.DEBUG)
+        world.say((logging._root_logger.name, logging._root_logger.get_child('a').name, get_logger('n').debug('x')))
+
+    assert ros(body) == [('', 'a', True)]

@@ -445,3 +445,20 @@ def test_after_the_end_parameters_cannot_be_declared_or_set(
         world.say((node.get_parameter('p').value, node.has_parameter('q')))
 
     assert ros(body) == [error, error, (value, declared)]
+
+
+def test_a_file_is_loaded_whatever_nodes_it_is_for(world: World, tmp_path: Any) -> None:
+    from rclpy.parameter_client import AsyncParameterClient
+
+    file = tmp_path / 'p.yaml'
+    file.write_text('/one:\n  ros__parameters: {a: 1}\n/two:\n  ros__parameters: {b: 2}\n/**:\n  ros__parameters: {all: 3}\n')
+
+    def program() -> None:
+        rclpy.init()
+        node = Node('n', allow_undeclared_parameters=True)
+        client = AsyncParameterClient(node, 'n')
+        for wildcard in (False, True):
+            rclpy.spin_until_future_complete(node, client.load_parameter_file(str(file), wildcard))
+            world.say([node.has_parameter(name) for name in ('a', 'b', 'all')])
+
+    assert world.run_program(program) == [[True, True, False], [True, True, True]]

@@ -12,6 +12,8 @@ from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile
 from std_msgs.msg import String
 
+from edulaunch.sim.sync import sleep
+
 from .conftest import World
 
 
@@ -127,3 +129,46 @@ def test_a_late_subscription_gets_what_has_not_outlived_its_lifespan(world: Worl
     world.start(program)
     world.run()
     assert [what for _, _, what in world.log] == ['c']
+
+
+def test_a_message_that_is_as_old_as_its_lifespan_is_gone(world: World) -> None:
+    """A late subscription does not get it, and one that did not look in time has lost it."""
+
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        qos = QoSProfile(depth=9, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=1.0))
+        publisher = node.create_publisher(String, 't', qos)
+        node.create_subscription(String, 't', lambda message: world.say(('early', message.data)), qos)
+        publisher.publish(String(data='old'))
+        sleep(0.5)
+        publisher.publish(String(data='young'))
+        sleep(0.5)
+        node.create_subscription(String, 't', lambda message: world.say(('late', message.data)), qos)
+        for _ in range(5):
+            rclpy.spin_once(node, timeout_sec=0)
+
+    assert world.run_program(program) == [('early', 'young'), ('late', 'young')]
+
+
+def test_the_policy_of_an_event_is_an_enum_and_handlers_are_there_from_the_start(world: World) -> None:
+    from rclpy.qos import QoSPolicyKind
+
+    def program() -> None:
+        rclpy.init()
+        node, seen = Node('n'), []
+        callbacks = SubscriptionEventCallbacks(incompatible_qos=seen.append)
+        everything = dict.fromkeys(('deadline', 'liveliness', 'incompatible_qos', 'matched'), print)
+        quiet = PublisherEventCallbacks(use_default_callbacks=False)
+        publishers = [
+            node.create_publisher(String, 't', 1, event_callbacks=given)
+            for given in (None, quiet, PublisherEventCallbacks(**everything))
+        ]
+        qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        heard = node.create_subscription(String, 't', print, qos, event_callbacks=callbacks)
+        spin(node, 0.1)
+        world.say([len(publisher.event_handlers) for publisher in publishers])
+        kind = seen[0].last_policy_kind
+        world.say((len(heard.event_handlers), kind == QoSPolicyKind.DURABILITY, kind.name))
+
+    assert world.run_program(program) == [[2, 0, 5], (2, True, 'RMW_QOS_POLICY_DURABILITY')]

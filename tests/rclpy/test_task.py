@@ -114,3 +114,17 @@ def test_a_cancelled_task_runs_no_more() -> None:
     task.cancel()
     task()
     assert (task.done(), task.cancelled(), task.result()) == (False, True, None)
+
+
+def test_the_callbacks_of_a_future_go_through_its_executors_create_task(ros: Any, world: Any) -> None:
+    from unittest.mock import Mock
+
+    def body() -> None:
+        executor, callback = Mock(), Mock()
+        future = Future(executor=executor)
+        future.add_done_callback(callback)
+        future.set_result(1)
+        future.add_done_callback(callback)
+        world.say([call.args == (callback, future) for call in executor.create_task.call_args_list])
+
+    assert ros(body) == [[True, True]]

@@ -68,6 +68,13 @@ def test_a_thread_spins_beside_a_program(bot):
 
 def test_what_never_ends_fails(bot):
     rclpy.spin(bot)
+
+def test_what_never_ends_fails_also_while_a_timer_ticks(bot):
+    bot.create_timer(0.5, lambda: None)
+    rclpy.spin_until_future_complete(bot, rclpy.task.Future())
+
+def test_what_never_ends_fails_also_when_it_looks_again_and_again(bot):
+    bot.create_client(rclpy.node.ListParameters, 'nobody').wait_for_service()
 """
 LINTER = 'from ament_flake8.main import main_with_errors\ndef test_flake8():\n    assert main_with_errors(argv=[])[0] == 0\n'
 
@@ -104,7 +111,8 @@ def test_the_tests_of_a_package_run_without_ros(bot: Path) -> None:
         text=True,
         env={**os.environ, 'PYTHONDONTWRITEBYTECODE': '1'},
     )
-    assert '1 failed, 4 passed, 1 skipped' in done.stdout, done.stdout
+    assert '3 failed, 4 passed, 1 skipped' in done.stdout, done.stdout
+    assert done.stdout.count('this test has waited for 600 s of simulated time') >= 3, done.stdout
     assert 'FAILED bot/test/test_bot.py::test_what_never_ends_fails' in done.stdout
     assert 'SKIPPED [1] bot/test/test_flake8.py:1: ament_flake8 is not here' in done.stdout
 

@@ -407,3 +407,23 @@ def test_refused_transforms_are_logged_whichever_way_they_come(stage, program):
     stage.publish('/tf', TFMessage(transforms=[stamped('a', 'a', 1.0, 1.0)]))
     stage.until(200)
     assert [text for _, text in stage.tape.logs if 'TF_SELF_TRANSFORM' in text]
+
+
+def test_a_listener_feeds_the_buffer_that_it_has_now(stage: Any, program: Any) -> None:
+    seen = []
+
+    def body() -> None:
+        rclpy.init()
+        node = Node('n')
+        first, second = tf2_ros.Buffer(), tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(first, node)
+        publisher = node.create_publisher(TFMessage, '/tf', 10)
+        for child in 'abc':
+            publisher.publish(TFMessage(transforms=[stamped('world', child, 1.0, 0.0)]))
+            rclpy.spin_once(node, timeout_sec=0.1)
+            listener.buffer = second
+        seen.extend(buffer.all_frames_as_yaml().count('parent') for buffer in (first, second))
+
+    program(body)
+    stage.until(1000)
+    assert seen == [1, 2]

@@ -175,6 +175,8 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     given = list(arguments)
     if not all(isinstance(argument, str) for argument in given):
         raise TypeError('bad argument type for built-in operation')
+    for argument in given:
+        argument.encode()  # half a character (a surrogate) cannot go to the C layer: UnicodeEncodeError
     try:
         parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
     except RosArgumentsError as error:

@@ -89,7 +89,7 @@ class QoSOfferedIncompatibleQoSInfo(NamedTuple):
 
     total_count: int
     total_count_change: int
-    last_policy_kind: int
+    last_policy_kind: IntEnum
 
 
 class QoSRequestedIncompatibleQoSInfo(NamedTuple):
@@ -97,7 +97,7 @@ class QoSRequestedIncompatibleQoSInfo(NamedTuple):
 
     total_count: int
     total_count_change: int
-    last_policy_kind: int
+    last_policy_kind: IntEnum
 
 
 class MatchedInfo(NamedTuple):
@@ -130,6 +130,11 @@ class EventHandler(Waitable):
 
     is_async = False
 
+    def ready_changed(self) -> None:
+        """Something happened: let the executor call back."""
+        if not self._destroyed:
+            self._signal()
+
     def destroy(self) -> None:
         """Call back no more."""
         self._destroyed = True
@@ -145,17 +150,19 @@ class _IncompatibleCount:
         self._info_class = info_class
         self.total = 0
         self.change = 0
-        self.policy = 0
+        self.policy = 'INVALID'
 
     def add(self, policy: str) -> None:
         self.total += 1
         self.change += 1
-        from rclpy.qos_presets import QoSPolicyKind
-
-        self.policy = int(QoSPolicyKind[policy])
+        self.policy = policy
 
     def take(self) -> Any:
-        info = self._info_class(self.total, self.change, self.policy) if self.change else None
+        if not self.change:
+            return None
+        from rclpy.qos_presets import PolicyKindOfEvent
+
+        info = self._info_class(self.total, self.change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{self.policy}'])
         self.change = 0
         return info
 
@@ -205,23 +212,30 @@ class _EventCallbacks:
 
     def _attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
         """Watch an endpoint that was just made; partners that it found at once count too."""
-        callback = self.incompatible_qos
-        if callback is None and self.use_default_callbacks:
-
-            def callback(info: Any) -> None:
-                from rclpy.qos_presets import qos_policy_name_from_kind
-
-                policy = qos_policy_name_from_kind(info.last_policy_kind)
-                node.get_logger().warning(self._warning.format(entity.topic, policy))
-
-        if callback is not None:
-            self._watch_incompatible(node, entity, impl, group, callback)
-        if self.matched is not None:
-            self._watch_matched(node, entity, impl, group, self.matched)
         if self.deadline is not None:
             watch_deadline(impl, _missed(node, entity, group, self.deadline, self._deadline_info).add)
         if self.liveliness is not None:
             self._watch_liveliness(node, entity, impl, group, self.liveliness)
+        incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
+        if incompatible_qos is not None:
+            self._watch_incompatible(node, entity, impl, group, incompatible_qos)
+        incompatible_type = self.incompatible_type or (_never_called if self.use_default_callbacks else None)
+        for callback in (getattr(self, 'message_lost', None), incompatible_type):
+            if callback is not None:
+                _added(node, entity, EventHandler(group, callback, lambda: None))
+        if self.matched is not None:
+            self._watch_matched(node, entity, impl, group, self.matched)
+
+    def _warn_of(self, node: Any, entity: Any) -> EventCallback:
+        """The default callback for incompatible quality of service: a warning in the node's log."""
+
+        def warn_of(info: Any) -> None:
+            from rclpy.qos_presets import qos_policy_name_from_kind
+
+            policy = qos_policy_name_from_kind(info.last_policy_kind)
+            node.get_logger().warning(self._warning.format(entity.topic, policy))
+
+        return warn_of
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
         """Of a publisher or of a subscription's publishers."""
@@ -229,13 +243,11 @@ class _EventCallbacks:
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
         count = _IncompatibleCount(self._info_class)
-        handlers: list[EventHandler] = []
+        handler = _added(node, entity, EventHandler(group, callback, count.take))
 
         def on_incompatible(policy: str) -> None:
             count.add(policy)
-            if not handlers:
-                handlers.append(_added(node, entity, EventHandler(group, callback, count.take)))
-            handlers[0].ready_changed()
+            handler.ready_changed()
 
         impl.on_incompatible = on_incompatible
         for policy in _incompatible_partners(impl):
@@ -252,6 +264,10 @@ class _EventCallbacks:
         impl.on_matched = on_matched
         if count.current:
             handler.ready_changed()
+
+
+def _never_called(info: Any) -> None:
+    """The default callback for another type on the topic, of which Fast DDS does not tell."""
 
 
 def _missed(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, info_class: Any) -> Missed:
@@ -340,10 +356,10 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         self.message_lost = message_lost
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        if not impl.qos.lease_ns:
-            return  # Fast DDS does not follow the liveliness of publishers that need not show it
         watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
         handler = _added(node, entity, EventHandler(group, callback, watch.take))
+        if not impl.qos.lease_ns:
+            return  # Fast DDS does not follow the liveliness of publishers that need not show it
         counted = impl.on_matched
 
         def on_matched(change: int) -> None:

@@ -25,6 +25,8 @@ __all__ = [
     'shutdown',
 ]
 
+_root_logger = RcutilsLogger()  # what programs use as the root logger, for want of a public name
+
 
 def get_logger(name: str) -> RcutilsLogger:
     """The logger of that name. Raises ValueError for an empty name."""

@@ -91,7 +91,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core.overrides.update(events.from_arguments(parameter_overrides or ()))
         core.parameters = ParameterStore(allow_undeclared_parameters, core.check_alive, events.publish)
         context.track_node(self)
-        core.time_source = TimeSource(node=self)
+        core.time_source = TimeSource()
         core.time_source.attach_clock(core.clock)
         if automatically_declare_parameters_from_overrides:
             from rcl_interfaces.msg import ParameterDescriptor
@@ -101,7 +101,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
                 [(name, override.value, ParameterDescriptor()) for name, override in core.overrides.items()],
                 ignore_override=True,
             )
-        core.time_source.declare_parameter()
+        core.time_source.attach_node(self)
         _start_services(self, start_parameter_services, enable_logger_service)
 
     def __getattr__(self, name: str) -> Any:

@@ -13,8 +13,6 @@ from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_serv
 from rclpy.task import Future
 
 if TYPE_CHECKING:
-    from rcl_interfaces.msg import Parameter as ParameterMsg
-
     from rclpy.callback_groups import CallbackGroup
     from rclpy.event_handler import SubscriptionEventCallbacks
     from rclpy.node import Node
@@ -133,27 +131,16 @@ class AsyncParameterClient:
         )
 
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
-        """Set the parameters that a file gives for the other node."""
-        found = self._read(parameter_file, use_wildcard)
+        """Set all parameters of a file on the other node, whichever node they are for (`/**` only with `use_wildcard`)."""
+        found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters(list(found.values()), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
         """As :meth:`load_parameter_file`, all or none."""
-        found = self._read(parameter_file, use_wildcard)
+        found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters_atomically(list(found.values()), callback)
-
-    def _read(self, parameter_file: str, use_wildcard: bool) -> dict[str, ParameterMsg]:
-        """The other node's part of a file: under its name as it was given, without slash, or in full."""
-        name = self.remote_node_name
-        for node in (name, name.lstrip('/')):
-            try:
-                return parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[node])
-            except RuntimeError:
-                continue
-        full_name = self.node._rclpy.resolve(name, 'service', only_expand=True)
-        return parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[full_name])
 
 
 def _messages(parameters: Sequence[Any]) -> list[Any]:

@@ -37,6 +37,11 @@ class QoSPolicyKind(IntEnum):
     AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
 
 
+PolicyKindOfEvent = IntEnum(  # type: ignore[misc]  # named as C has it, for events tell C's numbers
+    'rmw_qos_policy_kind_t', {f'RMW_QOS_POLICY_{kind.name}': kind.value for kind in QoSPolicyKind}
+)
+
+
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     """The name of a policy, such as 'RELIABILITY'."""
     return QoSPolicyKind(policy_kind).name

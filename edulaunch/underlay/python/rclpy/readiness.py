@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.executors import Executor
     from rclpy.timer import Timer
+    from rclpy.waitable import Waitable
 
 WAITABLE, TIMER, SUBSCRIPTION, GUARD, CLIENT, SERVICE = range(6)
 """The order in which the ready entities of one wait are executed (waitables of all nodes before anything else)."""
@@ -16,13 +17,17 @@ NEVER_NS = 1 << 63
 
 
 class ReadyList:
-    """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due."""
+    """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due.
 
-    __slots__ = ('entities', 'timers', 'executor', 'due_ns')
+    :ivar asked: waitables of the program itself, which are asked in each wait.
+    """
+
+    __slots__ = ('entities', 'timers', 'asked', 'executor', 'due_ns')
 
     def __init__(self) -> None:
         self.entities: list[Entity] = []
         self.timers: list[Timer] = []
+        self.asked: list[Waitable] = []
         self.executor: Executor | None = None
         self.due_ns = NEVER_NS
 

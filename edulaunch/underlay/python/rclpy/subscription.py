@@ -71,6 +71,8 @@ class Subscription(Entity):
     def _run(self, executor: Executor) -> Any:
         self._queued = False
         queue = self._queue
+        if self._impl.may_expire:
+            self._impl.drop_expired()
         if not queue:
             return None
         taken = queue.popleft()

@@ -1,4 +1,4 @@
-"""`use_sim_time`: letting /clock rule a node's clock."""
+"""`use_sim_time`: letting /clock rule clocks."""
 
 from __future__ import annotations
 
@@ -17,69 +17,100 @@ if TYPE_CHECKING:
 
 CLOCK_TOPIC = '/clock'
 USE_SIM_TIME_NAME = 'use_sim_time'
+NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 
 
 class TimeSource:
-    """Watches a node's parameter use_sim_time, and passes /clock on to clocks while it is true."""
+    """Passes /clock on to the clocks that are attached, while it is active: a node's parameter use_sim_time says when that is.
 
-    def __init__(self, *, node: Node) -> None:
-        self._node = node
+    :param node: whose parameter it watches and which hears /clock; it may be attached later.
+    """
+
+    def __init__(self, *, node: Node | None = None) -> None:
         self._clocks: list[ROSClock] = []
+        self._node: Node | None = None
         self._subscription: Subscription | None = None
+        self._last_time: Time | None = None
         self._active = False
+        if node is not None:
+            self.attach_node(node)
 
-    def declare_parameter(self) -> None:
-        """Declare use_sim_time and obey its first value."""
-        node = self._node
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Whether /clock rules; can be set."""
+        return self._active
+
+    @ros_time_is_active.setter
+    def ros_time_is_active(self, enabled: bool) -> None:
+        if enabled == self._active:
+            return
+        self._active = enabled
+        for clock in self._clocks:
+            clock._set_ros_time_is_active(enabled)
+        if enabled:
+            self._subscribe()
+        else:
+            self._unsubscribe()
+
+    def attach_node(self, node: Node) -> None:
+        """Hear /clock through this node and obey its parameter use_sim_time, which is declared if need be.
+
+        :raises TypeError: when it is no node.
+        """
+        from rclpy.node import Node
+
+        if not isinstance(node, Node):
+            raise TypeError('Node must be of type rclpy.node.Node')
+        if self._node is not None:
+            self.detach_node()
+        self._node = node
         if not node.has_parameter(USE_SIM_TIME_NAME):
             node.declare_parameter(USE_SIM_TIME_NAME, False)
         value = node.get_parameter(USE_SIM_TIME_NAME)
         if value.type_ is ParameterType.BOOL:
-            self._set_active(value.value)
+            self.ros_time_is_active = value.value
         else:
             node.get_logger().error(f"Invalid type for parameter '{USE_SIM_TIME_NAME}' {value.type_!r} should be bool")
         node.add_on_set_parameters_callback(self._on_parameter_event)
+        if self._active:
+            self._subscribe()
 
-    @property
-    def ros_time_is_active(self) -> bool:
-        """Whether /clock rules."""
-        return self._active
+    def detach_node(self) -> None:
+        """Hear /clock and obey a parameter no more. The clocks stay as they are."""
+        self._unsubscribe()
+        if self._node is not None:
+            self._node.remove_on_set_parameters_callback(self._on_parameter_event)
+        self._node = None
 
     def attach_clock(self, clock: Any) -> None:
-        """Let the time source rule this clock too. Raises ValueError unless it is a ROS clock."""
+        """Rule this clock too, from the last time of /clock on. Raises ValueError unless it is a ROS clock."""
         if not isinstance(clock, ROSClock):
             raise ValueError('Only clocks with type ROS_TIME can be attached.')
+        if self._last_time is not None:
+            clock.set_ros_time_override(self._last_time)
         clock._set_ros_time_is_active(self._active)
         self._clocks.append(clock)
 
-    def detach_node(self) -> None:
-        """Listen to /clock no more."""
-        self._set_active(False)
-
-    def _set_active(self, active: bool) -> None:
-        if active == self._active:
-            return
-        self._active = active
+    def clock_callback(self, msg: Any) -> None:
+        """Take a message of /clock."""
+        self._last_time = Time.from_msg(msg.clock)
         for clock in self._clocks:
-            clock._set_ros_time_is_active(active)
-        if active:
-            self._subscribe()
-        elif self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-            self._subscription = None
+            clock.set_ros_time_override(self._last_time)
 
     def _subscribe(self) -> None:
+        if self._node is None or self._subscription is not None:
+            return
         from rosgraph_msgs.msg import Clock
 
         from rclpy.qos import QoSProfile, ReliabilityPolicy
 
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-        self._subscription = self._node.create_subscription(Clock, CLOCK_TOPIC, self._on_clock, profile)
+        self._subscription = self._node.create_subscription(Clock, CLOCK_TOPIC, self.clock_callback, profile)
 
-    def _on_clock(self, message: Any) -> None:
-        time = Time.from_msg(message.clock)
-        for clock in self._clocks:
-            clock.set_ros_time_override(time)
+    def _unsubscribe(self) -> None:
+        if self._node is not None and self._subscription is not None:
+            self._node.destroy_subscription(self._subscription)
+        self._subscription = None
 
     def _on_parameter_event(self, parameters: list[Parameter]) -> SetParametersResult:
         from rcl_interfaces.msg import SetParametersResult
@@ -87,11 +118,10 @@ class TimeSource:
         for parameter in parameters:
             if parameter.name == USE_SIM_TIME_NAME:
                 if parameter.type_ is not ParameterType.BOOL:
-                    self._node.get_logger().error(f'{USE_SIM_TIME_NAME} parameter set to something besides a bool')
-                    return SetParametersResult(
-                        successful=False, reason=f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
-                    )
-                self._set_active(parameter.value)
+                    if self._node is not None:
+                        self._node.get_logger().error(NOT_BOOL)
+                    return SetParametersResult(successful=False, reason=NOT_BOOL)
+                self.ros_time_is_active = parameter.value
         return SetParametersResult(successful=True)
 
 

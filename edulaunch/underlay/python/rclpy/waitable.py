@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from rclpy.impl.hints import hinted
 from rclpy.readiness import WAITABLE, Entity, ReadyList
 
 if TYPE_CHECKING:
@@ -40,9 +41,20 @@ class NumberOfEntities:
         return '<NumberOfEntities({})>'.format(', '.join(str(getattr(self, slot)) for slot in self.__slots__))
 
 
+class WaitSet:
+    """What `add_to_wait_set` and `is_ready` are given. There are no C handles here that could be added to it."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise hinted(
+            AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}'),
+            'the entities of a node wake its executor by themselves here: leave add_to_wait_set() empty and let is_ready() '
+            'return True when there is something to do',
+        )
+
+
 class Waitable(Entity):
-    """Base of waitables. A subclass overrides `is_ready`, `take_data` and `execute`, and calls :meth:`ready_changed`
-    when it may have become ready (in place of a wait set that is asked).
+    """Base of waitables. A subclass overrides `is_ready`, `take_data` and `execute`; it is asked in each wait of its executor,
+    so something else that happens (a timer, a message) has to end the wait.
     """
 
     category = WAITABLE
@@ -58,11 +70,6 @@ class Waitable(Entity):
     def __exit__(self, *_: Any) -> None:
         """Nothing was held."""
 
-    def ready_changed(self) -> None:
-        """Let the executor ask `is_ready` again."""
-        if not self._destroyed:
-            self._signal()
-
     def is_ready(self, wait_set: Any) -> bool:
         """Whether there is something to do."""
         return True
@@ -72,14 +79,14 @@ class Waitable(Entity):
         return None
 
     async def execute(self, taken_data: Any) -> None:
-        """Do it."""
+        """Act on what was taken; for subclasses."""
 
     def get_num_entities(self) -> NumberOfEntities:
         """How many entities of each kind belong to it."""
         return NumberOfEntities()
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Nothing to add: readiness is told, not asked."""
+        """Called before each wait, for subclasses."""
 
     def add_future(self, future: Future) -> None:
         """Remember a future."""
@@ -91,4 +98,15 @@ class Waitable(Entity):
 
     def _run(self, executor: Executor) -> Any:
         self._queued = False
-        return self.execute(self.take_data()) if self.is_ready(None) else None
+        return self.execute(self.take_data())
+
+    def ask(self) -> bool:
+        """Ask in a wait whether there is something to do; it is not asked again while its callback waits for its turn."""
+        if not self._queued:
+            self.get_num_entities()
+            self.add_to_wait_set(WAIT_SET)
+            self._queued = bool(self.is_ready(WAIT_SET))
+        return self._queued
+
+
+WAIT_SET = WaitSet()

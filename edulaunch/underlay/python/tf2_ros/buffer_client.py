@@ -51,6 +51,10 @@ class BufferClient(BufferInterface):
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
+    def destroy(self) -> None:
+        """Leave the server's action; nothing can be asked afterwards."""
+        self.action_client.destroy()
+
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """As :meth:`tf2_ros.Buffer.lookup_transform`.
 

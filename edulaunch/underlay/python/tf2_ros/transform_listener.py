@@ -44,27 +44,32 @@ class TransformListener:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
         if static_qos is None:
             static_qos = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
-        self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
-        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it; those of a subclass hold it.
-        own = type(self).callback is not TransformListener.callback
-        own_static = type(self).static_callback is not TransformListener.static_callback
-        self.tf_sub: Any = node.create_subscription(
-            TFMessage, '/tf', self.callback if own else _receiver(buffer.set_transform), qos, callback_group=self.group
-        )
+        self.tf_sub: Any = node.create_subscription(TFMessage, '/tf', _nowhere, qos, callback_group=self.group)
         self.tf_static_sub: Any = node.create_subscription(
-            TFMessage,
-            '/tf_static',
-            self.static_callback if own_static else _receiver(buffer.set_transform_static),
-            static_qos,
-            callback_group=self.group,
+            TFMessage, '/tf_static', _nowhere, static_qos, callback_group=self.group
         )
-        if fills_directly(buffer) and not own:
-            self.tf_sub._take_wires(_wire_receiver(buffer))
+        self.buffer = buffer
         self.executor: Any = None
         if spin_thread:
             self._start_thread()
+
+    @property
+    def buffer(self) -> Buffer:
+        """The buffer that is filled; another one may take its place."""
+        return self._buffer
+
+    @buffer.setter
+    def buffer(self, buffer: Buffer) -> None:
+        self._buffer = buffer
+        # The callbacks hold the buffer, not the listener, so that dropping the listener ends it; those of a subclass hold it.
+        own = type(self).callback is not TransformListener.callback
+        own_static = type(self).static_callback is not TransformListener.static_callback
+        self.tf_sub.callback = self.callback if own else _receiver(buffer.set_transform)
+        self.tf_static_sub.callback = self.static_callback if own_static else _receiver(buffer.set_transform_static)
+        if fills_directly(buffer) and not own:
+            self.tf_sub._take_wires(_wire_receiver(buffer))
 
     def callback(self, data: TFMessage) -> None:
         """Put a message of /tf into the buffer. A subclass may do something else with it."""
@@ -102,6 +107,10 @@ class TransformListener:
             if subscription is not None:
                 setattr(self, name, None)
                 self.node.destroy_subscription(subscription)
+
+
+def _nowhere(message: TFMessage) -> None:
+    """The callback until there is a buffer."""
 
 
 def _wire_receiver(buffer: Buffer) -> Any:

@@ -107,6 +107,7 @@ class ActionClient(Waitable):
         self._pending: dict[tuple[str, int], Future] = {}
         self._waited_ns = 0
         self._goal_ids: dict[int, Any] = {}
+        self._asked_results: dict[int, bytes] = {}
         self._goal_handles: dict[bytes, ClientGoalHandle] = {}
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         node.add_waitable(self)
@@ -166,6 +167,8 @@ class ActionClient(Waitable):
             answer = ClientGoalHandle(self, self._goal_ids.pop(sequence), answer)
             if answer.accepted:
                 self._goal_handles[bytes(answer.goal_id.uuid)] = answer
+        elif kind == 'result':  # the goal is over for its client: no feedback any more
+            self._feedback_callbacks.pop(self._asked_results.pop(sequence), None)
         future = self._pending.pop((kind, sequence), None)
         if future is not None:
             future._set_executor(executor)
@@ -233,7 +236,9 @@ class ActionClient(Waitable):
     def _get_result_async(self, goal_handle: ClientGoalHandle) -> Future:
         self._check_handle(goal_handle)
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
-        return self._remember('result', self._result_client.send(type(request).to_wire(request)))
+        sequence = self._result_client.send(type(request).to_wire(request))
+        self._asked_results[sequence] = bytes(goal_handle.goal_id.uuid)
+        return self._remember('result', sequence)
 
     @staticmethod
     def _check_handle(goal_handle: ClientGoalHandle) -> None:

@@ -94,7 +94,7 @@ class ActionServer(Waitable):
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_execute_callback(execute_callback)
         self._result_timeout_ns = int(result_timeout * 1e9)
-        self._goal_handles: dict[bytes, ServerGoalHandle] = {}
+        self._goals: dict[bytes, ServerGoalHandle] = {}
         self._result_futures: dict[bytes, Future] = {}
         node.add_waitable(self)
         self.callback_group.add_entity(self)
@@ -119,6 +119,12 @@ class ActionServer(Waitable):
     def action_type(self) -> Any:
         """The class of the action."""
         return self._action_type
+
+    @property
+    def _goal_handles(self) -> dict[bytes, ServerGoalHandle]:
+        """The goals that are not forgotten, by id."""
+        self._forget_old_goals()
+        return self._goals
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         """Say what to do with accepted goals; None executes them."""
@@ -174,7 +180,7 @@ class ActionServer(Waitable):
             return
         response.stamp = self._node.get_clock().now().to_msg()
         goal_handle = ServerGoalHandle(self, request.goal_id, response.stamp, request.goal)
-        self._goal_handles[goal_uuid] = goal_handle
+        self._goals[goal_uuid] = goal_handle
         self._result_futures[goal_uuid] = Future()
         self._publish_status()
         self._goal_service.respond(request_id, service.Response.to_wire(response))
@@ -195,7 +201,7 @@ class ActionServer(Waitable):
         """Which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
         goal_uuid = bytes(info.goal_id.uuid)
         limit = (info.stamp.sec, info.stamp.nanosec)
-        stoppable = [goal for goal in self._goal_handles.values() if goal._state in (GoalState.ACCEPTED, GoalState.EXECUTING)]
+        stoppable = [goal for goal in self._goals.values() if goal._state in (GoalState.ACCEPTED, GoalState.EXECUTING)]
         if any(goal_uuid) and limit == (0, 0):
             goal = self._goal_handles.get(goal_uuid)
             if goal is None:
@@ -271,15 +277,15 @@ class ActionServer(Waitable):
         from action_msgs.msg import GoalStatus
 
         message = self._action_type.Impl.GoalStatusMessage()
-        message.status_list = [GoalStatus(goal_info=goal._info(), status=goal.status) for goal in self._goal_handles.values()]
+        message.status_list = [GoalStatus(goal_info=goal._info(), status=goal.status) for goal in self._goals.values()]
         self._status.publish(type(message).to_wire(message))
 
     def _forget_old_goals(self) -> None:
         """Drop ended goals whose result was kept for `result_timeout`."""
         limit = self._node.get_clock()._now_ns() - self._result_timeout_ns
-        for goal_uuid, goal in list(self._goal_handles.items()):
-            if goal._state not in ACTIVE and goal._ended_ns < limit:
-                del self._goal_handles[goal_uuid]
+        for goal_uuid, goal in list(self._goals.items()):
+            if goal._state not in ACTIVE and goal._ended_ns <= limit:
+                del self._goals[goal_uuid]
                 del self._result_futures[goal_uuid]
 
     def destroy(self) -> None:
@@ -287,7 +293,7 @@ class ActionServer(Waitable):
         if self._destroyed:
             return
         self._node.remove_waitable(self)
-        for goal in self._goal_handles.values():
+        for goal in self._goals.values():
             goal.destroy()
         for endpoint in (self._goal_service, self._cancel_service, self._result_service, self._feedback, self._status):
             endpoint.destroy()

@@ -55,7 +55,7 @@ class Waiting:
         self._waiting: list[SimTask] = []
         self._spinner: SimTask | None = None
         self._is_shutdown = False
-        self._work: Generator[Item, None, None] | None = None
+        self._work: Any = None  # the wait that goes on: a generator
         self._key: Any = None
         self._turns = 0
         self._seen_ns = 0
@@ -78,6 +78,8 @@ class Waiting:
             start = len(batch)
             if ready_list.due_ns <= now:
                 batch += [timer for timer in ready_list.timers if timer._due_ns <= now and _may_begin(timer)]
+            if ready_list.asked:
+                batch += [one for one in ready_list.asked if one.ask() and one.callback_group.can_execute(one)]
             if ready_list.entities:
                 waiting, ready_list.entities = ready_list.entities, []
                 for entity in waiting:
@@ -92,7 +94,7 @@ class Waiting:
     def _put_back(entities: Iterable[Entity]) -> None:
         """Let entities that were collected but not executed stand on their lists again."""
         for entity in entities:
-            if entity.category != TIMER and entity._queued:
+            if entity.category != TIMER and entity._queued and entity not in entity._ready_list.asked:
                 entity._ready_list.entities.append(entity)
 
     def _wait(self, deadline_ns: int | None) -> None:
@@ -161,24 +163,12 @@ class Waiting:
                     yield task
                 self._forget_tasks()
             batch = self._collect()
-            if batch:
-                batch.reverse()
-                try:
-                    while batch:
-                        entity = batch.pop()
-                        if entity._destroyed:
-                            continue
-                        if entity.callback_group.can_execute(entity):
-                            given_out = True
-                            yield entity
-                        else:
-                            self._put_back((entity,))
-                finally:
-                    self._put_back(reversed(batch))
-            elif not self._new_tasks and not poll:
+            if not (batch or self._new_tasks or poll):
                 self._wait(deadline_ns)
+                batch = self._collect()
             elif not self._context._ok:
                 raise ExternalShutdownException()
+            given_out = (yield from self._give_out(batch)) or given_out
             if given_out:
                 self._let_time_pass()
             if poll or (deadline_ns is not None and not given_out and self._sim.now_ns >= deadline_ns):
@@ -187,6 +177,27 @@ class Waiting:
             raise ShutdownException()
         if condition():
             raise ConditionReachedException()
+
+    def _give_out(self, batch: list[Entity]) -> Generator[Entity, None, bool]:
+        """The entities that can still be executed when their turn comes, and whether there was one.
+
+        What is left when this ends is put back.
+        """
+        given_out = False
+        batch.reverse()
+        try:
+            while batch:
+                entity = batch.pop()
+                if entity._destroyed:
+                    continue
+                if entity.callback_group.can_execute(entity):
+                    given_out = True
+                    yield entity
+                else:
+                    self._put_back((entity,))
+        finally:
+            self._put_back(reversed(batch))
+        return given_out
 
     def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
         """The next item; what one wait collected is given out over successive calls with the same `key`.

@@ -7,9 +7,9 @@ from typing import Any
 from rclpy.clock import Clock
 
 _FILTERS: dict[str, dict[str, Any]] = {
-    'once': {'once': None},
     'throttle': {'throttle_duration_sec': None, 'throttle_time_source_type': False},
     'skip_first': {'skip_first': None},
+    'once': {'once': None},
 }
 _OPTIONS = ['throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 'once']
 
@@ -37,13 +37,13 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
 class CallSite:
     """What one place in a program that logs remembers between its calls."""
 
-    __slots__ = ('name', 'severity', 'filters', 'calls', 'next_ns')
+    __slots__ = ('name', 'severity', 'filters', 'skipped', 'logged', 'next_ns')
 
     def __init__(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
         self.name = name
         self.severity = severity
         self.filters = filters
-        self.calls = 0
+        self.skipped = self.logged = False
         self.next_ns = 0
 
     def check(self, name: str, severity: int, filters: tuple[str, ...]) -> None:
@@ -57,14 +57,15 @@ class CallSite:
 
     def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
         """Whether this call's message is to be written. Filters are asked in order, until one says no."""
-        self.calls += 1
         return all(self._passes(name, options, now_ns) for name in self.filters)
 
     def _passes(self, name: str, options: dict[str, Any], now_ns: int) -> bool:
         if name == 'once':
-            return self.calls == 1
+            before, self.logged = self.logged, True
+            return not before
         if name == 'skip_first':
-            return self.calls > 1
+            before, self.skipped = self.skipped, True
+            return before
         source = options.get('throttle_time_source_type')
         if isinstance(source, Clock):
             now_ns = source._now_ns()

@@ -114,8 +114,7 @@ class NodeCore:
             raise hinted(RCLError(f"{what}: rcl node's context is invalid"), SHUT_DOWN)
 
     def check_context(self, what: str) -> None:
-        """As `check_usable`, in the words of what needs only the context: timers and guard conditions."""
-        self.check_alive()
+        """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
         if not self.context._ok:
             raise hinted(
                 RCLError(

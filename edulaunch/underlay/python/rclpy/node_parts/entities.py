@@ -18,13 +18,13 @@ from rclpy.service import Service
 from rclpy.subscription import Subscription
 from rclpy.timer import Rate, Timer
 from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
     from rclpy.qos_overriding_options import QoSOverridingOptions
-    from rclpy.waitable import Waitable
 
 
 class NodeEntities:
@@ -73,15 +73,19 @@ class NodeEntities:
         waitable._ready_list = core.ready_list
         waitable._order = core.next_number()
         core.waitables.append(waitable)
-        if waitable._queued:
+        if type(waitable).is_ready is not Waitable.is_ready:
+            core.ready_list.asked.append(waitable)
+            core.ready_list.notify()
+        elif waitable._queued:
             waitable._queued = False
             waitable._signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
         """Wait for it no more."""
         waitable._destroyed = True
-        if waitable in self._rclpy.waitables:
-            self._rclpy.waitables.remove(waitable)
+        for waitables in (self._rclpy.waitables, self._rclpy.ready_list.asked):
+            if waitable in waitables:
+                waitables.remove(waitable)
 
     def create_publisher(
         self,
@@ -328,7 +332,7 @@ def _new_timer(
 ) -> Timer:
     period_ns = int(float(period_s) * S_TO_NS)
     if period_ns < 0:
-        raise RCLError('Failed to create timer: timer period must be non-negative')
+        raise RCLError('failed to create timer: timer period must be non-negative')
     core.check_context('failed to create timer')
     group = group or core.default_callback_group
     timer = Timer(

@@ -84,12 +84,12 @@ class NodeGraphQueries:
         return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """The publishers of a topic."""
-        return _infos(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
+        """The publishers of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        return _infos(self._rclpy, 'publishers', {} if no_mangle else self._rclpy.graph.publishers, topic_name)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """The subscriptions of a topic."""
-        return _infos(self._rclpy, 'subscriptions', self._rclpy.graph.subscriptions, topic_name)
+        """The subscriptions of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        return _infos(self._rclpy, 'subscriptions', {} if no_mangle else self._rclpy.graph.subscriptions, topic_name)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait at most `timeout` seconds for a node of that full name; whether it is there.
