@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.graph.graph import Graph
@@ -18,13 +19,14 @@ from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.python_commands import python_command
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.real_pace import RealPace
 from edulaunch.sim.simulation import Simulation
 from edulaunch.sim.task import running_task
 
 if TYPE_CHECKING:
     from types import CodeType
 
-    from edulaunch.processes.real import RealProcess
+    from edulaunch.processes.real import RealLook, RealProcess
     from edulaunch.processes.watchdog import Watchdog
 
 FIRST_PID = 1001
@@ -108,6 +110,7 @@ class Host:
         self.env = dict(env)
         self.processes: list[Process] = []
         self.real_programs: list[RealProcess] = []
+        self.pace = RealPace(sim)
         self.ros2 = ros2
         self._stdin = dict(stdin or {})
         self.unread_stdin = list(self._stdin)
@@ -120,6 +123,13 @@ class Host:
         """Of all goals that were sent: programs of the same name draw the same numbers, which may not meet at a server."""
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
+
+    @cached_property
+    def real_look(self) -> RealLook:
+        """What hears of the real programs."""
+        from edulaunch.processes.real import RealLook
+
+        return RealLook(self)
 
     def overlay(self, index: Index) -> Overlay:
         """What the workspaces of an index add to the underlay."""
@@ -158,7 +168,7 @@ class Host:
         given = self._stdin[name]
         if isinstance(given, str):
             return Input(given)
-        return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self.watchdog)
+        return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
         """The program of this machine whose code runs now; what it starts finds the packages that it finds."""

@@ -13,18 +13,47 @@ import queue
 import signal
 import subprocess
 import threading
-import time
 from typing import TYPE_CHECKING
 
 from edulaunch.processes.process import OnExit, OnOutput
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.real_pace import LOOK_EVERY_NS
 
 if TYPE_CHECKING:
     from edulaunch.processes.host import Host
 
-LOOK_EVERY_NS = 10_000_000
 READER_NAME = 'edulaunch reads '
 """How the names of the threads begin that read what real programs print."""
+
+
+class RealLook:
+    """One look at all real programs of a simulation: it hands on what they said and, while there are any, lets simulated
+    time wait for real time.
+
+    :ivar news: where their threads put (program, stream, text).
+    """
+
+    def __init__(self, host: Host) -> None:
+        self.news: queue.SimpleQueue[tuple[RealProcess, str, str | None]] = queue.SimpleQueue()
+        self._host = host
+
+    def begin(self) -> None:
+        """The first program is about to run."""
+        self._host.pace.begin()
+        self._look_later()
+
+    def _look_later(self) -> None:
+        sim = self._host.sim
+        sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
+
+    def _look(self) -> None:
+        while self._host.real_programs:
+            try:
+                program, stream, text = self.news.get(timeout=self._host.pace.ahead_s())
+            except queue.Empty:
+                self._look_later()
+                break
+            program.take(stream, text)
 
 
 class RealProcess:
@@ -60,7 +89,7 @@ class RealProcess:
             for _, writer in outputs:
                 os.close(writer)
         self.pid = self._child.pid
-        self._lines: queue.SimpleQueue[tuple[str, str | None]] = queue.SimpleQueue()
+        self._news = host.real_look.news
         self._open = 3
         self._code: int | None = None
         for stream, (reader, _) in zip(('stdout', 'stderr'), outputs, strict=True):
@@ -68,46 +97,39 @@ class RealProcess:
         self._waiter = threading.Thread(target=self._wait, name=f'{READER_NAME}the end', daemon=True)
         self._waiter.start()
         host.tracer.note(None, 'real program', f'{spec.name} is a real program: this run cannot repeat exactly')
-        self._look_again()
+        if not host.real_programs:
+            host.real_look.begin()
 
     def _read(self, stream: str, reader: int) -> None:
         decoder = codecs.getincrementaldecoder('utf-8')('replace')  # a letter of two bytes may come in two pieces
         try:
             while chunk := _chunk(reader):
-                self._lines.put((stream, decoder.decode(chunk)))
-            self._lines.put((stream, decoder.decode(b'', final=True)))
+                self._news.put((self, stream, decoder.decode(chunk)))
+            self._news.put((self, stream, decoder.decode(b'', final=True)))
         finally:
             os.close(reader)
-            self._lines.put((stream, None))
+            self._news.put((self, stream, None))
 
     def _wait(self) -> None:
         """Alone in asking the system for the program's end: in the main thread a signal handler could lose the answer."""
         self._code = self._child.wait()
-        self._lines.put(('', None))
+        if self._child.stdin is not None:
+            self._child.stdin.close()
+        self._news.put((self, '', None))
 
-    def _look_again(self) -> None:
-        sim = self.host.sim
-        sim.schedule(sim.now_ns + LOOK_EVERY_NS, self._look)
-
-    def _look(self) -> None:
-        deadline = time.monotonic() + (0.0 if self.host.is_paced else LOOK_EVERY_NS / 1e9)
-        while self._open:
-            try:
-                stream, text = self._lines.get(timeout=max(0.0, deadline - time.monotonic()))
-            except queue.Empty:
-                break
-            if text is None:
-                self._open -= 1
-            elif text and self.on_output is not None:
+    def take(self, stream: str, text: str | None) -> None:
+        """What one of its threads has to say: a piece of output, or (None) that it has ended."""
+        if text is not None:
+            if text and self.on_output is not None:
                 self.on_output(stream, text)
-        if self._open:
-            self._look_again()
             return
-        assert self._code is not None
-        self.returncode = self._code
-        self.host.real_programs.remove(self)
-        if self.on_exit is not None:
-            self.on_exit(self.returncode)
+        self._open -= 1
+        if not self._open:
+            assert self._code is not None
+            self.returncode = self._code
+            self.host.real_programs.remove(self)
+            if self.on_exit is not None:
+                self.on_exit(self.returncode)
 
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program and everything it started."""

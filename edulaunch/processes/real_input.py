@@ -7,14 +7,12 @@ from codecs import getincrementaldecoder
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.inputs import Input
+from edulaunch.sim.real_pace import LOOK_EVERY_NS
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
+    from edulaunch.processes.host import Host
     from edulaunch.processes.process import Process
-    from edulaunch.processes.watchdog import Watchdog
-
-LOOK_EVERY_NS = 10_000_000
-"""While somebody may type, simulated time keeps this close to real time."""
 
 
 class RealInput(Input):
@@ -22,13 +20,13 @@ class RealInput(Input):
     the other programs go on; what is there already is read at once.
 
     :param file: a terminal, a pipe or a file. One that is no file of the operating system is read line by line.
-    :param watchdog: told to be patient while such a file is read.
+    :param host: its watchdog is told to be patient while such a file is read.
     """
 
-    def __init__(self, file: Any, watchdog: Watchdog | None) -> None:
+    def __init__(self, file: Any, host: Host) -> None:
         super().__init__()
         self._file = file
-        self._watchdog = watchdog
+        self._host = host
         self._ended = False
         self._number = _waitable(file)
         self._decoder = getincrementaldecoder('utf-8')('replace')
@@ -68,7 +66,7 @@ class RealInput(Input):
         """Wait a moment of real and as much simulated time."""
         if self._number is None:
             return self._read_patiently()
-        if self._look(LOOK_EVERY_NS / 1e9):
+        if self._look(self._host.pace.ahead_s()):
             return True
         task = current_task()
         task.sleep_until(task.sim.now_ns + LOOK_EVERY_NS)
@@ -86,13 +84,14 @@ class RealInput(Input):
         return True
 
     def _read_patiently(self) -> bool:
-        if self._watchdog is not None:
-            self._watchdog.asleep = True
+        watchdog = self._host.watchdog
+        if watchdog is not None:
+            watchdog.asleep = True
         try:
             line = self._file.readline()
         finally:
-            if self._watchdog is not None:
-                self._watchdog.asleep = False
+            if watchdog is not None:
+                watchdog.asleep = False
         self._text += line
         self._ended = not line
         return True

@@ -63,3 +63,17 @@ def test_a_program_that_cannot_be_started_leaves_nothing_open(emulate_tty: bool)
     before = os.listdir(OPEN)
     assert written_by(['no_such_program'], emulate_tty=emulate_tty) == (b'', b'')
     assert len(os.listdir(OPEN)) == len(before)
+
+
+def test_four_real_programs_take_as_long_as_one() -> None:
+    """Simulated time keeps pace with real time once, not for each of them."""
+    import time
+
+    from edulaunch.processes import current_process
+
+    sim, began_s, began_ns = current_process().sim, time.monotonic(), current_process().sim.now_ns
+    service = LaunchService(noninteractive=True)
+    service.include_launch_description(LaunchDescription([ExecuteProcess(cmd=['sleep', '0.3']) for _ in range(4)]))
+    assert service.run() == 0
+    real_s = time.monotonic() - began_s
+    assert 0.25 <= (sim.now_ns - began_ns) / 1e9 <= real_s + 0.05
