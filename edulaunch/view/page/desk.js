@@ -140,7 +140,7 @@ class Desk {
     this.redraw();
   }
   say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
-  load(piece) { this.store.apply(piece); this.time = 0; this.redraw(); }
+  load(piece, seen) { this.store.apply(piece); this.time = 0; if (seen) seen.desk = this; this.redraw(); }
 
   toggle() {
     if (this.live) { if (this.follow) this.send({ op: this.machine.running ? 'pause' : 'play' }); else { this.playing = !this.playing; } }
@@ -183,6 +183,13 @@ class Desk {
     else return;
     event.preventDefault();
     event.stopPropagation();
+  }
+  /* Tables are read by people: five times a second is enough while time passes, always when it stands still. */
+  isTimeToTell(view) {
+    const now = performance.now(), moves = this.playing || (this.live && this.follow && this.machine.running);
+    if (moves && now - (view.toldAt || 0) < 200) return false;
+    view.toldAt = now;
+    return true;
   }
   redraw() {
     if (!this.beat || this.asked) return;

@@ -1,5 +1,7 @@
 /* tf frames: from above or in 3D, as seen from a chosen frame; the tf tree; and a lookup made by hand. */
 
+const MOST_NAMES = 60;
+
 class FramesView {
   constructor(desk) {
     this.desk = desk;
@@ -68,19 +70,16 @@ class FramesView {
     const seen = tree.seenFrom(this.fixed.value);
     this.project(seen, width, height);
     this.floor(pen);
-    pen.lineWidth = 1.2;
-    for (const link of tree.links.values()) {
-      if (!seen.has(link.child) || !seen.has(link.parent)) continue;
-      pen.strokeStyle = this.desk.colours.soft;
-      pen.setLineDash(link.fixed ? [5, 3] : []);
-      line(pen, [this.at(seen.get(link.child).p), this.at(seen.get(link.parent).p)]);
-    }
-    pen.setLineDash([]);
+    const between = fixed => [...tree.links.values()].filter(link => link.fixed === fixed && seen.has(link.child) && seen.has(link.parent))
+      .map(link => [this.at(seen.get(link.child).p), this.at(seen.get(link.parent).p)]);
+    strokes(pen, between(false), this.desk.colours.soft, 1.2);
+    strokes(pen, between(true), this.desk.colours.soft, 1.2, [5, 3]);
     const taken = [];
-    for (const [name, pose] of seen) this.axes(pen, pose);
-    for (const [name, pose] of seen) this.label(pen, name, this.at(pose.p), taken, width, height);
-    this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
-    this.rows(tree, seen, time);
+    this.axes(pen, [...seen.values()]);
+    for (const [name, pose] of [...seen].slice(0, MOST_NAMES)) this.label(pen, name, this.at(pose.p), taken, width, height);
+    if (seen.size > MOST_NAMES) note(pen, `${seen.size} frames, the first ${MOST_NAMES} with their names`, width, 24, this.desk.colours.soft);
+    this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].slice(0, MOST_NAMES).map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
+    if (this.desk.isTimeToTell(this)) this.rows(tree, seen, time);
     this.look(time);
   }
   project(seen, width, height) {
@@ -109,20 +108,13 @@ class FramesView {
     for (let x = from(0); x <= to(0) + 1e-9; x += step) line(pen, [this.at([x, from(1), this.low]), this.at([x, to(1), this.low])]);
     for (let y = from(1); y <= to(1) + 1e-9; y += step) line(pen, [this.at([from(0), y, this.low]), this.at([to(0), y, this.low])]);
   }
-  axes(pen, pose) {
-    const start = this.at(pose.p);
-    for (const [axis, colour] of [[[0, 0, 1], '#265cb2'], [[0, 1, 0], '#2e8c30'], [[1, 0, 0], '#cc241d']]) {
-      const tip = turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length);
-      pen.strokeStyle = colour;
-      pen.lineWidth = axis[0] ? 3 : 2;
-      line(pen, [start, this.at(tip)]);
-    }
-    if (Math.abs(pose.p[2] - this.low) > 1e-3 && this.mode.value !== 'above') {
-      pen.strokeStyle = this.desk.colours.soft;
-      pen.lineWidth = 0.8;
-      pen.setLineDash([2, 3]);
-      line(pen, [start, this.at([pose.p[0], pose.p[1], this.low])]);
-      pen.setLineDash([]);
+  /* All axes of one colour in one stroke: there may be hundreds of frames. */
+  axes(pen, poses) {
+    const tip = (pose, axis) => this.at(turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length));
+    const high = this.mode.value === 'above' ? [] : poses.filter(pose => Math.abs(pose.p[2] - this.low) > 1e-3);
+    strokes(pen, high.map(({ p }) => [this.at(p), this.at([p[0], p[1], this.low])]), this.desk.colours.soft, 0.8, [2, 3]);
+    for (const [axis, colour, width] of [[[0, 0, 1], '#265cb2', 2], [[0, 1, 0], '#2e8c30', 2], [[1, 0, 0], '#cc241d', 3]]) {
+      strokes(pen, poses.map(pose => [this.at(pose.p), tip(pose, axis)]), colour, width);
     }
   }
   label(pen, text, [x, y], taken, width, height) {

@@ -151,8 +151,7 @@ class GraphView {
     return group;
   }
   tell(time, now = false) {
-    if (!now && performance.now() - (this.toldAt || 0) < 250) return;
-    this.toldAt = performance.now();
+    if (!now && !this.desk.isTimeToTell(this)) return;
     const { store } = this.desk, box = this.chosen, rows = [];
     if (box.kind === 'node') {
       const process = store.processes.find(row => row?.name === box.node.process);

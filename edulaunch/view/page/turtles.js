@@ -216,10 +216,24 @@ class WorldView {
     pen.save();
     pen.translate(...this.place(x, y));
     pen.rotate(-a);
-    pen.scale(size, -size);
-    pen.lineWidth = 1 / size;
-    (mover.robot ? drawRobot : drawTurtle)(pen, colour);
+    const stamp = this.stamp(mover.robot ? drawRobot : drawTurtle, colour, size), side = stamp.width / this.ratio;
+    pen.drawImage(stamp, -side / 2, -side / 2, side, side);
     pen.restore();
+  }
+  /* A body drawn once for each colour and size: a turtle has twenty lines, and there may be a hundred turtles. */
+  stamp(draw, colour, size) {
+    const key = [draw.name, colour, size, this.ratio].join();
+    if (this.stamps?.key !== this.side) this.stamps = { key: this.side, known: new Map() };
+    if (!this.stamps.known.has(key)) {
+      const canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
+      canvas.width = canvas.height = Math.ceil(size * 1.3 * this.ratio);
+      pen.translate(canvas.width / 2, canvas.height / 2);
+      pen.scale(size * this.ratio, -size * this.ratio);
+      pen.lineWidth = 1 / size;
+      draw(pen, colour);
+      this.stamps.known.set(key, canvas);
+    }
+    return this.stamps.known.get(key);
   }
   axes(pen, time) {
     const seen = this.desk.tree(time).seenFrom(this.world.frame || 'world');
@@ -302,6 +316,17 @@ function line(pen, points) {
   pen.beginPath();
   points.forEach(([x, y], i) => i ? pen.lineTo(x, y) : pen.moveTo(x, y));
   pen.stroke();
+}
+
+/* Many lines of one look in one stroke. */
+function strokes(pen, lines, colour, width, dash = []) {
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  pen.setLineDash(dash);
+  pen.beginPath();
+  for (const [from, to] of lines) { pen.moveTo(...from); pen.lineTo(...to); }
+  pen.stroke();
+  pen.setLineDash([]);
 }
 
 function shape(pen, fill, edge, draw) {
