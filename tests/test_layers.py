@@ -63,7 +63,7 @@ def test_a_circle_is_seen() -> None:
 
 def test_an_import_in_a_function_and_a_name_in_a_text_are_seen() -> None:
     assert 'edulaunch.session' in imports('edulaunch')
-    assert 'launch_ros.actions' in imports('launch._known_names')
+    assert 'launch_ros.actions.node' in imports('launch_ros._parameter_arguments')
 
 
 @pytest.mark.parametrize('layer', ENGINE)

@@ -129,7 +129,7 @@ class RehearsalHost(Host):
 
 def _content_of_file(path: str) -> Any:
     import yaml
-    from launch_yaml.reader import read
+    from launch.utilities.yaml_reader import read
 
     try:
         with open(path, encoding='utf-8') as file:

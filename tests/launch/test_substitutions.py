@@ -85,7 +85,7 @@ def test_a_command_that_the_simulation_knows_runs_in_it(fresh_simulation: Any) -
         process.stdout.write(' '.join(process.argv))
         return 0
 
-    fresh_simulation.host._ros2 = run
+    fresh_simulation.host.ros2 = run
     assert Command('ros2 pkg list').perform(LaunchContext()) == 'ros2 pkg list'
     assert fresh_simulation.sim.elapsed_s == 1.0
 

@@ -2,7 +2,7 @@
 
 import pytest
 from launch.frontend import Parser
-from launch.frontend.action_parsers.command_line import words_of
+from launch.frontend.command_line import words_of
 
 
 def described(text):

@@ -2,8 +2,8 @@
 
 import pytest
 from launch.frontend import Entity as BaseEntity
+from launch.utilities.yaml_reader import read
 from launch_yaml import Entity
-from launch_yaml.reader import read
 
 
 def entity(text, type_name='x'):

@@ -6,8 +6,8 @@ import pytest
 import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from launch.utilities.yaml_reader import read
 from launch_yaml.plain_reader import NotPlain, read_plain
-from launch_yaml.reader import read
 
 PIECES = (
     '- ',

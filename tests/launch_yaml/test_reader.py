@@ -4,7 +4,7 @@ import pytest
 import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from launch_yaml.reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
+from launch.utilities.yaml_reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
 
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
     f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n' for before, name in zip('abcdefgh', 'bcdefghi', strict=True)

@@ -8,24 +8,14 @@ from edulaunch.nearest import nearest
 
 from ._help import loaded
 
-MODULES = (
-    'launch',
-    'launch.actions',
-    'launch.conditions',
-    'launch.substitutions',
-    'launch.event_handlers',
-    'launch.events',
-    'launch.events.process',
-    'launch.launch_description_sources',
-    'launch.descriptions',
-    'launch_ros.actions',
-    'launch_ros.substitutions',
-    'launch_ros.descriptions',
-    'launch_ros.parameter_descriptions',
-    'launch_ros.event_handlers',
-    'launch_ros.events.lifecycle',
-    'ament_index_python.packages',
-)
+_PLACES = {
+    'launch': (
+        '. .actions .conditions .substitutions .event_handlers .events .events.process .launch_description_sources .descriptions'
+    ),
+    'launch_ros': '.actions .substitutions .descriptions .parameter_descriptions .event_handlers .events.lifecycle',
+    'ament_index_python': '.packages',
+}
+MODULES = tuple((package + place).rstrip('.') for package, places in _PLACES.items() for place in places.split())
 STANDARD = {name: name for name in ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')}
 
 

@@ -1,45 +1,42 @@
-"""The class method `parse` of actions and substitutions that XML and YAML files know.
+"""The class method `parse` of the actions and substitutions that XML and YAML files know.
 
-Upstream each class defines its own; here all of them are in `launch.frontend`, which Python launch files
+Upstream each class defines its own; here what all of them read is in tables of the frontend, which Python launch files
 never load.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
 Parse = Callable[..., tuple[type, dict[str, Any]]]
 
 
-class _ParsedBy:
-    """Descriptor for `parse`: calls the frontend's function for that element and answers with the class it
-    was asked of.
+class ParsedByFrontend:
+    """Descriptor for `parse`: reads as the nearest class that the frontend knows, and answers with the class it was asked of.
 
     So `super().parse(entity, parser)` in a student's sub-class gives the keyword arguments of the base class.
+
+    :param kind: 'action' or 'substitution'.
+    :param otherwise: for classes that it does not know; without one they have no `parse`.
     """
 
-    def __init__(self, kind: str, name: str) -> None:
+    def __init__(self, kind: str, otherwise: Parse | None = None) -> None:
         self._kind = kind
-        self._name = name
+        self._otherwise = otherwise
 
     def __get__(self, instance: object, owner: type | None = None) -> Parse:
         made = owner if owner is not None else type(instance)
+        methods: dict[str, Any] = getattr(import_module(f'{__package__}.frontend.expose'), f'{self._kind}_parse_methods')
+        makers = {(getattr(one, 'module', ''), getattr(one, 'class_name', '')): one for one in methods.values()}
+        read = next((makers[key] for key in ((base.__module__, base.__name__) for base in made.__mro__) if key in makers), None)
+        parse = read or self._otherwise
+        if parse is None:
+            raise AttributeError(f"type object {made.__name__!r} has no attribute 'parse'")
+        found: Parse = parse
 
-        def parse(*args: Any) -> tuple[type, dict[str, Any]]:
-            from .frontend import expose
+        def parse_as(*args: Any) -> tuple[type, dict[str, Any]]:
+            return made, found(*args)[1]
 
-            methods: dict[str, Any] = getattr(expose, f'{self._kind}_parse_methods')
-            return made, methods[self._name](*args)[1]
-
-        return parse
-
-
-def parsed_as_action(element: str) -> Any:
-    """`parse(entity, parser)` of an action that is the XML or YAML element of that name."""
-    return _ParsedBy('action', element)
-
-
-def parsed_as_substitution(name: str) -> Any:
-    """`parse(data)` of a substitution that is written `$(name ...)`."""
-    return _ParsedBy('substitution', name)
+        return parse_as

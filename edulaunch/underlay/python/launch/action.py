@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
+from ._parsed_by import ParsedByFrontend
 from .condition import Condition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
@@ -16,6 +17,13 @@ if TYPE_CHECKING:
     from .frontend.entity import Entity
     from .frontend.parser import Parser
     from .launch_context import LaunchContext
+
+
+def _only_a_condition(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
+    """What every action element may have: `if` and `unless`."""
+    from .frontend.element import condition_of
+
+    return Action, condition_of(entity, parser)
 
 
 class Action(LaunchDescriptionEntity):
@@ -39,15 +47,8 @@ class Action(LaunchDescriptionEntity):
         """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
         self.__origin = (file, line)
 
-    @staticmethod
-    def parse(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
-        """The keyword arguments that every action element of an XML or YAML file has: `if` and `unless`.
-
-        :raises RuntimeError: when both are given.
-        """
-        from .frontend.action_parsers.condition import condition_of
-
-        return Action, condition_of(entity, parser)
+    parse = ParsedByFrontend('action', _only_a_condition)
+    """Class method: the class, and the keyword arguments that an element of an XML or YAML file stands for."""
 
     @property
     def condition(self) -> Condition | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ._parsed_by import ParsedByFrontend
 from ._stable_repr import StableRepr
 
 if TYPE_CHECKING:
@@ -15,6 +16,9 @@ class Substitution(StableRepr):
 
     Subclasses give :meth:`perform`; :meth:`describe` is what `ros2 launch -s` shows.
     """
+
+    parse = ParsedByFrontend('substitution')
+    """Class method of those that are written `$(name ...)`: the class, and its keyword arguments for a list of arguments."""
 
     def describe(self) -> str:
         """What people read, without evaluating anything."""

@@ -8,7 +8,7 @@ from typing import Any
 from launch.frontend import hints
 from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
-from launch.frontend.expose import action_parse_methods
+from launch.frontend.registry import action_parse_methods
 from launch.frontend.type_utils import check_is_list_entity
 from launch.utilities.type_utils import is_instance_of
 

@@ -48,7 +48,7 @@ def _read(text: str, name: str) -> Any:
     try:
         return read_plain(text)
     except NotPlain:
-        from .reader import read_file
+        from launch.utilities.yaml_reader import read_file
 
         return read_file(text, name)
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -24,8 +23,6 @@ class AppendEnvironmentVariable(Action):
     :param prepend: add at the beginning; a boolean, or substitutions that give one.
     :param separator: between the values, by default that of search paths.
     """
-
-    parse = parsed_as_action('append_env')
 
     def __init__(
         self,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from .._parsed_by import parsed_as_action
 from .._run_notes import note_declared
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -32,7 +31,6 @@ class DeclareLaunchArgument(Action):
     """
 
     _search_role: ClassVar[str] = 'argument'
-    parse = parsed_as_action('arg')
 
     def __init__(
         self,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from .._parsed_by import parsed_as_action
 from ..descriptions.executable import Executable, Substitutions, Variables
 from ..some_substitutions_type import SomeSubstitutionsType
 from .execute_local import ExecuteLocal
@@ -26,8 +25,6 @@ class ExecuteProcess(ExecuteLocal):
     :param additional_env: added to the environment.
     :param kwargs: those of :class:`ExecuteLocal`, but for `process_description`.
     """
-
-    parse = parsed_as_action('executable')
 
     def __init__(
         self,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -29,8 +28,6 @@ class GroupAction(Action):
     :param forwarding: the actions see what was set outside; without it only `launch_configurations`.
     :param launch_configurations: set at the beginning.
     """
-
-    parse = parsed_as_action('group')
 
     def __init__(
         self,

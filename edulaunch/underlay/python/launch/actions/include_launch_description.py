@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from .._absent_packages import is_left_out
 from .._help import is_students
 from .._include_ring import enter_include
-from .._parsed_by import parsed_as_action
 from .._run_notes import note_declared, note_include, note_undeclared
 from .._wrong_return import tell_wrong_return
 from ..action import Action
@@ -40,7 +39,6 @@ class IncludeLaunchDescription(Action):
     """
 
     _search_role: ClassVar[str] = 'include'
-    parse = parsed_as_action('include')
 
     def __init__(
         self,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 
 class LogInfo(Action):
     """Write a message: `[INFO] [launch.user]: ...`."""
-
-    parse = parsed_as_action('log')
 
     def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 
 if TYPE_CHECKING:
@@ -13,8 +12,6 @@ if TYPE_CHECKING:
 
 class ResetEnvironment(Action):
     """Give all environment variables the values they had when the launch began."""
-
-    parse = parsed_as_action('reset_env')
 
     def execute(self, context: LaunchContext) -> None:
         """Do it."""

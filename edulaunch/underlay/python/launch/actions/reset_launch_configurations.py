@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -23,7 +22,6 @@ class ResetLaunchConfigurations(Action):
     """
 
     _search_role: ClassVar[str] = 'reset'
-    parse = parsed_as_action('reset')
 
     def __init__(
         self, launch_configurations: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None, **kwargs: Any

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 
 class SetEnvironmentVariable(Action):
     """Set an environment variable of launch's process, which later processes inherit."""
-
-    parse = parsed_as_action('set_env')
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

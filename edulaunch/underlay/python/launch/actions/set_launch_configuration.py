@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -21,8 +20,6 @@ class SetLaunchConfiguration(Action):
 
     :param name, value: texts or substitutions.
     """
-
-    parse = parsed_as_action('let')
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

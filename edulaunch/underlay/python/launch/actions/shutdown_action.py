@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..events.process.process_exited import ProcessExited
 from ..events.shutdown import Shutdown as ShutdownEvent
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -22,8 +21,6 @@ class Shutdown(EmitEvent):
 
     :param reason: for people; a text or substitutions.
     """
-
-    parse = parsed_as_action('shutdown')
 
     def __init__(self, *, reason: SomeSubstitutionsType = 'reason not given', **kwargs: Any) -> None:
         text = plain_text(reason)

@@ -7,7 +7,6 @@ import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_action
 from ..action import Action
 from ..event_handler import EventHandler
 from ..event_handlers.on_shutdown import OnShutdown
@@ -35,8 +34,6 @@ class TimerAction(Action):
     :param cancel_on_shutdown: whether a shutdown cancels the timer; a boolean or substitutions.
     :raises TypeError: when an argument has the wrong type.
     """
-
-    parse = parsed_as_action('timer')
 
     def __init__(
         self,

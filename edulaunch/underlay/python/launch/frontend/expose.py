@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from types import FunctionType, MethodType
 from typing import Any, TypeVar
 
-from .action_parsers import BUILT_IN_ACTIONS
-from .late_parse import ParseMethod
+from .elements import ELEMENTS
+from .registry import ParseMethod, action_parse_methods, substitution_parse_methods
 from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
+
+__all__ = ['action_parse_methods', 'expose_action', 'expose_substitution', 'substitution_parse_methods']
 
 Exposed = TypeVar('Exposed')
 
-action_parse_methods: dict[str, ParseMethod] = dict(BUILT_IN_ACTIONS)
-"""Element name -> function (entity, parser) -> (class, keyword arguments)."""
-substitution_parse_methods: dict[str, ParseMethod] = dict(BUILT_IN_SUBSTITUTIONS)
-"""Name of `$(name ...)` -> function (list of arguments) -> (class, keyword arguments)."""
+SIBLINGS = ('launch_ros',)
+"""Packages that always extend launch, by their module `launch_extension`; all others are found by entry points, when needed."""
+
+action_parse_methods.update(ELEMENTS)
+substitution_parse_methods.update(BUILT_IN_SUBSTITUTIONS)
+for sibling in SIBLINGS:
+    import_module(f'{sibling}.launch_extension')
 
 
 def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_type: str) -> Callable[[Exposed], Exposed]:

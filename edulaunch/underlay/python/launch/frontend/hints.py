@@ -10,7 +10,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .._origin import origin_of
-from .expose import action_parse_methods, substitution_parse_methods
+from .registry import action_parse_methods, substitution_parse_methods
 
 if TYPE_CHECKING:
     from .entity import Entity

@@ -11,10 +11,10 @@ from ..substitutions.text_substitution import TextSubstitution
 from . import hints
 from .expose import substitution_parse_methods
 from .extensions import load_launch_extensions
-from .late_parse import ParseMethod
+from .registry import ParseMethod
 from .substitution_errors import VisitError
 from .substitution_grammar import Call, Template, parse_template
-from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
+from .substitution_parsers import LateSubstitution
 
 _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 
@@ -76,7 +76,7 @@ _shared = lru_cache(maxsize=4096)(_built)
 def _is_built_in(template: Template) -> bool:
     """Whether all calls are of built-in substitutions, whose names nothing else can take."""
     return all(
-        piece.name in BUILT_IN_SUBSTITUTIONS and all(map(_is_built_in, piece.arguments))
+        isinstance(substitution_parse_methods.get(piece.name), LateSubstitution) and all(map(_is_built_in, piece.arguments))
         for piece in template
         if isinstance(piece, Call)
     )

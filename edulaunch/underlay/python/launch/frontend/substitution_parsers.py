@@ -6,15 +6,35 @@ An argument is a list of substitutions. Wrong numbers raise upstream's errors, o
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
-from .late_parse import LateSubstitution
+Parsed = tuple[type, dict[str, Any]]
 
 Argument = list[Any]
 Keywords = Callable[[list[Argument]], dict[str, Any]]
 
 
-def _takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
+class LateSubstitution:
+    """Parses `$(name ...)` for a class that is imported when first needed.
+
+    :param keywords: from the arguments of the `$(...)` to the keyword arguments of the class.
+    """
+
+    def __init__(self, module: str, class_name: str, keywords: Keywords) -> None:
+        self.module = module
+        self.class_name = class_name
+        self.keywords = keywords
+        self._class: Any = None
+
+    def __call__(self, arguments: list[Argument]) -> Parsed:
+        kwargs = self.keywords(arguments)
+        if self._class is None:
+            self._class = getattr(import_module(self.module), self.class_name)
+        return self._class, kwargs
+
+
+def takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
     """Keyword arguments by position, from `minimum` up to all of `names`; else `error` with `text`."""
 
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
@@ -30,7 +50,7 @@ def _takes_all(arguments: list[Argument]) -> dict[str, Any]:
     return {'args': arguments}
 
 
-_EXPRESSION = _takes('eval substitution expects 1 or 2 arguments', 1, 'expression', 'python_modules')
+_EXPRESSION = takes('eval substitution expects 1 or 2 arguments', 1, 'expression', 'python_modules')
 
 
 def _takes_expression(arguments: list[Argument]) -> dict[str, Any]:
@@ -50,36 +70,32 @@ def _makes(class_name: str, module: str, keywords: Keywords) -> LateSubstitution
     return LateSubstitution(f'launch.substitutions.{module}', class_name, keywords)
 
 
-def _makes_ros(class_name: str, module: str, keywords: Keywords) -> LateSubstitution:
-    return LateSubstitution(f'launch_ros.substitutions.{module}', class_name, keywords)
-
-
 _NOTHING = '{} substitution does not expect any argument'
-_LEFT_RIGHT = _takes('and substitution expects 2 arguments', 2, 'left', 'right')
-_LOG_DIR = _makes('LaunchLogDir', 'launch_log_dir', _takes(_NOTHING.format('launch_log_dir'), 0))
+_LEFT_RIGHT = takes('and substitution expects 2 arguments', 2, 'left', 'right')
+_LOG_DIR = _makes('LaunchLogDir', 'launch_log_dir', takes(_NOTHING.format('launch_log_dir'), 0))
 
 BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
     'var': _makes(
         'LaunchConfiguration',
         'launch_configuration',
-        _takes('var substitution expects 1 or 2 arguments', 1, 'variable_name', 'default'),
+        takes('var substitution expects 1 or 2 arguments', 1, 'variable_name', 'default'),
     ),
     'env': _makes(
         'EnvironmentVariable',
         'environment_variable',
-        _takes('env substitution expects 1 or 2 arguments', 1, 'name', 'default_value'),
+        takes('env substitution expects 1 or 2 arguments', 1, 'name', 'default_value'),
     ),
     'eval': _makes('PythonExpression', 'python_expression', _takes_expression),
-    'command': _makes('Command', 'command', _takes('command substitution expects 1 or 2 arguments', 1, 'command', 'on_stderr')),
+    'command': _makes('Command', 'command', takes('command substitution expects 1 or 2 arguments', 1, 'command', 'on_stderr')),
     'find-exec': _makes(
-        'FindExecutable', 'find_executable', _takes('find-exec substitution expects 1 argument', 1, 'name', error=AttributeError)
+        'FindExecutable', 'find_executable', takes('find-exec substitution expects 1 argument', 1, 'name', error=AttributeError)
     ),
-    'dirname': _makes('ThisLaunchFileDir', 'this_launch_file_dir', _takes(_NOTHING.format('dirname'), 0)),
-    'filename': _makes('ThisLaunchFile', 'this_launch_file', _takes(_NOTHING.format('filename'), 0)),
+    'dirname': _makes('ThisLaunchFileDir', 'this_launch_file_dir', takes(_NOTHING.format('dirname'), 0)),
+    'filename': _makes('ThisLaunchFile', 'this_launch_file', takes(_NOTHING.format('filename'), 0)),
     'launch_log_dir': _LOG_DIR,
     'log_dir': _LOG_DIR,
-    'anon': _makes('AnonName', 'anon_name', _takes('anon substitution expects 1 argument', 1, 'name')),
-    'not': _makes('NotSubstitution', 'boolean_substitution', _takes('not substitution expects 1 argument', 1, 'value')),
+    'anon': _makes('AnonName', 'anon_name', takes('anon substitution expects 1 argument', 1, 'name')),
+    'not': _makes('NotSubstitution', 'boolean_substitution', takes('not substitution expects 1 argument', 1, 'value')),
     'and': _makes('AndSubstitution', 'boolean_substitution', _LEFT_RIGHT),
     'or': _makes('OrSubstitution', 'boolean_substitution', _LEFT_RIGHT),
     'any': _makes('AnySubstitution', 'boolean_substitution', _takes_all),
@@ -89,25 +105,9 @@ BUILT_IN_SUBSTITUTIONS: dict[str, LateSubstitution] = {
     'if': _makes(
         'IfElseSubstitution',
         'if_else_substitution',
-        _takes('if substitution expects 2 or 3 arguments', 2, 'condition', 'if_value', 'else_value'),
+        takes('if substitution expects 2 or 3 arguments', 2, 'condition', 'if_value', 'else_value'),
     ),
     'file-content': _makes(
-        'FileContent', 'file_content', _takes('file-content substitution expects 1 argument', 1, 'path', error=AttributeError)
+        'FileContent', 'file_content', takes('file-content substitution expects 1 argument', 1, 'path', error=AttributeError)
     ),
-    'find-pkg-share': _makes_ros(
-        'FindPackageShare',
-        'find_package',
-        _takes('find-pkg-share substitution expects 1 argument', 1, 'package', error=AttributeError),
-    ),
-    'find-pkg-prefix': _makes_ros(
-        'FindPackagePrefix',
-        'find_package',
-        _takes('find-pkg-prefix substitution expects 1 argument', 1, 'package', error=AttributeError),
-    ),
-    'exec-in-pkg': _makes_ros(
-        'ExecutableInPackage',
-        'executable_in_package',
-        _takes('exec-in-pkg substitution expects 2 arguments', 2, 'executable', 'package', error=AttributeError),
-    ),
-    'param': _makes_ros('Parameter', 'parameter', _takes('param substitution expects 1 or 2 arguments', 1, 'name', 'default')),
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._engine import running_process
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -25,8 +24,6 @@ class AnonName(Substitution):
 
     def __init__(self, name: SomeSubstitutionsType) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
-
-    parse = parsed_as_substitution('anon')
 
     @property
     def name(self) -> list[Substitution]:

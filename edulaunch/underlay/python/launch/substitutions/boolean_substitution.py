@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -21,8 +20,6 @@ class NotSubstitution(Substitution):
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         self.__value = normalize_to_list_of_substitutions(value)
-
-    parse = parsed_as_substitution('not')
 
     @property
     def value(self) -> list[Substitution]:
@@ -44,8 +41,6 @@ class AndSubstitution(Substitution):
     def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
         self.__left = normalize_to_list_of_substitutions(left)
         self.__right = normalize_to_list_of_substitutions(right)
-
-    parse = parsed_as_substitution('and')
 
     @property
     def left(self) -> list[Substitution]:
@@ -73,8 +68,6 @@ class OrSubstitution(Substitution):
         self.__left = normalize_to_list_of_substitutions(left)
         self.__right = normalize_to_list_of_substitutions(right)
 
-    parse = parsed_as_substitution('or')
-
     @property
     def left(self) -> list[Substitution]:
         """The left operand."""
@@ -100,8 +93,6 @@ class AnySubstitution(Substitution):
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
 
-    parse = parsed_as_substitution('any')
-
     @property
     def args(self) -> list[list[Substitution]]:
         """The operands."""
@@ -121,8 +112,6 @@ class AllSubstitution(Substitution):
 
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
-
-    parse = parsed_as_substitution('all')
 
     @property
     def args(self) -> list[list[Substitution]]:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from .._absent_packages import is_empty_output
 from .._engine import run_command
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -32,8 +31,6 @@ class Command(Substitution):
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail') -> None:
         self.__command = normalize_to_list_of_substitutions(command)
         self.__on_stderr = normalize_to_list_of_substitutions(on_stderr)
-
-    parse = parsed_as_substitution('command')
 
     @property
     def command(self) -> list[Substitution]:

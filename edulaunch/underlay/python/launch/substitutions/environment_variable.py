@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -25,8 +24,6 @@ class EnvironmentVariable(Substitution):
     def __init__(self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
-
-    parse = parsed_as_substitution('env')
 
     @property
     def name(self) -> list[Substitution]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_substitution
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
@@ -29,8 +28,6 @@ class EqualsSubstitution(Substitution):
     def __init__(self, left: Any | None, right: Any | None) -> None:
         self.__left = _normalize_operand(left)
         self.__right = _normalize_operand(right)
-
-    parse = parsed_as_substitution('equals')
 
     @property
     def left(self) -> list[Substitution]:

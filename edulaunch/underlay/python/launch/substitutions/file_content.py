@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -24,8 +23,6 @@ class FileContent(Substitution):
 
     def __init__(self, path: SomeSubstitutionsType) -> None:
         self.__path = normalize_to_list_of_substitutions(path)
-
-    parse = parsed_as_substitution('file-content')
 
     @property
     def path(self) -> list[Substitution]:

@@ -8,7 +8,6 @@ from osrf_pycommon.process_utils import which
 
 from .._absent_packages import absent_program
 from .._engine import assumptions
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -28,8 +27,6 @@ class FindExecutable(Substitution):
 
     def __init__(self, *, name: SomeSubstitutionsType) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
-
-    parse = parsed_as_substitution('find-exec')
 
     @property
     def name(self) -> list[Substitution]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -30,8 +29,6 @@ class IfElseSubstitution(Substitution):
         self.__condition = normalize_to_list_of_substitutions(condition)
         self.__if_value = normalize_to_list_of_substitutions(if_value)
         self.__else_value = normalize_to_list_of_substitutions(else_value)
-
-    parse = parsed_as_substitution('if')
 
     @property
     def condition(self) -> list[Substitution]:

@@ -6,7 +6,6 @@ import collections.abc
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -29,8 +28,6 @@ class LaunchConfiguration(Substitution):
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any = None) -> None:
         self.__variable_name = normalize_to_list_of_substitutions(variable_name)
         self.__default: list[Substitution] | None = None if default is None else _normalize_default(default)
-
-    parse = parsed_as_substitution('var')
 
     @property
     def variable_name(self) -> list[Substitution]:

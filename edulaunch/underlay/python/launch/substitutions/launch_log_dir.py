@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..substitution import Substitution
 
 if TYPE_CHECKING:
@@ -13,8 +12,6 @@ if TYPE_CHECKING:
 
 class LaunchLogDir(Substitution):
     """The folder of this launch's log files. Asking for it makes it."""
-
-    parse = parsed_as_substitution('log_dir')
 
     def describe(self) -> str:
         """`LaunchLogDir()`."""

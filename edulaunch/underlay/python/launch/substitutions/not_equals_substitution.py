@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from .equals_substitution import EqualsSubstitution
 
 if TYPE_CHECKING:
@@ -13,8 +12,6 @@ if TYPE_CHECKING:
 
 class NotEqualsSubstitution(EqualsSubstitution):
     """The opposite of `EqualsSubstitution`."""
-
-    parse = parsed_as_substitution('not-equals')
 
     def _evaluate(self, context: LaunchContext) -> bool:
         return not super()._evaluate(context)

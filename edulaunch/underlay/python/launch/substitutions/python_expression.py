@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .._engine import import_for_expression
-from .._parsed_by import parsed_as_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -29,8 +28,6 @@ class PythonExpression(Substitution):
     def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
         self.__expression = normalize_to_list_of_substitutions(expression)
         self.__python_modules = normalize_to_list_of_substitutions(python_modules)
-
-    parse = parsed_as_substitution('eval')
 
     @property
     def expression(self) -> list[Substitution]:

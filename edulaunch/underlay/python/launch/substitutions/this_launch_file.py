@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .._parsed_by import parsed_as_substitution
 from ..substitution import Substitution
 from .substitution_failure import SubstitutionFailure
 
@@ -19,8 +18,6 @@ class ThisLaunchFile(Substitution):
 
     :raises SubstitutionFailure: on evaluation, outside of launch files.
     """
-
-    parse = parsed_as_substitution('filename')
 
     def describe(self) -> str:
         """`ThisLaunchFile()`."""

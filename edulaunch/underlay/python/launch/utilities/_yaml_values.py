@@ -43,7 +43,8 @@ def load_yaml_value(text: str) -> Any:
 
 def _check_size(text: str) -> None:
     import yaml
-    from launch_yaml.reader import read
+
+    from .yaml_reader import read
 
     try:
         read(text)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.some_substitutions_type import SomeSubstitutionsType
 
 from ..descriptions import ComposableNode
@@ -21,8 +20,6 @@ class ComposableNodeContainer(Node):
     :param composable_node_descriptions: what to load; nothing when there are none.
     :param kwargs: those of :class:`launch_ros.actions.Node`.
     """
-
-    parse = parsed_as_action('node_container')
 
     def __init__(
         self,

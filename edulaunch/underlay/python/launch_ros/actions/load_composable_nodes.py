@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
@@ -36,8 +35,6 @@ class LoadComposableNodes(Action):
 
     :param target_container: the container action, or the container's full name.
     """
-
-    parse = parsed_as_action('load_composable_node')
 
     def __init__(
         self,

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch._engine import process_counter, process_state
-from launch._parsed_by import parsed_as_action
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -56,8 +55,6 @@ class Node(ExecuteProcess):
     Errors when it is executed: PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's
     InvalidNodeNameException and InvalidNamespaceException.
     """
-
-    parse = parsed_as_action('node')
 
     UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
     UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'

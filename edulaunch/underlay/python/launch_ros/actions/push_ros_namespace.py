@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -24,8 +23,6 @@ class PushROSNamespace(Action):
 
     :raises SubstitutionFailure: on execution, when the result is not a namespace.
     """
-
-    parse = parsed_as_action('push_ros_namespace')
 
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

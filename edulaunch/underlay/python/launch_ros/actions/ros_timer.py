@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.actions.timer_action import TimerAction
 from launch.events.timer_event import TimerEvent
 from launch.utilities.type_utils import perform_typed_substitution
@@ -25,8 +24,6 @@ class ROSTimer(TimerAction):
 
     :param period: seconds, as a float, a text or substitutions.
     """
-
-    parse = parsed_as_action('ros_timer')
 
     def __init__(self, *, period: Any, actions: Iterable[LaunchDescriptionEntity], **kwargs: Any) -> None:
         super().__init__(period=period, actions=actions, **kwargs)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -24,8 +23,6 @@ class SetParameter(Action):
 
     As in ROS, a list of values is passed on in a form that the node reads as a text.
     """
-
-    parse = parsed_as_action('set_parameter')
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)

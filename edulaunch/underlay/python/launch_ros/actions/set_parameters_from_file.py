@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -20,8 +19,6 @@ class SetParametersFromFile(Action):
 
     :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
     """
-
-    parse = parsed_as_action('set_parameters_from_file')
 
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

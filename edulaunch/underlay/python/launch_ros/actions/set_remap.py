@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 
 class SetRemap(Action):
     """Remap `src` to `dst` in the nodes that are started later in this scope, before their own rules."""
-
-    parse = parsed_as_action('set_remap')
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -18,8 +17,6 @@ if TYPE_CHECKING:
 
 class SetROSLogDir(Action):
     """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative one goes below the current."""
-
-    parse = parsed_as_action('set_ros_log_dir')
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

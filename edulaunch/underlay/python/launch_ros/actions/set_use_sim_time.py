@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._parsed_by import parsed_as_action
 from launch.action import Action
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
@@ -19,8 +18,6 @@ class SetUseSimTime(Action):
 
     :param value: a bool, or a text or substitutions for one.
     """
-
-    parse = parsed_as_action('set_use_sim_time')
 
     def __init__(self, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -6,7 +6,6 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from launch._engine import absent_package, state_of
-from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
@@ -25,8 +24,6 @@ class ExecutableInPackage(FindPackagePrefix):
 
     :raises SubstitutionFailure: on evaluation, when there is none; its `edulaunch_hint` says what to try.
     """
-
-    parse = parsed_as_substitution('exec-in-pkg')
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)

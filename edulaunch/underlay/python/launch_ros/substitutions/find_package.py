@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities._plain_text import plain_text
@@ -57,8 +56,6 @@ class FindPackage(Substitution):
 class FindPackagePrefix(FindPackage):
     """The install prefix of a package."""
 
-    parse = parsed_as_substitution('find-pkg-prefix')
-
     def find(self, package_name: str) -> str:
         """`<prefix>`."""
         from ament_index_python.packages import get_package_prefix
@@ -68,8 +65,6 @@ class FindPackagePrefix(FindPackage):
 
 class FindPackageShare(FindPackagePrefix):
     """The share folder of a package, where its launch and configuration files are."""
-
-    parse = parsed_as_substitution('find-pkg-share')
 
     def find(self, package_name: str) -> str:
         """`<prefix>/share/<package>`."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from launch._parsed_by import parsed_as_substitution
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -20,8 +19,6 @@ class Parameter(Substitution):
     :param default: used when there is none.
     :raises SubstitutionFailure: on evaluation, when there is neither.
     """
-
-    parse = parsed_as_substitution('param')
 
     def __init__(self, name: SomeSubstitutionsType, *, default: SomeSubstitutionsType | None = None) -> None:
         super().__init__()

@@ -42,7 +42,7 @@ def to_parameters_list(
 
 
 def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
-    from launch_yaml.reader import read
+    from launch.utilities.yaml_reader import read
 
     content = read(path.read_text(encoding='utf-8'))
     if content is None:

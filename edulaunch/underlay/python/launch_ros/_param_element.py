@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
-
+from launch.frontend import hints
+from launch.frontend.entity import Entities, Entity, Pair
 from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 
-from .. import hints
-from ..entity import Entities, Entity, Pair
-from ..parser import Parser
+from .parameter_descriptions import ParameterFile, ParameterValue
+
+if TYPE_CHECKING:
+    from launch.frontend.parser import Parser
 
 _SCALARS = ('int', 'float', 'bool', 'str')
 _TYPES: dict[str, Any] = {

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from launch.substitution import Substitution
-from launch.substitutions.text_substitution import TextSubstitution
+from typing import TYPE_CHECKING
 
-from .. import hints
-from ..parser import Parser
+from ..substitution import Substitution
+from ..substitutions.text_substitution import TextSubstitution
+from . import hints
 
 Word = list[Substitution]
+
+if TYPE_CHECKING:
+    from .parser import Parser
 
 
 def words_of(text: str, parser: Parser) -> list[Word]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import yaml
 
-from .mapping import Mapping
+from .yaml_mapping import Mapping
 
 MAX_DEPTH = 100
 """How deep lists and mappings may be nested."""
