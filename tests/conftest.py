@@ -26,6 +26,12 @@ def same_environment() -> Iterator[None]:
         os.environ.update(before)
 
 
+@pytest.fixture(autouse=True, scope='session')
+def no_machine_of_somebody_else(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """What runs in the terminals of whoever runs the tests is not found by them."""
+    os.environ['XDG_RUNTIME_DIR'] = str(tmp_path_factory.mktemp('run'))
+
+
 @pytest.fixture(autouse=True, scope='module')
 def no_parked_tasks_left() -> Iterator[None]:
     """Unwind here what a test module left parked: when the collector does that inside `ast.parse`, CPython 3.11 trips over it."""

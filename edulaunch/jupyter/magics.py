@@ -20,6 +20,7 @@ class RosMagics(Magics):
         super().__init__(shell)
         self._said: list[str] = []
         self.terminal = Terminal(lambda stream, text: self._said.append(text))
+        self.terminal.machine.show_keyboard = _show_keyboard
 
     @no_var_expand
     @line_magic
@@ -29,7 +30,8 @@ class RosMagics(Magics):
         %ros2 launch PACKAGE FILE name:=value --for 20     start anew, run 20 simulated seconds; returns the Recording
         %ros2 topic list                                   any other command, beside what still runs
         %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
-        %ros2 run turtlesim draw_square &                  leave it running
+        %ros2 run turtlesim draw_square &                  leave it running; a program that reads keys gets buttons
+        %ros2 jobs      %ros2 stop      %ros2 wait 5       what was left running; end it; let simulated seconds pass
 
         Brackets and dollar signs are passed on as they are.
         """
@@ -73,3 +75,16 @@ class RosMagics(Magics):
         finally:
             sys.stdout.write(''.join(self._said))
             self._said.clear()
+
+
+def _show_keyboard(press: Callable[[str], str], title: str) -> None:
+    """Show buttons, where the front end has any."""
+    import IPython.display as front_end
+
+    display: Any = front_end.display
+    try:
+        from edulaunch.jupyter.keys import keyboard
+
+        display(keyboard(press, title))
+    except ImportError:
+        sys.stdout.write(f'{title} reads the keyboard\n  help: pip install ipywidgets gives it buttons; or use a terminal\n')

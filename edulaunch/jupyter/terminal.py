@@ -3,56 +3,46 @@
 from __future__ import annotations
 
 import os
-import shlex
-import signal
 from collections.abc import Callable
 
-from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
+from edulaunch.jupyter.line import read_line
+from edulaunch.jupyter.machine import Machine
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import find_workspaces
-from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
-from edulaunch.session import Session
 from edulaunch.workspace.not_needed import answer
 
-LAUNCH_S = 20.0
-COMMAND_S = {'topic echo': 1.0}
-OTHER_S = 5.0
-"""Simulated seconds after which Ctrl-C is pressed, unless `--for` says it: for a launch, for what says a lot, for others."""
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
-PATIENCE_S = 15.0
-"""Simulated seconds that a program has to end after Ctrl-C."""
 
 
 class Terminal:
-    """Runs `ros2` command lines. `launch` starts a new machine; every other command runs beside what still runs on it.
+    """Reads what stands in a cell, and lets the machine do it.
 
     :param write: called as write(stream, text) with everything that is printed.
     """
 
     def __init__(self, write: Callable[[str, str], object]) -> None:
         self._write = write
-        self._session: Session | None = None
+        self.machine = Machine(write, self.workspaces)
         self._sourced: list[str] = []
 
-    def ros2(self, line: str) -> Recording | None:
+    def ros2(self, text: str) -> Recording | None:
         """Run the words behind `ros2`. A launch returns its Recording.
 
         :raises UnusableInput: for a launch file that is not there, or words that cannot be read.
         :raises LaunchFileError: for a launch file with a mistake; names the student's file and line.
         """
-        try:
-            words = shlex.split(line)
-        except ValueError as error:
-            raise UnusableInput(f'cannot read this command: {error}', help='a quotation mark is missing its partner') from None
-        seconds, seed = _take_number(words, '--for'), _take_number(words, '--seed')
-        with outer_loop_set_aside():
-            if words[:1] == ['launch'] and not ONLY_SHOWS & set(words):
-                return self._launch(words[1:], LAUNCH_S if seconds is None else seconds, int(seed or 0))
-            self._command(words, seconds)
+        line = read_line(text)
+        with self.machine.hosting.cell(), outer_loop_set_aside():
+            if line.words[:1] in (['jobs'], ['stop'], ['wait']):
+                self.machine.own_word(*line.words)
+            elif line.words[:1] != ['launch'] or ONLY_SHOWS & set(line.words) or line.shell:
+                self.machine.command(line)
+            else:
+                return self.machine.launch(line)
         return None
 
     def source(self, path: str) -> None:
@@ -88,69 +78,10 @@ class Terminal:
 
         :raises UnusableInput: when nothing was started yet.
         """
-        if self._session is None:
+        if self.machine.session is None:
             raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')
-        return snapshot(self._session)
+        return snapshot(self.machine.session)
 
     def workspaces(self) -> list[str]:
         """What was sourced; else what is found from the folder of the notebook."""
         return self._sourced or find_workspaces(os.getcwd(), os.environ)
-
-    def _new_session(self, seed: int) -> Session:
-        if self._session is not None:
-            self._session.close()
-        self._session = Session(seed=seed, workspaces=self.workspaces(), console=self._write)
-        return self._session
-
-    def _launch(self, words: list[str], seconds: float, seed: int) -> Recording:
-        if not words:
-            raise UnusableInput('launch what?', help='%ros2 launch PACKAGE FILE name:=value --for SECONDS')
-        session = self._new_session(seed)
-        launch = session.launch(*split_words(words[0], words[1:]))
-        session.run(seconds)
-        launch.raise_error()
-        found = snapshot(session)
-        for line in found.warnings:
-            self._write('stderr', f'warning: {line}\n')
-        return found
-
-    def _command(self, words: list[str], seconds: float | None) -> None:
-        """Run a command to its end, or press Ctrl-C when its time is up."""
-        session = self._session or self._new_session(0)
-        stays = words[-1:] == ['&']
-        spec = ProcessSpec(argv=('ros2', *(words[:-1] if stays else words)), name='ros2', cwd=os.getcwd())
-        process = session.host.start(spec, on_output=self._write, on_exit=None if stays else lambda code: session.sim.stop())
-        if stays:
-            self._write('stdout', f'[{process.pid}]\n')
-            return
-        interrupted = session.run(COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds)
-        if process.returncode is None:
-            if interrupted:
-                self._write('stdout', '^C\n')
-            elif seconds is None:
-                self._write(
-                    'stdout', f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
-                )
-            process.send_signal(signal.SIGINT)
-            session.run(PATIENCE_S)
-        if process.returncode is None:
-            process.send_signal(signal.SIGKILL)
-
-
-def _take_number(words: list[str], option: str) -> float | None:
-    """The number behind an option of ours, which is taken out of the words; None when it is not there."""
-    if option not in words:
-        return None
-    position = words.index(option)
-    _, *value = words[position : position + 2]
-    del words[position : position + 2]
-    try:
-        number = float(value[0]) if value else -1.0
-    except ValueError:
-        number = -1.0
-    if not 0 <= number <= 1e6:
-        raise UnusableInput(
-            f'{option} needs a number from 0 to 1000000, not {value[0] if value else "nothing"!r}',
-            help=f'for example: {option} 5',
-        )
-    return number

@@ -87,14 +87,14 @@ def write_address(place: str, number: str, address: Address) -> None:
     os.replace(new, path)
 
 
-def remove_address(place: str, number: str, token: str) -> None:
-    """Let nobody find the machine of that token any longer; another one stays."""
+def remove_address(place: str, number: str, address: Address) -> None:
+    """Let nobody find that machine any longer; another one stays."""
     found = read_address(place, number)
-    if found is not None and found.token == token:
-        os.unlink(address_file(place, number))
-    if found is not None and found.kind == 'unix' and found.token == token:
-        with suppress(OSError):
-            os.unlink(found.place)
+    with suppress(OSError):
+        if found is not None and found.token == address.token:
+            os.unlink(address_file(place, number))
+        if address.kind == 'unix':
+            os.unlink(address.place)
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from importlib import import_module
 
 from edulaunch.machine.connection import Connection
 from edulaunch.machine.impatience import Impatience, wake_by_signal
-from edulaunch.machine.place import LISTENER, locked, read_address, remove_address
+from edulaunch.machine.place import LISTENER, Address, locked, read_address, remove_address
 from edulaunch.machine.terminals import Terminal, Terminals
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session
@@ -55,19 +55,23 @@ class Server:
         self.rounds = 0
         self.is_behind = False
         self.last_seen_s = time.monotonic()
+        self.on_accept: Callable[[socket.socket], object] = lambda client: None
         self._listener = listener
         self._token = token
         self._connections: list[Connection] = []
-        session.host.is_paced = True
         listener.setblocking(False)
         self.selector.register(listener, selectors.EVENT_READ, self._accept)
 
     def run_due(self) -> float | None:
         """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
         wait_s = self.time.advance()
+        self.flush()
+        return wait_s
+
+    def flush(self) -> None:
+        """Hand on what was said."""
         for connection in list(self._connections):
             connection.flush()
-        return wait_s
 
     def listen(self, seconds: float | None) -> None:
         """Take what terminals say, and wait for it at most so long."""
@@ -94,9 +98,15 @@ class Server:
                 self.is_behind = True
                 connection.look_for_signals(partial(terminal.signal, running=program))
 
+    def move_to(self, session: Session) -> None:
+        """Let whoever comes from now on find another session."""
+        self.session = session
+        self.time = RealTime(session.sim)
+        self.terminals = Terminals(session, self.time)
+
     def has_terminals(self) -> bool:
-        """Whether anybody is connected."""
-        return bool(self._connections)
+        """Whether anybody is connected who may be."""
+        return any(connection.terminal is not None for connection in self._connections)
 
     def _accept(self, events: int) -> None:
         try:
@@ -106,7 +116,7 @@ class Server:
         if len(self._connections) >= MOST_CONNECTIONS or not _is_ours(client):
             client.close()
             return
-        wake_by_signal(client)
+        self.on_accept(client)
         self._connections.append(Connection(client, self.selector, self._token, self.terminals, self._forget))
 
     def _forget(self, connection: Connection) -> None:
@@ -136,7 +146,7 @@ def _is_ours(client: socket.socket) -> bool:
     return True
 
 
-def serve(server: Server, place: str, number: str, token: str) -> None:
+def serve(server: Server, place: str, number: str, address: Address) -> None:
     """Serve until the last terminal has been gone for a while, or somebody says so."""
     early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
@@ -153,7 +163,7 @@ def serve(server: Server, place: str, number: str, token: str) -> None:
             import_module(early.pop(0))
         server.drop_the_silent()
     with locked(place, number):
-        remove_address(place, number, token)
+        remove_address(place, number, address)
     server.close()
 
 
@@ -178,10 +188,12 @@ def main() -> None:
     session = Session(start_ns=time.time_ns(), turn_limit_s=_seconds('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
     server = Server(session, listener, address.token)
     signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
+    session.host.is_paced = True
+    server.on_accept = wake_by_signal
     Impatience(server).begin()
     gc.freeze()
     with streams_of_programs():
-        serve(server, place, number, address.token)
+        serve(server, place, number, address)
     session.close()
 
 

@@ -55,7 +55,7 @@ def test_tf_tools_run_in_the_same_machine(desk: Any) -> None:
 def test_an_ampersand_leaves_the_program_running(desk: Any) -> None:
     desk.ros2('launch sim.launch.py --for 1')
     desk.ros2('run turtlesim draw_square &')
-    assert desk.output == '[1003]\n'
+    assert desk.output == '[1]  1003  Running   ros2 run turtlesim draw_square\n'
     desk.ros2('topic echo /turtle1/cmd_vel --once')
     assert 'linear:' in desk.output
     desk.ros2('node list')
@@ -130,7 +130,7 @@ def test_there_is_no_recording_before_anything_ran(desk: Any) -> None:
 
 def press_at(desk: Any, second: float) -> None:
     """Let the person at the notebook press its interrupt button."""
-    sim = desk.terminal._session.sim
+    sim = desk.terminal.machine.session.sim
     sim.schedule(sim.now_ns + round(second * 1e9), lambda: signal.raise_signal(signal.SIGINT))
 
 

@@ -12,6 +12,7 @@ import sys
 import termios
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -146,5 +147,5 @@ class Desk:
         for shell in self.shells:
             shell.close()
         for path in self.runtime.glob('edulaunch/domain-*'):
-            if path.suffix != '.log':
+            with suppress(ProcessLookupError, IndexError):
                 os.kill(int(path.read_text().split('\n')[3]), signal.SIGTERM)

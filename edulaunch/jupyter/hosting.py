@@ -1,0 +1,122 @@
+"""Lets terminals reach the machine of a notebook, on the notebook's own asyncio loop.
+
+Between two cells time stands still, so that a lesson runs the same each time. While a terminal is connected it goes on, with the
+clock on the wall.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import atexit
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from edulaunch.machine.outer_loop import outer_loop_set_aside
+from edulaunch.machine.place import Address, UnsafePlace, domain, folder, locked, read_address, remove_address, write_address
+from edulaunch.machine.server import LOOK_EVERY_S, Server
+from edulaunch.machine.starting import listen
+from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.session import Session
+
+
+class Hosting:
+    """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it."""
+
+    def __init__(self) -> None:
+        self._server: Server | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._next: asyncio.TimerHandle | None = None
+        self._door: tuple[str, str, Address] | None = None
+        self._is_going = False
+
+    def has_terminals(self) -> bool:
+        """Whether anybody is connected."""
+        return self._server is not None and self._server.has_terminals()
+
+    def serve(self, session: Session) -> None:
+        """From now on terminals find this session; the notebook that was used last is the one that they find."""
+        if self._loop is None:
+            return
+        try:
+            if self._server is None:
+                self._open(session, self._loop)
+            elif self._server.session is not session:
+                self._server.move_to(session)
+            self._claim()
+        except (NotImplementedError, OSError, UnsafePlace):
+            self._loop = None
+
+    def _open(self, session: Session, loop: asyncio.AbstractEventLoop) -> None:
+        place, number = folder(), domain()
+        listener, address = listen(place, number, 'notebook')
+        self._door = place, number, address
+        self._server = Server(session, listener, address.token)
+        loop.add_reader(_number(self._server), self._heard)
+        atexit.register(remove_address, place, number, address)
+
+    def _claim(self) -> None:
+        assert self._door is not None
+        place, number, address = self._door
+        found = read_address(place, number)
+        if found is None or found.token != address.token:
+            with locked(place, number):
+                write_address(place, number, address)
+
+    @contextmanager
+    def cell(self) -> Iterator[None]:
+        """Around a cell that lets time pass: for terminals it goes on from where that has come to."""
+        with suppress(RuntimeError):
+            self._loop = asyncio.get_running_loop()
+        try:
+            yield
+        finally:
+            if self._server is not None:
+                self._server.time.go_on()
+                self._server.flush()
+                self._look_again(0.0)
+
+    def _heard(self) -> None:
+        """Somebody has said something."""
+        server = self._server
+        assert server is not None
+        with outer_loop_set_aside(), streams_of_programs():
+            server.listen(0)
+        self._look_again(0.0)
+
+    def _go_on(self) -> None:
+        """Run what is due, for as long as anybody is connected."""
+        server = self._server
+        assert server is not None
+        if not server.has_terminals():
+            self._is_going = False
+            return
+        if not self._is_going:
+            self._is_going = True
+            server.time.go_on()
+        host = server.session.host
+        host.is_paced = True
+        try:
+            with outer_loop_set_aside(), streams_of_programs():
+                due_s = server.run_due()
+        finally:
+            host.is_paced = False
+        server.drop_the_silent()
+        self._look_again(LOOK_EVERY_S if due_s is None else min(due_s, LOOK_EVERY_S))
+
+    def _look_again(self, seconds: float) -> None:
+        if self._next is not None:
+            self._next.cancel()
+        if self._loop is not None and not self._loop.is_closed():
+            self._next = self._loop.call_later(seconds, self._go_on)
+
+
+def _number(server: Server) -> int:
+    """What a loop has to wait for to hear any terminal.
+
+    :raises NotImplementedError: on systems where a set of connections is not one file.
+    """
+    number = getattr(server.selector, 'fileno', None)
+    if number is None or not hasattr(socket, 'AF_UNIX'):
+        raise NotImplementedError
+    return int(number())

@@ -1,0 +1,204 @@
+"""The machine behind a notebook: its Session, what was left running, and the door for terminals."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import signal
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from edulaunch.cli.launch import split_words
+from edulaunch.errors import UnusableInput
+from edulaunch.jupyter.hosting import Hosting
+from edulaunch.jupyter.jobs import Job, Jobs
+from edulaunch.jupyter.line import Line, number_of
+from edulaunch.launching import LaunchRun, find_launch_file
+from edulaunch.machine import wire
+from edulaunch.machine.asking import ask, has_terminals_machine
+from edulaunch.machine.outer_loop import outer_loop_set_aside
+from edulaunch.machine.remote_input import RemoteInput
+from edulaunch.machine.snapshot import snapshot
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.recording import Recording
+from edulaunch.session import Session
+
+LAUNCH_S = 20.0
+COMMAND_S = {'topic echo': 1.0}
+OTHER_S = 5.0
+"""Simulated seconds after which Ctrl-C is pressed, unless `--for` says it: for a launch, for what says a lot, for others."""
+PATIENCE_S = 15.0
+"""Simulated seconds that a program has to end after Ctrl-C."""
+PRESS_S = 1.0
+"""Simulated seconds that pass for a key: so long a turtle follows it."""
+SIZE = (80, 24)
+OTHER_MACHINE = """note: terminals have a machine of their own, on which this launch does not run
+  help: what you start in a terminal from now on is on this one
+"""
+
+
+class Machine:
+    """Runs `ros2` command lines on one machine that terminals see, too.
+
+    A launch starts it anew, unless something was left running there on purpose (with `&`, or in a terminal); every other command
+    runs beside what still runs.
+
+    :param write: called as write(stream, text) with everything that is printed.
+    :param workspaces: gives the folders with packages for a new machine.
+    :ivar show_keyboard: called as show_keyboard(press, title) for a program that reads keys: press(keys) presses them and returns
+        what is said.
+    """
+
+    def __init__(self, write: Callable[[str, str], object], workspaces: Callable[[], Sequence[str]]) -> None:
+        self.hosting = Hosting()
+        self.session: Session | None = None
+        self._write = write
+        self._workspaces = workspaces
+        self._jobs = Jobs()
+        self._foreground: LaunchRun | None = None
+        self._asked: list[Job] = []
+        self.show_keyboard: Callable[[Callable[[str], str], str], object] = lambda press, title: None
+
+    def _new_session(self, seed: int) -> Session:
+        return Session(seed=seed, workspaces=self._workspaces(), console=self._write)
+
+    def _use(self, session: Session) -> Session:
+        """Let a session be the notebook's machine from now on; the one before ends."""
+        if self.session is not session:
+            if self.session is not None:
+                self.session.close()
+            self._jobs.clear()
+            self.session = session
+        self.hosting.serve(session)
+        return session
+
+    def launch(self, line: Line) -> Recording | None:
+        """Start a launch file: on a new machine, or beside what was left running on purpose.
+
+        The machine before is kept until it is sure that the new launch works.
+        """
+        words = line.words[1:]
+        if not words:
+            raise UnusableInput('launch what?', help='%ros2 launch PACKAGE FILE name:=value --for SECONDS')
+        here = self.session
+        stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_terminals())
+        session = here if here is not None and stays else self._new_session(line.seed)
+        launch = self._begin(session, words, stays)
+        note = OTHER_MACHINE if here is None and has_terminals_machine() else ''
+        if line.stays:
+            self._use(session)
+            job = self._jobs.add(launch.process, f'ros2 launch {shlex.join(words)}')
+            self._write('stdout', f'{job}\n')
+            session.run(0.0)
+        else:
+            session.run(LAUNCH_S if line.seconds is None else line.seconds)
+        if launch.error is None or here is None:
+            self._use(session)
+        elif session is not here:
+            session.close()
+        launch.raise_error()
+        if line.stays:
+            return None
+        self._foreground = launch
+        self._write('stderr', note)
+        found = snapshot(session)
+        for text in found.warnings:
+            self._write('stderr', f'warning: {text}\n')
+        return found
+
+    def _begin(self, session: Session, words: list[str], beside: bool) -> LaunchRun:
+        """Start the launch. Where it runs beside others, the one that the last cell showed ends first: its time is over."""
+        package_or_file, file, arguments = split_words(words[0], words[1:])
+        find_launch_file(session.index, package_or_file, file)
+        if beside and self._foreground is not None:
+            self._end(session, [self._foreground.process])
+        self._foreground = None
+        return session.launch(package_or_file, file, arguments)
+
+    def own_word(self, word: str, *values: str) -> None:
+        """`jobs`, `stop` and `wait`: what a notebook has instead of a shell's `jobs`, Ctrl-C and `sleep`."""
+        session = self.session
+        if word == 'wait':
+            seconds = number_of(values[0] if values else None, 'wait')
+            if session is not None:
+                session.run(seconds)
+            return
+        jobs = self._jobs.chosen(values[0] if values else '')
+        if word == 'stop' and session is not None:
+            programs = [job.process for job in jobs]
+            if self._foreground is not None and not values:
+                programs.append(self._foreground.process)
+            self._end(session, programs)
+        for job in jobs:
+            self._write('stdout', f'{job}\n')
+        self._jobs.forget_ended()
+
+    def _give_keyboards(self, session: Session) -> None:
+        """Show a keyboard for each program that has begun to read one."""
+        while self._asked:
+            job = self._asked.pop(0)
+            self.show_keyboard(partial(self._press, session, job), job.text)
+
+    def _press(self, session: Session, job: Job, keys: str) -> str:
+        """Press keys for a job, and let some time pass; returns what was said meanwhile."""
+        said: list[str] = []
+        job.process.on_output = lambda stream, text: said.append(text)
+        with self.hosting.cell(), outer_loop_set_aside():
+            job.process.stdin.feed(keys)
+            session.run(PRESS_S)
+        job.process.on_output = self._write
+        return ''.join(said)
+
+    def _end(self, session: Session, programs: list[Process]) -> None:
+        """Press Ctrl-C for some programs, and give them the time that they need."""
+        left = [program for program in programs if program.returncode is None]
+        for program in left:
+            program.send_signal(signal.SIGINT)
+        latest_ns = session.sim.now_ns + round(PATIENCE_S * 1e9)
+        while any(program.returncode is None for program in left) and session.sim.now_ns < latest_ns:
+            session.run(0.1)
+        for program in left:
+            program.send_signal(signal.SIGKILL)
+        session.run(0.0)
+
+    def command(self, line: Line) -> None:
+        """Run a command to its end, or press Ctrl-C when its time is up."""
+        words, seconds = line.words, line.seconds
+        limit_s = COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds
+        is_guest = self.session is None and not line.stays and not line.shell and has_terminals_machine()
+        if is_guest and ask(['ros2', *words], self._write, seconds=limit_s) is not None:
+            return
+        session = self._use(self.session or self._new_session(0))
+        argv = (f'ros2 {line.shell}',) if line.shell else ('ros2', *words)
+        spec = ProcessSpec(argv=argv, name='ros2', cwd=os.getcwd(), shell=bool(line.shell))
+        if not session.host.knows(spec):
+            raise UnusableInput(
+                f'{argv[0]!r} needs a real shell', help='one command at a time works; | > < && ; join commands of ros2'
+            )
+        process: Any = session.host.start(spec, self._write, None if line.stays else lambda code: session.sim.stop())
+        if line.stays:
+            job = self._jobs.add(process, f'ros2 {line.shell or shlex.join(words)}')
+            self._write('stdout', f'{job}\n')
+
+            def told(kind: bytes, payload: bytes = b'') -> None:
+                if kind == wire.READ:
+                    self._asked.append(job)
+
+            process.stdin = RemoteInput(told, True, SIZE)
+            session.run(0.0)
+            self._give_keyboards(session)
+            return
+        interrupted = session.run(limit_s)
+        if process.returncode is None:
+            if interrupted:
+                self._write('stdout', '^C\n')
+            elif seconds is None:
+                self._write(
+                    'stdout', f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
+                )
+            process.send_signal(signal.SIGINT)
+            session.run(PATIENCE_S)
+        if process.returncode is None:
+            process.send_signal(signal.SIGKILL)
