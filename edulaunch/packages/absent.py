@@ -17,13 +17,9 @@ class Absent(NamedTuple):
 
 
 KINDS = {
-    'robot descriptions': Absent(
-        ('robot_state_publisher', 'joint_state_publisher', 'xacro', 'urdf', 'urdf_tutorial', 'urdf_launch'),
-        ('xacro', 'urdf_parser_py', 'kdl_parser_py', 'PyKDL'),
-    ),
+    'robot descriptions': Absent(('urdf', 'urdf_tutorial', 'urdf_launch'), ('kdl_parser_py', 'PyKDL')),
     'windows': Absent(
         (
-            'joint_state_publisher_gui',
             'rqt',
             'rqt_*',
             'plotjuggler',
@@ -43,7 +39,6 @@ KINDS = {
         ('nav2_*', 'slam_toolbox', 'cartographer_ros', 'robot_localization', 'rtabmap_*'),
         ('nav2_msgs', 'nav2_simple_commander', 'nav2_common'),
     ),
-    'components built from C++': Absent(('rclcpp_components',)),
     'MoveIt': Absent(
         ('moveit_ros_*', 'moveit_servo', 'moveit_setup_assistant', 'moveit_py'),
         ('moveit_msgs', 'moveit_configs_utils', 'moveit_commander', 'moveit', 'launch_param_builder'),
@@ -60,9 +55,18 @@ KINDS = {
         ),
         ('control_msgs', 'controller_manager', 'controller_manager_msgs'),
     ),
-    'joysticks and keyboards': Absent(
-        ('joy', 'joy_linux', 'joy_teleop', 'teleop_twist_joy', 'teleop_twist_keyboard', 'key_teleop')
+    'TurtleBot3; turtlebot3_gazebo is here': Absent(
+        (
+            'turtlebot3_bringup',
+            'turtlebot3_cartographer',
+            'turtlebot3_description',
+            'turtlebot3_fake_node',
+            'turtlebot3_navigation2',
+            'turtlebot3_node',
+            'turtlebot3_teleop',
+        )
     ),
+    'joysticks and keyboards': Absent(('joy', 'joy_linux', 'joy_teleop', 'teleop_twist_joy', 'key_teleop')),
     'cameras and images': Absent(
         (
             'v4l2_camera',
@@ -87,7 +91,6 @@ KINDS = {
             'urg_node',
             'velodyne_driver',
             'micro_ros_agent',
-            'turtlebot3_node',
             'hls_lfcd_lds_driver',
             'ld08_driver',
         )

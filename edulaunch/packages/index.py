@@ -14,7 +14,7 @@ from edulaunch.packages.underlay import Underlay
 from edulaunch.packages.workspace import Workspace
 from edulaunch.underlay_place import underlay_prefix
 
-_ON_PATH = ('rviz2',)
+_ON_PATH = ('rviz2', 'xacro')
 """Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
 
 
@@ -133,12 +133,13 @@ class Index:
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours. `rviz2` is on the PATH."""
+        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours. `rviz2` and `xacro` are on the PATH, too,
+        wherever that finds them."""
         folder, executable = os.path.split(path)
-        if executable in _ON_PATH and not folder and (place := self._place(executable)) is not None:
-            return place.program(executable, executable)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)
+        if executable in _ON_PATH and name != 'lib' and (place := self._place(executable)) is not None:
+            return place.program(executable, executable)
         if name != 'lib':
             return None
         for place in self._places:

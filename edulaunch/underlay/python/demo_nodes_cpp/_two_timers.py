@@ -13,8 +13,8 @@ class TwoTimers(CppNode):
     :param reuse: reset the cancelled timer (True), or make a new one in its place (False).
     """
 
-    def __init__(self, node_name: str, *, reuse: bool) -> None:
-        super().__init__(node_name)
+    def __init__(self, node_name: str, *, reuse: bool, **options: Any) -> None:
+        super().__init__(node_name, **options)
         self._reuse = reuse
         self._number = 0
         self._periodic = self.create_wall_timer(2.0, self._on_periodic)

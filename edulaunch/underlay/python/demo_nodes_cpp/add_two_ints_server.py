@@ -13,8 +13,8 @@ from rclcpp_like import CppNode, run_program
 class AddTwoIntsServer(CppNode):
     """Serves `add_two_ints`."""
 
-    def __init__(self) -> None:
-        super().__init__('add_two_ints_server')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('add_two_ints_server', **options)
         self._service = self.create_service(AddTwoInts, 'add_two_ints', self._on_request)
 
     def _on_request(self, request: Any, response: Any) -> Any:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from typing import Any
 
 import rclpy
 from rclcpp_like import CppNode, run_program
@@ -11,9 +12,12 @@ from rclcpp_like import CppNode, run_program
 class ParameterBlackboard(CppNode):
     """Takes undeclared parameters, and those of the command line, as declared."""
 
-    def __init__(self) -> None:
+    def __init__(self, **options: Any) -> None:
         super().__init__(
-            'parameter_blackboard', allow_undeclared_parameters=True, automatically_declare_parameters_from_overrides=True
+            'parameter_blackboard',
+            allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+            **options,
         )
         count = len(self.list_parameters([], 0).names)
         self.get_logger().info(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from typing import Any
 
 import rclpy
 from rclcpp_like import CppNode, run_program
@@ -12,8 +13,8 @@ from std_msgs.msg import String
 class Talker(CppNode):
     """Counts from 1."""
 
-    def __init__(self) -> None:
-        super().__init__('talker')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('talker', **options)
         self._number = 0
         self._chatter = self.create_publisher(String, 'chatter', 7)
         self._timer = self.create_wall_timer(1.0, self._on_timer)

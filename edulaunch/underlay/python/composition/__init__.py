@@ -1,0 +1,1 @@
+"""composition: The composition tutorial: nodes to be loaded into one process."""
