@@ -133,8 +133,10 @@ class Index:
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours. `rviz2` and `xacro` are on the PATH, too,
-        wherever that finds them."""
+        """The program behind `<prefix>/lib/<package>/<executable>`, or None when it is not ours.
+
+        `rviz2` and `xacro` are on the PATH, too, wherever that finds them.
+        """
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
         prefix, name = os.path.split(lib)

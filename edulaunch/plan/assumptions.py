@@ -6,6 +6,8 @@ import os
 from collections.abc import Sequence
 from shutil import which
 
+from edulaunch.underlay_place import underlay_prefix
+
 
 class Assumptions:
     """Answers for things of packages that are not there. Everything asked for is noted.
@@ -57,7 +59,9 @@ class Assumptions:
         return missing
 
     def shown(self, path: str) -> str:
-        """A path inside a placeholder package as 'package/rest', another as it is."""
+        """A path inside a placeholder package as 'package/rest', a program of ours by its name, another as it is."""
+        if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
+            return os.path.basename(path)
         if not path.startswith(self._placeholders):
             return path
         inside = path[len(self._placeholders) :]

@@ -64,10 +64,10 @@ def test_a_launch_file_of_an_absent_package_is_left_out(tmp_path: Path, path: st
     assert last == '[INFO] [launch.user]: it goes on'
 
 
-@pytest.mark.parametrize('command', ["['xacro ', 'a.xacro']", "[FindExecutable(name='xacro'), ' a.xacro']"])
+@pytest.mark.parametrize('command', ["['image_view ', 'a']", "[FindExecutable(name='image_view'), ' a']"])
 def test_the_output_of_an_absent_program_is_empty(tmp_path: Path, command: str) -> None:
     assert run(tmp_path, f"LogInfo(msg=['<', Command({command}), '>'])")[-3:-1] == [
-        "[ERROR] [launch]: the program 'xacro' (robot descriptions) is not here: the output of its command is empty",
+        "[ERROR] [launch]: the program 'image_view' (windows) is not here: the output of its command is empty",
         '[INFO] [launch.user]: <>',
     ]
 

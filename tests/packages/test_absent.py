@@ -16,7 +16,7 @@ from edulaunch.packages.absent import absent_kind
         ('gazebo_ros', 'Gazebo'),
         ('nav2_map_server', 'Navigation 2'),
         ('rqt_graph', 'windows'),
-        ('xacro', 'robot descriptions'),
+        ('urdf_tutorial', 'robot descriptions'),
         ('turtlesim', None),
         ('my_nav2_bringup', None),
         ('', None),
@@ -27,10 +27,10 @@ def test_an_absent_package_belongs_to_something(package: str, kind: str | None) 
 
 
 def test_a_package_of_the_workspace_is_not_absent(tmp_path: Path) -> None:
-    (tmp_path / 'xacro').mkdir()
-    (tmp_path / 'xacro' / 'package.xml').write_text('<package format="3"><name>xacro</name></package>')
-    assert Index((), [tmp_path]).absent('xacro') is None
-    assert Index().absent('xacro') == 'robot descriptions'
+    (tmp_path / 'urdf').mkdir()
+    (tmp_path / 'urdf' / 'package.xml').write_text('<package format="3"><name>urdf</name></package>')
+    assert Index((), [tmp_path]).absent('urdf') is None
+    assert Index().absent('urdf') == 'robot descriptions'
 
 
 def test_only_the_program_tells_that_a_package_is_absent() -> None:

@@ -23,9 +23,10 @@ LAUNCH_FILES = sorted(path for path in SHARE.glob('*/launch/**/*launch*') if pat
 
 @pytest.mark.parametrize('package, executable, module, function', PROGRAMS)
 def test_every_entry_point_is_there(package: str, executable: str, module: str, function: str) -> None:
-    spec = importlib.util.find_spec(module)
-    assert spec is not None and spec.origin is not None
-    assert f'def {function}(' in Path(spec.origin).read_text(encoding='utf-8')
+    own = Path(underlay_prefix()) / 'programs' / f'{module.replace(".", "/")}.py'
+    spec = None if own.is_file() else importlib.util.find_spec(module)
+    path = own if spec is None or spec.origin is None else Path(spec.origin)
+    assert f'def {function}(' in path.read_text(encoding='utf-8')
 
 
 def test_turtlesims_executables_are_those_of_the_tutorial() -> None:

@@ -169,8 +169,8 @@ def generate_launch_description():
     )
     recording = edulaunch.run(tmp_path / 'arm.launch.py', duration_s=1.0)
     assert recording.digest() == edulaunch.run(tmp_path / 'arm.launch.py', duration_s=1.0).digest()
-    moved = recording.transform('upper', 'slide')
-    assert moved.translation[0] == pytest.approx(2.4)
+    frame = recording.frames_at(1.0)['slide']
+    assert (frame.parent, frame.translation[0]) == ('upper', pytest.approx(2.4))
 
 
 def test_xacro_tells_of_a_mistake_in_its_file(tmp_path: Path, stage: Any) -> None:

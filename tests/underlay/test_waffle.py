@@ -8,6 +8,8 @@ from typing import Any
 import pytest
 from geometry_msgs.msg import Twist, TwistStamped, Vector3
 
+import edulaunch
+
 
 def position(message: Any) -> tuple[float, float]:
     return message.pose.pose.position.x, message.pose.pose.position.y
@@ -48,3 +50,19 @@ def test_param_circle_refuses_to_divide_by_zero(stage: Any) -> None:
     stage.start('part3_beyond_basics', 'param_circle.py', '--ros-args', '-p', 'radius:=0.0')
     stage.until(250)
     assert [message.twist.angular.z for message in stage.messages('/cmd_vel')] == [0.0, 0.0]
+
+
+@pytest.mark.parametrize(('file', 'start'), [('turtlebot3_world', (-2.0, -0.5)), ('turtlebot3_house', (-2.0, -0.5))])
+def test_the_worlds_have_the_robot_and_its_frames_and_say_what_is_missing(file: str, start: tuple[float, float]) -> None:
+    recording = edulaunch.run('turtlebot3_gazebo', f'{file}.launch.py', duration_s=1.0)
+    said = ''.join(line.text for line in recording.output)
+    assert f'[launch.user]: {file}: edulaunch has the robot and the floor, but neither' in said
+    assert position(recording.messages('/odom')[0][1]) == start
+    assert recording.frames_at(1.0)['base_scan'].parent == 'base_link'
+
+
+@pytest.mark.parametrize('model', ['burger', 'waffle', 'waffle_pi'])
+def test_each_model_has_a_description(model: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv('TURTLEBOT3_MODEL', model)
+    frames = edulaunch.run('turtlebot3_gazebo', 'robot_state_publisher.launch.py', duration_s=0.5).frames_at(0.5)
+    assert frames['base_link'].parent == 'base_footprint' and ('camera_link' in frames) == (model != 'burger')

@@ -134,7 +134,9 @@ def temporary_path(key: str, state: dict[str, Any]) -> str:
     import tempfile
     import zlib
 
-    digest = zlib.crc32(key.encode())
+    digest = zlib.crc32(
+        key.replace(tempfile.gettempdir(), '').encode()
+    )  # workspaces are presented there: another on each machine
     keys: dict[int, str] = state.setdefault('launch_ros.parameter_files', {})
     while keys.setdefault(digest, key) != key:
         digest = zlib.crc32(b'another', digest)

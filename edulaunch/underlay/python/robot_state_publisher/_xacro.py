@@ -11,7 +11,10 @@ def main() -> int:
     """`xacro FILE name:=value ... [-o OUT]`; 2 for a file that it cannot fill in."""
     options, file = xacro.process_args(sys.argv[1:])
     try:
-        text = xacro.process_file(file, **vars(options)).toprettyxml(indent='  ')
+        document = xacro.process_file(file, **vars(options))
+        while document.firstChild is not document.documentElement:
+            document.removeChild(document.firstChild)  # a comment with the path of the file, which is another on each machine
+        text = document.toprettyxml(indent='  ')
     except Exception as error:  # the file may raise anything: its expressions are Python
         print(f'error: {error}\nwhen processing file: {file}', file=sys.stderr)
         return 2
