@@ -17,7 +17,14 @@ LAYERS = tomllib.loads((ROOT / 'tests' / 'layers.toml').read_text(encoding='utf-
 HEIGHT = {name: -index for index, line in enumerate(LAYERS['order']) for name in line}
 NEIGHBOURS: dict[str, list[str]] = LAYERS['neighbours']
 ENGINE = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording', 'canvas')
-REAL_CLOCK = {'sim/pacing.py', 'sim/real_pace.py', 'sim/guests.py', 'processes/views/time_view.py', 'processes/watchdog.py'}
+REAL_CLOCK = {
+    'processes/script_clock.py',
+    'sim/pacing.py',
+    'sim/real_pace.py',
+    'sim/guests.py',
+    'processes/views/time_view.py',
+    'processes/watchdog.py',
+}
 
 
 def wrong_arrows() -> dict[str, list[str]]:

@@ -10,6 +10,7 @@ from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
+from edulaunch.processes.script_clock import script_sees_the_clock
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import AmbientTask, Task, current_task
 from edulaunch.underlay_place import sourced_path, sourced_workspaces, underlay_prefix
@@ -34,7 +35,11 @@ class AmbientProcess(Process):
 
 
 def make_ambient_process(task: AmbientTask) -> Process:
-    """A process around `task`, with a graph, an index of what was sourced and a host of its own."""
+    """A process around `task`, with a graph, an index of what was sourced and a host of its own. In a script that sees the real
+    clock simulated time is real time.
+    """
+    if script_sees_the_clock():
+        task.keep_real_time()
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
     host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], sourced_workspaces()), env=dict(os.environ))
     return ambient_process_on(host, task)

@@ -220,6 +220,7 @@ class AmbientTask(Task):
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
         self.guests: Guests | None = None
+        self._keeps_real_time = False
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
@@ -231,11 +232,9 @@ class AmbientTask(Task):
             if next_ns != sim.now_ns and threading.active_count() != self._threads:
                 self._let_threads_begin()
                 continue
-            if (
-                self.guests is not None
-                and self.guests.are_here()
-                and not self.guests.await_turn(deadline_ns if is_over else next_ns)
-            ):
+            due_ns = deadline_ns if is_over else next_ns
+            is_paced = self.guests is not None and (self.guests.are_here() or (self._keeps_real_time and due_ns is not None))
+            if is_paced and self.guests is not None and not self.guests.await_turn(due_ns):
                 break
             if is_over:
                 assert deadline_ns is not None
@@ -246,6 +245,15 @@ class AmbientTask(Task):
         self._woken = False
         self._deliver_interrupts()
         return True
+
+    def keep_real_time(self) -> None:
+        """From now on simulated time is real time; asked for before anything has happened."""
+        from edulaunch.sim.guests import Guests, real_time_ns
+
+        sim = self.sim
+        if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
+            sim.start_ns = sim.now_ns = real_time_ns()
+        self.guests, self._keeps_real_time = Guests(self), True
 
     def _let_threads_begin(self) -> None:
         """Threads were started (or have ended): before time passes, let them come to be guests."""
