@@ -22,7 +22,8 @@ def script_sees_the_clock() -> bool:
         return False
     frame: FrameType | None = sys._getframe(1)
     while frame is not None:
-        if is_own(frame.f_code.co_filename) and not CLOCKS.isdisjoint(map(id, list(frame.f_globals.values()))):
+        file = frame.f_code.co_filename
+        if is_own(file) and file[0] != '<' and not CLOCKS.isdisjoint(map(id, list(frame.f_globals.values()))):
             return True
         frame = frame.f_back
     return False
