@@ -1,48 +1,60 @@
-"""One child process as the runner sees it: start it, collect what it sends, end it with all it started."""
+"""One run as the runner sees it: start it, collect what it sends, end it with all it started."""
 
 from __future__ import annotations
 
+import json
 import os
 import signal
+import socket
 from contextlib import suppress
 from select import select
-from time import monotonic, sleep
+from time import monotonic
 
 from .job import Job
 from .limits import MEBI
 from .starter_link import PATIENCE_S, StarterLink
 
-LETTERS = b'RUSB'  # of frames; child.py says what they mean
+LETTERS = b'RUSB'  # of the frame that answers; sandbox/child.py says what they mean
+CONFINED = b'C'  # of the frame before it
 HEADER_BYTES = 9
 CHUNK_BYTES = 1 << 18
 KEPT_OUTPUT_BYTES = 8000
-GROUP_S = 0.2  # for the killed of the process group to be gone
+LONGEST_STATE_BYTES = 4000
+GUARD_S = 5.0  # for the guard to end all that was started
 GRACE_S = 1.0  # to answer after its own alarm, or to end after it has let go of the channel
 
 
 class ChildRun:
-    """A scenario on its way. `channel` and `output` are the read ends of its pipes."""
+    """A scenario on its way. `channel` and `output` are the read ends of its pipes, `link` leads to its guard.
 
-    def __init__(self, job: Job, number: int, starter: StarterLink) -> None:
+    :ivar sandbox: which layers of confinement hold, by name; None before the run has said so, {} when none was asked for.
+    """
+
+    def __init__(self, job: Job, starter: StarterLink) -> None:
         self.scenario = job.scenario
+        self.submission = job.submission
+        self.home = job.home
+        self.workspaces = job.workspaces
         self.limits = job.limits
         self.frame = bytearray()
         self.printed = bytearray()  # the first part of it; printed_bytes counts all
         self.printed_bytes = 0
-        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage' or 'starter': what ended it
+        self.sandbox: dict[str, str] | None = None
+        self.cut: str | None = None  # 'wall', 'printed', 'recording', 'garbage', 'processes' or 'memory': what ended it
         self.let_go = False  # whether the child closed its end of the channel
         self.returncode: int | None = None
-        self._number = number
-        self._starter = starter
+        self.is_over = False  # whether the guard has ended it and all it started
+        self._told = b''
+        self._pids: list[int] = []
         self.channel, channel_end = os.pipe()
         self.output, output_end = os.pipe()
         try:
-            starter.begin(number, job, channel_end, output_end)
+            self.link = starter.begin(job, channel_end, output_end)
         finally:
             os.close(channel_end)
             os.close(output_end)
         self.deadline = monotonic() + job.limits.wall_s + GRACE_S + PATIENCE_S
-        self._has_begun = False
+        self.has_begun = False
 
     @property
     def complete(self) -> bool:
@@ -57,13 +69,15 @@ class ChildRun:
     @property
     def finished(self) -> bool:
         """Whether the child has answered, has ended, or must be ended."""
-        return self.complete or self.cut is not None or (self._has_ended() and not self._more_to_read())
+        return self.complete or self.cut is not None or (self.is_over and not self._more_to_read())
 
     def read_channel(self) -> bool:
         """Take in what the child sent; False when it has let go of the channel."""
         data = os.read(self.channel, CHUNK_BYTES)
         self.frame += data
-        if self.frame and self.frame[0] not in LETTERS:
+        if self.sandbox is None and self.frame[:1] == CONFINED:
+            self._take_state()
+        elif self.frame and self.frame[0] not in LETTERS:
             self.cut = 'garbage'
         elif max(len(self.frame), self.announced) > self.limits.recording_mib * MEBI:
             self.cut = 'recording'
@@ -82,45 +96,53 @@ class ChildRun:
             self.cut = 'printed'
         return bool(data)
 
+    def read_link(self) -> bool:
+        """Take in what the guard says; False when it is gone, and with it the run. A run's time begins when it has begun."""
+        data = b''
+        with suppress(OSError):
+            data = self.link.recv(CHUNK_BYTES)
+        self._told += data
+        *lines, self._told = self._told.split(b'\n')
+        for line in lines:
+            message = json.loads(line)
+            self.returncode = message.get('status', self.returncode)
+            self.cut = self.cut or message.get('cut')
+            if not self.has_begun:
+                self._pids = [message['guard'], message['pid']]
+                self.has_begun = True
+                self.deadline = monotonic() + self.limits.wall_s + GRACE_S
+        self.is_over = not data
+        return bool(data)
+
     def watch(self) -> None:
-        """Note when the deadline has come, or when the starter is gone. A run's time begins when it has begun."""
-        if not self._has_begun and self._number in self._starter.pids:
-            self._has_begun = True
-            self.deadline = monotonic() + self.limits.wall_s + GRACE_S
-        if self.cut is None and not self.complete:
-            if monotonic() > self.deadline:
-                self.cut = 'wall'
-            elif not self._starter.is_alive:
-                self.cut = 'starter'
+        """Note when the deadline has come."""
+        if self.cut is None and not self.complete and monotonic() > self.deadline:
+            self.cut = 'wall'
 
     def end(self) -> None:
-        """Kill the child and its process group, then let the system forget it.
-
-        Nothing of it runs afterwards, unless it left its group on purpose (docs/grading.md says so).
-        """
-        self.returncode = self._starter.statuses.get(self._number)
-        pid = self._starter.pid_of(self._number)
-        if pid is not None:
-            with suppress(ProcessLookupError, PermissionError):
-                os.killpg(pid, signal.SIGKILL)  # before it is reaped: until then the group's number is surely its own
-            self._starter.reap(pid)
-            _wait_for_the_group(pid)
+        """Have the guard end the run and everything it started; nothing of it is left afterwards."""
+        with suppress(OSError):
+            self.link.shutdown(socket.SHUT_WR)
+        deadline = monotonic() + GUARD_S
+        while not self.is_over and monotonic() < deadline:
+            if select([self.link], [], [], GUARD_S)[0]:
+                self.read_link()
+        if not self.is_over and self._pids:  # somebody has stopped the guard, which only an unconfined run can
+            for pid in self._pids:
+                with suppress(OSError):
+                    os.kill(pid, signal.SIGKILL)
+        self.link.close()
         os.close(self.channel)
         os.close(self.output)
 
-    def _has_ended(self) -> bool:
-        return self._number in self._starter.statuses
+    def _take_state(self) -> None:
+        """Take the frame that says what confines the run off the front; it was sent before the submission was read."""
+        if self.announced > LONGEST_STATE_BYTES:
+            self.cut = 'garbage'
+        elif self.complete:
+            end = HEADER_BYTES + self.announced
+            self.sandbox = json.loads(self.frame[HEADER_BYTES:end])
+            del self.frame[:end]
 
     def _more_to_read(self) -> bool:
         return not self.let_go and bool(select([self.channel], [], [], 0)[0])
-
-
-def _wait_for_the_group(number: int) -> None:
-    """A killed process is gone a moment later; wait until the last of the group is (at most GROUP_S)."""
-    deadline = monotonic() + GROUP_S
-    while monotonic() < deadline:
-        try:
-            os.killpg(number, 0)
-        except (ProcessLookupError, PermissionError):
-            return
-        sleep(0.001)

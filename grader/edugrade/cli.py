@@ -22,7 +22,12 @@ if TYPE_CHECKING:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Grade launch files and print the reports. Returns the exit code."""
-    options = read_options(argv)
+    words = sys.argv[1:] if argv is None else list(argv)
+    if words == ['doctor'] and not os.path.exists('doctor'):
+        from .doctor import main as examine
+
+        return examine()
+    options = read_options(words)
     try:
         return _hints(options) if options.hint else _grade(options)
     except UnusableInput as error:
@@ -51,6 +56,7 @@ def _grade(options: argparse.Namespace) -> int:
     exit_code = max([report.exit_code for report in reports] + [refusal.exit_code for refusal in refusals])
     _write(options, reports, refusals, exit_code)
     _show(_text(reports, refusals) if several else _render(reports[0]))
+    _tell_of_the_sandbox(reports)
     return exit_code
 
 
@@ -81,7 +87,7 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
 
     runs = sum(len(work.rubric.scenarios(work.seed)) for work in works)
     with progress_bar(runs if several else 0) as advance:
-        return list(grade(works, Limits(options.limit), options.workspace, advance))
+        return list(grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance))
 
 
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
@@ -125,6 +131,12 @@ def _show(text: str) -> None:
         print(text, end='', flush=True)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _tell_of_the_sandbox(reports: list[Report]) -> None:
+    from .terminal import sandbox_line
+
+    print(sandbox_line(reports), file=sys.stderr)
 
 
 def _colour() -> bool:

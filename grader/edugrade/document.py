@@ -25,6 +25,7 @@ def document(report: Report) -> dict[str, Any]:
         'verdict': report.verdict,
         'exit_code': report.exit_code,
         'points': {'earned': report.earned, 'possible': report.possible},
+        'sandbox': report.sandbox,
         'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
         'checks': [_check(paths.result(result)) for result in report.results],
         'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],

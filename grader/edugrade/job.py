@@ -7,7 +7,8 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from .limits import Limits
+from .limits import MEBI, Limits
+from .readable import readable_by_run
 from .scenario import Scenario
 from .submission import Submission
 
@@ -39,6 +40,9 @@ class Job:
             'environment': environment(self.home),
             'wall_s': self.limits.wall_s,
             'limits': self.limits.resources,
+            'tree_memory': self.limits.memory_mib * MEBI,
+            'sandbox': self.limits.sandbox,
+            'readable': readable_by_run(self.submission, self.workspaces),
         }
 
 

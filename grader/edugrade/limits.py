@@ -12,13 +12,18 @@ class Limits:
     :param memory_mib: address space.
     :param output_mib: what it may print.
     :param recording_mib: what it may send back.
+    :param sandbox: 'auto' confines as far as the system can, 'require' runs nothing that is not confined wholly, 'off' confines
+        nothing but time and memory.
     """
 
-    def __init__(self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128) -> None:
+    def __init__(
+        self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128, sandbox: str = 'auto'
+    ) -> None:
         self.wall_s = wall_s
         self.memory_mib = memory_mib
         self.output_mib = output_mib
         self.recording_mib = recording_mib
+        self.sandbox = sandbox
 
     @property
     def resources(self) -> dict[str, int]:

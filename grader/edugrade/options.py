@@ -15,6 +15,7 @@ examples:
   edugrade circle.launch.py --json report.json         write the report as data too
   edugrade my_try.launch.py --rubric circle            a file of another name
   edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
+  edugrade doctor                                      what a submission on this machine is kept from
 
 exit codes (the worst one, of several):
   0  all checks passed
@@ -43,6 +44,12 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     parser.add_argument(
         '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)'
+    )
+    parser.add_argument(
+        '--sandbox',
+        choices=('auto', 'require', 'off'),
+        default='auto',
+        help='confine runs as far as this system can (default), run nothing that is not confined, or do not confine',
     )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
     return parser.parse_args(argv)

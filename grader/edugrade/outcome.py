@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from .place import Place
@@ -24,4 +26,5 @@ class Outcome(NamedTuple):
     text: str = ''
     try_: str | None = None
     where: Place | None = None
+    sandbox: Mapping[str, str] = MappingProxyType({})  # which layers of confinement held: 'held', or why not
     detail: str = ''  # for the course author: a traceback of the engine, or what the program printed

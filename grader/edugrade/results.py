@@ -67,6 +67,15 @@ class Report:
     gaps: tuple[Gap, ...] = ()
 
     @property
+    def sandbox(self) -> dict[str, str]:
+        """For each layer of confinement 'held', or why it did not hold in one of the runs; {} when none was asked for."""
+        found: dict[str, str] = {}
+        for outcome in self.outcomes:
+            for layer, state in outcome.sandbox.items():
+                found[layer] = state if found.get(layer, 'held') == 'held' else found[layer]
+        return found
+
+    @property
     def passed(self) -> int:
         """How many checks passed."""
         return sum(result.status == PASSED for result in self.results)

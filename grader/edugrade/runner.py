@@ -19,6 +19,7 @@ from .submission import Submission
 from .verdicts import verdict
 
 LONGEST_NAP_S = 0.05
+MOST_LOST = 20  # runs that are begun again because the starter was gone
 
 
 class Ticket:
@@ -51,7 +52,7 @@ class Runner:
         self._home = _private_folder()
         self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
         self._running: dict[ChildRun, Ticket] = {}
-        self._started = 0
+        self._started = self._lost = 0
         self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
         self._starter: StarterLink | None = None
@@ -78,16 +79,15 @@ class Runner:
         self._start_some()
         return ticket
 
+    def homes(self) -> list[str]:
+        """The private folders of the runs so far; each is removed when its run is over."""
+        return [os.path.join(self._home, str(number + 1)) for number in range(self._started)]
+
     def wait(self, ticket: Ticket) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
         while not ticket.is_done:
             for key, _ in self._listen():
-                run: ChildRun | None = key.data
-                if run is None:
-                    self._hear_the_starter()
-                    continue
-                read = run.read_channel if key.fileobj == run.channel else run.read_output
-                if not read():
+                if not key.data():
                     self._forget(key.fileobj)
             for child in list(self._running):
                 child.watch()
@@ -109,28 +109,20 @@ class Runner:
             self._started += 1
             home = os.path.join(self._home, str(self._started))
             os.mkdir(home)
-            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._started, self._living_starter())
+            run = ChildRun(Job(submission, scenario, self._limits, workspaces, home), self._living_starter())
             self._running[run] = ticket
-            for end in (run.channel, run.output):
-                self._selector.register(end, selectors.EVENT_READ, run)
+            for end, read in ((run.channel, run.read_channel), (run.output, run.read_output), (run.link, run.read_link)):
+                self._selector.register(end, selectors.EVENT_READ, read)
 
     def _living_starter(self) -> StarterLink:
-        """The starter; another one when a submission has killed it."""
+        """The starter; another one when it has gone."""
         if self._starter is None or not self._starter.is_alive:
             if self._starter is not None:
-                self._forget(self._starter.socket)
                 self._starter.close()
             home = os.path.join(self._home, f'starter{self._started}')
             os.mkdir(home)
             self._starter = StarterLink(home)
-            self._selector.register(self._starter.socket, selectors.EVENT_READ, None)
         return self._starter
-
-    def _hear_the_starter(self) -> None:
-        if self._starter is not None:
-            self._starter.hear()
-            if not self._starter.is_alive:
-                self._forget(self._starter.socket)
 
     def _forget(self, end: Any) -> None:
         """Select no longer on this end of a pipe or socket."""
@@ -139,9 +131,16 @@ class Runner:
 
     def _finish(self, run: ChildRun) -> None:
         ticket = self._running.pop(run)
-        for end in (run.channel, run.output):
+        for end in (run.channel, run.output, run.link):
             self._forget(end)
         run.end()
+        remove_tree(run.home)
+        if not run.has_begun and run.cut is None and self._lost < MOST_LOST and self._starter is not None:
+            self._lost += 1  # somebody ended the starter: no fault of this run
+            self._starter.is_alive = False
+            self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))
+            self._start_some()
+            return
         self._start_some()
         ticket.outcomes[run.scenario.name] = verdict(run)
         if self._on_outcome is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
@@ -91,6 +91,17 @@ def points_line(report: Report) -> str:
     if report.earned is None:
         mark = 'no mark, because the grader broke'
     return f'{report.passed} of {len(report.results)} checks passed: {mark}.'
+
+
+def sandbox_line(reports: Sequence[Report]) -> str:
+    """What the submissions could not do while they ran; '' when nothing ran."""
+    states = [report.sandbox for report in reports]
+    if not any(states):
+        return 'sandbox: off. What ran could read, write and send what you can.' if states else ''
+    missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}
+    held = [layer for state in states[:1] for layer in state if layer not in missing]
+    words = f'sandbox: {", ".join(held) or "nothing"} confined'
+    return words + ('; NOT ' + ', '.join(f'{layer} ({reason})' for layer, reason in missing.items()) if missing else '')
 
 
 def next_step(report: Report) -> str:

@@ -7,6 +7,7 @@ import os
 import re
 import signal
 import sys
+from collections.abc import Mapping
 from typing import Any
 
 from .child_run import HEADER_BYTES, ChildRun
@@ -16,14 +17,28 @@ from .recorded import recorded
 
 REPORT_IT = 'please report this with the launch file and the --json report; it costs no marks'
 _LOOP = 'look for a loop that never ends, or for a wait without a time limit'
+_NO_SANDBOX = 'grade on a Linux with Landlock 6 and seccomp (edugrade doctor tells), or with --sandbox auto'
 _CALL = 'look for a huge power, a huge range or a pattern that tries very many ways'
 _OWN_EXIT = 'take out calls of sys.exit(), os._exit() and os.kill(): launch itself ends its processes'
 _LONGEST_TEXT = 8000
 _FRAME = re.compile(r'File "([^"\n]+)", line (\d{1,9})\b')
 
 
+def unconfined(sandbox: Mapping[str, str] | None) -> dict[str, str]:
+    """The layers of confinement that do not hold, and why."""
+    return {layer: reason for layer, reason in (sandbox or {}).items() if reason != 'held'}
+
+
 def verdict(run: ChildRun) -> Outcome:
     """What an ended child came to."""
+    return _verdict(run)._replace(sandbox=run.sandbox or {})
+
+
+def _verdict(run: ChildRun) -> Outcome:
+    missing = unconfined(run.sandbox)
+    if run.limits.sandbox == 'require' and missing:
+        words = '; '.join(f'{layer} ({reason})' for layer, reason in missing.items())
+        return Outcome(run.scenario, 'broke', text=f'this system does not confine a run: {words}', try_=_NO_SANDBOX)
     if run.cut is not None:
         return _cut(run)
     if run.complete:
@@ -52,10 +67,12 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
     if reason == 'timeout':
         return _timeout(run, where)
     if reason == 'memory':
-        return _stopped(
-            run, f'it asked for more memory than {run.limits.memory_mib} MiB', 'look for a list that grows without end'
-        )
+        return _memory(run)
     return _garbage(run)
+
+
+def _memory(run: ChildRun) -> Outcome:
+    return _stopped(run, f'it asked for more memory than {run.limits.memory_mib} MiB', 'look for a list that grows without end')
 
 
 def _cut(run: ChildRun) -> Outcome:
@@ -69,8 +86,10 @@ def _cut(run: ChildRun) -> Outcome:
             f'its recording grew larger than {run.limits.recording_mib} MiB',
             'look for a node that publishes or prints without pause',
         )
-    if run.cut == 'starter':
-        return _stopped(run, 'the program that starts the runs was ended from inside a run', _OWN_EXIT)
+    if run.cut == 'processes':
+        return _stopped(run, 'it started too many programs', 'look for a program that starts itself, or for a loop around Popen')
+    if run.cut == 'memory':
+        return _memory(run)
     return _timeout(run, None)
 
 

@@ -28,6 +28,7 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
             'announced': len(data),
             'returncode': 0,
             'printed': b'',
+            'sandbox': {'files': 'held'},
             **changes,
         }
     )
@@ -40,7 +41,8 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
         ('wall', 'it did not finish within 3 s of real time'),
         ('printed', 'it printed more than 4 MiB'),
         ('recording', 'its recording grew larger than 128 MiB'),
-        ('starter', 'the program that starts the runs was ended from inside a run'),
+        ('processes', 'it started too many programs'),
+        ('memory', 'it asked for more memory than 2048 MiB'),
         ('garbage', 'what came back from the run is not a recording of it'),
     ],
 )
@@ -90,3 +92,11 @@ def test_a_child_that_ended_says_how(code: int | None, text: str) -> None:
 
 def test_what_it_printed_is_kept_for_the_course_author() -> None:
     assert judged(printed=b'words').detail == 'words'
+
+
+def test_what_must_be_confined_and_is_not_gets_no_mark() -> None:
+    open_files = {'files': 'Function not implemented', 'network': 'held'}
+    outcome = judged(limits=Limits(3.0, sandbox='require'), sandbox=open_files)
+    assert (outcome.kind, outcome.text) == ('broke', 'this system does not confine a run: files (Function not implemented)')
+    assert judged(limits=Limits(3.0), sandbox=open_files).kind == 'stopped'
+    assert judged(limits=Limits(3.0), sandbox=open_files).sandbox == open_files

@@ -1,11 +1,13 @@
 """The untrusted half: runs one scenario of a submission and sends back what happened.
 
 Loaded by `starter.py`, which forks for each run; the run limits itself before it reads the student's file. It imports
-nothing of edugrade, and answers with one frame of plain data: a letter, eight bytes of length, content.
+nothing of edugrade, and answers with two frames of plain data: a letter, eight bytes of length, content. The first one is sent
+before anything of the submission is read.
 
 ====== ===========================================================================
 letter content
 ====== ===========================================================================
+C      JSON: which layers of confinement hold; then one of
 R      the recording's bytes
 U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
 S      JSON: the run was stopped: 'timeout' or 'memory'
@@ -18,12 +20,15 @@ from __future__ import annotations
 import json
 import os
 import signal
+from collections.abc import Callable
 from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
 TURN_LIMIT_S = 0.8  # of processor time: exercises need a hundredth of it, and a class waits for each endless loop
 SINGLE_CALL_S = 2.0
+CHANNEL = 3  # the only descriptor besides input and output
+MOST_DESCRIPTORS = 4096
 RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
 
 
@@ -47,8 +52,11 @@ def warm_up() -> None:
     gc.freeze()  # the runs share what is loaded
 
 
-def run(job: dict[str, Any], channel: int, output: int) -> NoReturn:
-    """Be one run, in a process that was just forked: move house, lower the limits, launch, answer."""
+def run(job: dict[str, Any], channel: int, output: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
+    """Be one run, in a process that was just forked: move house, be confined, lower the limits, launch, answer.
+
+    :param confine: puts the layers of confinement on, given what may be read and the folder to write in, and says which hold.
+    """
     os.setsid()
     null = os.open(os.devnull, os.O_RDONLY)
     for source, target in ((null, 0), (output, 1), (output, 2)):
@@ -58,7 +66,13 @@ def run(job: dict[str, Any], channel: int, output: int) -> NoReturn:
     os.chdir(job['home'])
     os.environ.clear()
     os.environ.update(job['environment'])
+    state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
+    channel = os.dup2(channel, CHANNEL)
+    os.closerange(CHANNEL + 1, MOST_DESCRIPTORS)
     limit_resources(job['limits'])
+    send(channel, b'C', json.dumps(state).encode())
+    if job['sandbox'] == 'require' and any(text != 'held' for text in state.values()):
+        os._exit(0)  # the runner says why
     repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, channel)
     limit_single_calls()

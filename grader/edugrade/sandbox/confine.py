@@ -1,0 +1,102 @@
+"""Puts all layers of confinement on the process that calls it, and says which of them hold."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+
+from . import landlock, seccomp
+from .system import IS_LINUX, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, libc, prctl
+
+HELD = 'held'
+LAYERS = {
+    'files': 'it reads only what it needs, and writes only in its own folder',
+    'network': 'it opens no socket',
+    'signals': 'it signals only what it started itself',
+    'processes': 'it cannot look into other processes, and nothing of it outlives the run',
+    'privileges': 'it has no rights of root, and gains none',
+}
+CAP_DAC_READ_SEARCH = 2
+LAST_CAPABILITY = 63
+DEVICES = ('/dev/null', '/dev/zero', '/dev/full', '/dev/urandom', '/dev/random', '/dev/tty')
+
+
+class Confinement:
+    """What every run is confined to, made ready once.
+
+    :param readable: what all runs may read: Python, its packages, the engine; `listable`: folders of which they see the names.
+    """
+
+    def __init__(self, readable: Sequence[str], listable: Sequence[str]) -> None:
+        self._program = seccomp.filter_program() if IS_LINUX else None
+        can = landlock.version() > 0
+        self._readable = landlock.open_paths(readable) if can else []
+        self._listable = landlock.open_paths(listable) if can else []
+        self._devices = landlock.open_paths(DEVICES) if can else []
+
+    def put_on(self, readable: Sequence[str], home: str) -> dict[str, str]:
+        """Confine this process for good: HELD, or why not, for each of LAYERS.
+
+        :param readable: what this run may read besides, such as its submission.
+        :param home: the only folder that it may write to.
+        """
+        state = dict.fromkeys(LAYERS, HELD)
+        privileges = _tried(lambda: prctl(PR_SET_NO_NEW_PRIVS, 1))
+        files = _tried(lambda: self._restrict_files(readable, home))
+        if isinstance(privileges, str) or isinstance(files, str):
+            state['files'] = state['signals'] = str(files)
+        elif files < 6:
+            state['signals'] = f'this kernel has version {files} of Landlock, and signals need 6'
+        dropped = _tried(lambda: _drop_capabilities(keep_reading=state['files'] == HELD))
+        if isinstance(privileges, str) or isinstance(dropped, str):
+            state['privileges'] = str(privileges if isinstance(privileges, str) else dropped)
+        filtered = _tried(self._filter_calls)
+        if isinstance(filtered, str):
+            state['network'] = state['processes'] = filtered
+        return state
+
+    def _restrict_files(self, readable: Sequence[str], home: str) -> int:
+        rules = [
+            (self._readable, landlock.READ),
+            (landlock.open_paths(readable), landlock.READ),
+            (self._listable, landlock.READ_DIR),
+            (self._devices, landlock.OF_DEVICES),
+            (landlock.open_paths([home]), landlock.EVERYTHING),
+        ]
+        return landlock.restrict(rules)
+
+    def _filter_calls(self) -> int:
+        if self._program is None:
+            raise OSError('no filter of system calls is known for this machine')
+        seccomp.restrict(self._program)
+        return 0
+
+
+def _tried(act: object) -> int | str:
+    """What an act gives, or in words why it failed."""
+    try:
+        return int(act())  # type: ignore[operator]
+    except OSError as error:
+        return error.strerror or str(error)
+
+
+def _drop_capabilities(keep_reading: bool) -> int:
+    """Take the rights of root from this process and from what it starts.
+
+    :param keep_reading: root goes on reading files of others, as it must to grade them; where files are confined only.
+    """
+    kept = 1 << CAP_DAC_READ_SEARCH if keep_reading else 0
+    for capability in range(LAST_CAPABILITY + 1):
+        if not kept >> capability & 1:
+            try:
+                prctl(PR_CAPBSET_DROP, capability)
+            except OSError:  # beyond the last one, or no root: then there is none to drop
+                break
+    header = (ctypes.c_uint32 * 2)(0x20080522, 0)
+    current = (ctypes.c_uint32 * 6)()
+    libc.capget(header, current)
+    now = kept & current[1]
+    wanted = (ctypes.c_uint32 * 6)(now, now, 0, 0, 0, 0)
+    if libc.capset(header, wanted) != 0:
+        raise OSError('the rights of root could not be dropped')
+    return 0

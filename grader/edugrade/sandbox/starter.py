@@ -1,0 +1,88 @@
+"""A warm interpreter that starts the runs: it loads the engine once, and becomes each run by forking.
+
+Started by `starter_link.py` as a script of its own, with an environment made for it (``-I`` would leave PYTHONHASHSEED out).
+It reads no submission: a run does so after the fork, confined, in a process, session and folder of its own, with `child.py`. So
+every run begins from the same clean state, and loading 400 modules is paid for once and not for each run.
+
+The standard library's forkserver does less: its children inherit the caller's environment and hash seed, it unpickles what it is
+sent, forgets a child's pid before the group could be killed, and has no place for a guard.
+
+A message is JSON with its length in four bytes before it, and three descriptors: the channel, the output and the guard's link.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import sys
+from collections.abc import Callable
+from functools import partial
+from importlib.util import module_from_spec, spec_from_file_location
+from types import ModuleType
+from typing import Any, NoReturn
+
+LENGTH_BYTES = 4
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def main() -> NoReturn:
+    settings: dict[str, Any] = json.loads(sys.argv[1])
+    sys.argv[1:] = []
+    control = socket.socket(fileno=int(settings['control']))
+    control.set_inheritable(False)
+    sys.path[:] = settings['path']
+    confine, guard = _load_sandbox()
+    child = _load_child()
+    confinement = confine.Confinement(settings['readable'], settings['listable'])
+    child.warm_up()
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards tell what is to be told; the system forgets them
+    while True:
+        header, descriptors, _, _ = socket.recv_fds(control, LENGTH_BYTES, 3)
+        if len(header) < LENGTH_BYTES:
+            os._exit(0)
+        job = json.loads(_exactly(control, int.from_bytes(header, 'big')))
+        if os.fork() == 0:
+            control.close()
+            _begin(job, descriptors, partial(child.run, job, *descriptors[:2], confinement.put_on), guard)
+        for descriptor in descriptors:
+            os.close(descriptor)
+
+
+def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[], NoReturn], guard: Any) -> NoReturn:
+    """Be the guard of a run."""
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    guard.guard(socket.socket(fileno=descriptors[2]), job['tree_memory'], run)
+    os._exit(0)
+
+
+def _load_sandbox() -> tuple[Any, Any]:
+    """The modules confine and guard of this folder, which no run can find: they are not among the loaded ones."""
+    spec = spec_from_file_location('edugrade_sandbox', os.path.join(HERE, '__init__.py'), submodule_search_locations=[HERE])
+    assert spec is not None
+    sys.modules['edugrade_sandbox'] = module_from_spec(spec)
+    from edugrade_sandbox import confine, guard  # type: ignore[import-not-found]
+
+    for name in [name for name in sys.modules if name.startswith('edugrade_sandbox')]:
+        del sys.modules[name]
+    return confine, guard
+
+
+def _load_child() -> Any:
+    """The module child.py: not among the loaded ones either, and no frame of it is the student's."""
+    child = ModuleType('edugrade_child')
+    with open(os.path.join(HERE, 'child.py'), encoding='utf-8') as file:
+        exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)
+    return child
+
+
+def _exactly(control: socket.socket, count: int) -> bytes:
+    data = b''
+    while len(data) < count:
+        data += control.recv(count - len(data))
+    return data
+
+
+if __name__ == '__main__':
+    main()

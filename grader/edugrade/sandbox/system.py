@@ -1,0 +1,39 @@
+"""The system's calls that Python has no names for."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+from typing import Any
+
+PR_SET_PDEATHSIG, PR_CAPBSET_DROP, PR_SET_NO_NEW_PRIVS, PR_SET_CHILD_SUBREAPER = 1, 24, 38, 36
+IS_LINUX = sys.platform.startswith('linux')
+
+libc = ctypes.CDLL(None, use_errno=True)
+libc.syscall.restype = ctypes.c_long
+
+
+def syscall(number: int, *arguments: Any) -> int:
+    """Call the kernel by number.
+
+    :raises OSError: as the kernel says.
+    """
+    wide = [ctypes.c_long(value) if isinstance(value, int) else value for value in arguments]
+    return _checked(int(libc.syscall(ctypes.c_long(number), *wide)))
+
+
+def prctl(option: int, value: int = 0, more: Any = 0) -> int:
+    """prctl(2). Raises OSError as the kernel says."""
+    if not IS_LINUX:
+        raise OSError('only Linux has prctl')
+    return _checked(
+        int(libc.prctl(option, ctypes.c_ulong(value), more if not isinstance(more, int) else ctypes.c_ulong(more), 0, 0))
+    )
+
+
+def _checked(result: int) -> int:
+    if result < 0:
+        number = ctypes.get_errno()
+        raise OSError(number, os.strerror(number))
+    return result
