@@ -5,7 +5,7 @@ For the author of a rubric::
     from edugrade import Evidence, Missing, Mismatch, Rubric, Scenario, check
 
 In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked),
-`runner.py` with `child_run.py` and `child.py` (the runs), `verdicts.py` and `judging.py` (what they came to),
+`runner.py` with `child_run.py` and `sandbox/` (the runs), `verdicts.py` and `judging.py` (what they came to),
 `terminal.py` and `document.py` (the reports), `cli.py`.
 """
 
