@@ -61,7 +61,9 @@ def value_fits(value: Any, number: int) -> bool:
         return isinstance(value, (bool, int, float, str)[number - 1])
     if not (isinstance(value, (list, tuple)) or type(value).__name__ == 'array'):
         return False
-    python_type = (bytes, bool, int, float, str)[number - BYTE_ARRAY]
+    if number == BYTE_ARRAY:
+        return all(isinstance(item, bytes) and len(item) == 1 for item in value)
+    python_type = (bool, int, float, str)[number - BOOL_ARRAY]
     return all(isinstance(item, python_type) for item in value)
 
 

@@ -325,13 +325,26 @@ def test_others_can_ask_what_a_type_looks_like(ros: Ros, world: World) -> None:
         node = Node('n')
         node.create_publisher(String, 'c', 10)
         client = node.create_client(GetTypeDescription, 'n/get_type_description')
-        for name in ('std_msgs/msg/String', 'std_msgs/msg/Bool'):
-            future = client.call_async(GetTypeDescription.Request(type_name=name))
+        right_hash = str(node.get_publishers_info_by_topic('c')[0].topic_type_hash)
+        for name, asked_hash in (
+            ('std_msgs/msg/String', right_hash),
+            ('std_msgs/msg/Bool', right_hash),
+            ('std_msgs/msg/String', f'RIHS01_{0:064}'),
+            ('std_msgs/msg/String', ''),
+        ):
+            request = GetTypeDescription.Request(type_name=name, type_hash=asked_hash, include_type_sources=True)
+            future = client.call_async(request)
             rclpy.spin_until_future_complete(node, future)
             answer = future.result()
-            world.say((answer.successful, [field.name for field in answer.type_description.type_description.fields]))
+            fields = [field.name for field in answer.type_description.type_description.fields]
+            world.say(answer.failure_reason or (fields, [(one.type_name, one.encoding) for one in answer.type_sources]))
 
-    assert ros(body) == [(True, ['data']), (False, [])]
+    assert ros(body) == [
+        (['data'], [('std_msgs/msg/String', 'msg')]),
+        'Type not currently in use by this node',
+        'Type not currently in use by this node',
+        'Failed to parse type hash',
+    ]
 
 
 @pytest.mark.parametrize(

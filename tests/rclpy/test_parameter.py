@@ -47,7 +47,6 @@ def test_a_parameter_survives_its_message() -> None:
             r"Param file does not contain parameters for /b,only for nodes: \['/a'\] ",
         ),
         ('/**:\n  ros__parameters:\n    x: 1\n', None, 'Param file does not contain selected parameters'),
-        ('/a:\n  ros__parameters: {}\n', None, 'Param file does not contain any valid parameters'),
         ('/a:\n  x: 1\n', None, 'YAML file is not a valid ROS parameter file for node /a'),
     ],
 )
@@ -96,3 +95,21 @@ def test_numbers_of_a_message_become_a_list_in_python_and_an_array_in_a_paramete
     message = Parameter('p', value=[1, 2]).to_parameter_msg()
     assert parameter_value_to_python(message.value) == [1, 2]
     assert Parameter.from_parameter_msg(message).value == array('q', [1, 2])
+
+
+def test_what_a_file_may_hold(tmp_path: Path) -> None:
+    """A namespace stands before names without a dot of its own, the last node wins, and nothing is the text 'None'."""
+    file = tmp_path / 'p.yaml'
+    file.write_text('/a:\n  ros__parameters: {x: 1, n: }\n/b:\n  ros__parameters: {x: 5}\n')
+    found = parameter_dict_from_yaml_file(str(file), namespace='ns.')
+    assert {name: parameter_value_to_python(message.value) for name, message in found.items()} == {'ns.x': 5, 'ns.n': 'None'}
+    file.write_text('/a:\n  ros__parameters: {}\n')
+    assert parameter_dict_from_yaml_file(str(file)) == {}
+    file.write_text('')
+    with pytest.raises(AttributeError, match="'NoneType' object has no attribute 'keys'"):
+        parameter_dict_from_yaml_file(str(file))
+
+
+def test_bytes_of_a_byte_array_are_single() -> None:
+    with pytest.raises(ValueError, match='do not agree'):
+        Parameter('n', value=[b'ab'])

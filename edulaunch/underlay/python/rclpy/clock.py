@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import IntEnum
+from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
 
 
-class ClockChange(IntEnum):
+class ClockChange(Enum):
     """How a clock's source changed in a time jump."""
 
     ROS_TIME_NO_CHANGE = 1
@@ -97,7 +97,7 @@ class JumpHandle:
         if pre_callback is not None and not callable(pre_callback):
             raise ValueError('pre_callback must be callable if given')
         if post_callback is not None and not callable(post_callback):
-            raise ValueError('post_callback must be callable if given')
+            raise ValueError('One of pre_callback or post_callback must be callable')  # not its own words, in ROS 2, too
         self.threshold = threshold
         self.pre_callback = pre_callback
         self.post_callback = post_callback

@@ -160,21 +160,25 @@ def get_parameter_value(string_value: str) -> ParameterValue:
 def parameter_dict_from_yaml_file(
     parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
 ) -> dict[str, ParameterMsg]:
-    """The parameters of a parameter file as messages, by name with `namespace.` before it.
+    """The parameters of a parameter file as messages, by name with `namespace` before it (write its dot, too, as in ROS 2).
+
+    Of a parameter that is there for several nodes the last value counts. One without a value is the text 'None', as in ROS 2.
 
     :param use_wildcard: whether entries under `/**` count.
     :param target_nodes: the full names of the nodes that count; None for all of the file.
-    :raises RuntimeError: when the file lacks one of them, has no parameters, or is no parameter file.
+    :raises RuntimeError: when the file lacks one of them, or is no parameter file.
+    :raises AttributeError: when it is no mapping.
     """
     import yaml
 
     with open(parameter_file, encoding='utf-8') as file:
-        content = yaml.safe_load(file) or {}
+        content = yaml.safe_load(file)
+    written_for = list(content.keys())
     keys = ['/**'] if use_wildcard and '/**' in content else []
     for key in target_nodes or ():
         if key not in content:
-            raise RuntimeError(f'Param file does not contain parameters for {key},only for nodes: {list(content)} ')
-    keys += target_nodes or [key for key in content if key != '/**']
+            raise RuntimeError(f'Param file does not contain parameters for {key},only for nodes: {written_for} ')
+    keys += target_nodes or [key for key in written_for if key != '/**']
     if not keys:
         raise RuntimeError('Param file does not contain selected parameters')
     found: dict[str, Any] = {}
@@ -182,10 +186,8 @@ def parameter_dict_from_yaml_file(
         body = content[key]
         if not isinstance(body, dict) or 'ros__parameters' not in body:
             raise RuntimeError(f'YAML file is not a valid ROS parameter file for node {key}')
-        found.update(_flattened(body['ros__parameters'], f'{namespace}.' if namespace else ''))
-    if not found:
-        raise RuntimeError('Param file does not contain any valid parameters')
-    return {name: Parameter(name, value=value).to_parameter_msg() for name, value in found.items()}
+        found.update(_flattened(body['ros__parameters'], namespace))
+    return {name: Parameter(name, value='None' if value is None else value).to_parameter_msg() for name, value in found.items()}
 
 
 def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:

@@ -215,7 +215,7 @@ _values_of = attrgetter(*QoSProfile.__slots__)
 
 def _finite_ns(duration: Duration) -> int:
     nanoseconds = duration.nanoseconds
-    return 0 if nanoseconds == _INFINITE_NS else nanoseconds
+    return 0 if nanoseconds >= _INFINITE_NS - 1 else nanoseconds  # one less is 'best available'
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:
@@ -267,11 +267,14 @@ qos_profile_sensor_data = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=5, r
 qos_profile_services_default = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=10)
 qos_profile_parameters = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
 qos_profile_parameter_events = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1000)
+_BEST_AVAILABLE = Duration(nanoseconds=(1 << 63) - 2)
 qos_profile_best_available = QoSProfile(
     history=HistoryPolicy.KEEP_LAST,
     depth=10,
     reliability=ReliabilityPolicy.BEST_AVAILABLE,
     durability=DurabilityPolicy.BEST_AVAILABLE,
+    deadline=_BEST_AVAILABLE,
+    liveliness_lease_duration=_BEST_AVAILABLE,
     liveliness=LivelinessPolicy.BEST_AVAILABLE,
 )
 qos_profile_action_status_default = QoSProfile(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from rclpy.exceptions import ParameterUninitializedException
@@ -10,6 +11,7 @@ from rclpy.parameter import ParameterType
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
+    from edulaunch.interfaces.registry import Registry
     from rclpy.node import Node
 
 START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
@@ -48,23 +50,30 @@ class TypeDescriptionService:
         from edulaunch.interfaces import current_registry
         from edulaunch.interfaces.description import type_description, type_hash
 
+        if not re.fullmatch('RIHS01_[0-9a-f]{64}', request.type_hash):
+            response.failure_reason = 'Failed to parse type hash'
+            return response
+        registry = current_registry()
         known = {end.type_name for end in self._node._rclpy.entry.endpoints}
-        if request.type_name not in known:
-            response.failure_reason = f"Type '{request.type_name}' is not currently in use by this node"
+        if request.type_name not in known or request.type_hash != type_hash(request.type_name, registry.spec):
+            response.failure_reason = 'Type not currently in use by this node'
             return response
-        spec_of = current_registry().spec
-        actual = type_hash(request.type_name, spec_of)
-        if request.type_hash and request.type_hash != actual:
-            response.failure_reason = (
-                f'Type {request.type_name} exists, but with hash {actual} and not the requested {request.type_hash}'
-            )
-            return response
+        spec_of = registry.spec
         description = type_description(request.type_name, spec_of)
         target = response.type_description
         target.type_description = _individual(description['type_description'])
         target.referenced_type_descriptions = [_individual(one) for one in description['referenced_type_descriptions']]
+        if request.include_type_sources:
+            described = (target.type_description, *target.referenced_type_descriptions)
+            response.type_sources = [_source(one.type_name, registry) for one in described]
         response.successful = True
         return response
+
+
+def _source(type_name: str, registry: Registry) -> Any:
+    from type_description_interfaces.msg import TypeSource
+
+    return TypeSource(type_name=type_name, encoding=type_name.split('/')[1], raw_file_contents=registry.text(type_name))
 
 
 def _individual(description: dict[str, Any]) -> Any:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from edulaunch.graph.names import node_name_problem
 from rclpy.exceptions import InvalidNodeNameException
+from rclpy.impl.text_argument import check_is_text
 
 
 def validate_node_name(node_name: str) -> bool:
     """True; raises InvalidNodeNameException for a name that breaks the rules."""
+    check_is_text(node_name, 'node_name')
     problem = node_name_problem(node_name)
     if problem is None:
         return True

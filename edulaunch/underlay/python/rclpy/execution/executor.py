@@ -245,7 +245,7 @@ class Executor(Waiting):
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Execute one callback, waiting for it at most `timeout_sec` (None or negative: for ever; 0: not at all)."""
-        timeout_ns = -1 if timeout_sec is None else timeout_sec_to_nsec(timeout_sec)
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
         if not timeout_ns:
             current_task().poll()
         self._spin(timeout_ns, never, (timeout_ns, never), once=True)

@@ -8,6 +8,7 @@ from rclpy.lifecycle.publisher import LifecyclePublisher
 from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
 
 Node = LifecycleNode
+NodeMixin = LifecycleNodeMixin
 Publisher = LifecyclePublisher
 State = LifecycleState
 
@@ -18,6 +19,7 @@ __all__ = [
     'LifecycleState',
     'ManagedEntity',
     'Node',
+    'NodeMixin',
     'Publisher',
     'SimpleManagedEntity',
     'State',

@@ -29,7 +29,7 @@ class LifecycleServices:
             (srv.GetAvailableTransitions, 'get_available_transitions', self._on_get_available_transitions),
             (srv.GetAvailableTransitions, 'get_transition_graph', self._on_get_transition_graph),
         ):
-            node.create_service(kind, f'~/{name}', answer, callback_group=group)
+            node.create_service(kind, f'{node.get_fully_qualified_name()}/{name}', answer, callback_group=group)
 
     def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
         """Tell of a step. As in ROS 2 the event names the two states and leaves its time and its transition empty."""
