@@ -23,15 +23,28 @@ class Image:
         self._sources: dict[str, str] = {}
         self._claimed = False
 
-    def add(self, contents: Contents) -> None:
-        """Install a package: links to its files, and folders for its entry points."""
+    def add(self, package: str, contents: Contents) -> None:
+        """Install a package: links to its files, and folders for its entry points.
+
+        What an earlier reading of the package has left there goes: somebody else may have used the folder all the time.
+        """
         self._claim()
+        self._clear(package, contents)
         for name, source in contents.files.items():
             target = os.path.join(self.path, name)
             self._sources[target] = source
             _link(source, target)
         for name in contents.entry_points:
             self.add_folder(os.path.dirname(name))
+
+    def _clear(self, package: str, contents: Contents) -> None:
+        """Remove the links that the package does not install any more."""
+        wanted = {os.path.join(self.path, name) for name in contents.files}
+        for place in ('share', 'lib'):
+            for folder, _, names in os.walk(os.path.join(self.path, place, package)):
+                for path in (os.path.join(folder, name) for name in names):
+                    if path not in wanted:
+                        os.unlink(path)
 
     def add_folder(self, name: str) -> str:
         """Make a folder in the prefix; gives its path."""

@@ -35,7 +35,7 @@ class Workspace:
     def install(self, package: str) -> None:
         """Put the package into the generated prefix."""
         if package not in self._installed:
-            self._image.add(self.contents(package))
+            self._image.add(package, self.contents(package))
             self._installed.add(package)
 
     def executables(self, package: str) -> list[str]:

@@ -39,6 +39,12 @@ CONFIGURATION = """\
 script_dir=$base/lib/{name}
 [install]
 install_scripts=$base/lib/{name}
+[tool:pytest]
+markers =
+    copyright: checks the copyright notices
+    flake8: checks the style of the code
+    pep257: checks the docstrings
+    linter: checks how the code is written
 """
 NODE = """\
 def main():

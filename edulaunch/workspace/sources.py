@@ -91,8 +91,13 @@ class SourcePackage:
         return os.path.relpath(path, self.folder)
 
     def is_launch_file(self, path: str) -> bool:
-        """Whether this is a launch file: by its name, or by its folder."""
+        """Whether this is a launch file: by its name, or by its folder. The description of a launch test is none: pytest and
+        launch_test read it where it lies.
+        """
         name = os.path.basename(path)
+        is_in_tests = self.relative(path).split(os.sep)[0] in ('test', 'tests')
+        if is_in_tests or name.endswith('.py') and 'generate_test_description' in read_text(path):
+            return False
         if name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml', '.launch')):
             return True
         return (

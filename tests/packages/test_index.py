@@ -236,3 +236,17 @@ def test_colcon_builds_a_folder_with_a_broken_package_xml_as_another_kind_of_pac
     assert str(index.warnings[0]).endswith(
         f'so colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
     )
+
+
+def test_what_is_no_longer_installed_goes_though_somebody_else_uses_the_folder(workspace: Any) -> None:
+    setup = "from setuptools import setup\nsetup(packages=['alpha'], data_files=[('share/alpha/launch', [{files}])])\n"
+    both = ("'launch/a.launch.py', 'launch/b.launch.py'", "'launch/b.launch.py'")
+    workspace.files({'alpha/launch/a.launch.py': '', 'alpha/launch/b.launch.py': ''})
+    workspace.python_package('alpha', setup.format(files=both[0]))
+    first = workspace.index()
+    share = first.share('alpha')
+    assert sorted(os.listdir(f'{share}/launch')) == ['a.launch.py', 'b.launch.py']
+    workspace.files({'alpha/setup.py': setup.format(files=both[1])})
+    second = workspace.index()
+    assert second.share('alpha') == share
+    assert os.listdir(f'{share}/launch') == ['b.launch.py']

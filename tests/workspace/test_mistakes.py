@@ -136,3 +136,11 @@ def test_a_folder_without_packages(tmp_path: Path) -> None:
     assert [mistake.sentence for mistake in find_mistakes(str(tmp_path)).mistakes] == [
         'no package is here: no folder has a package.xml'
     ]
+
+
+@pytest.mark.parametrize('file', ['test/test_robo.launch.py', 'test/robo_launch.py', 'robo_test.launch.py'])
+def test_a_launch_test_need_not_be_installed(workspace: Any, node: str, file: str) -> None:
+    workspace.python('robo', 'drive = robo.drive:main')
+    workspace.write('robo/robo/drive.py', node)
+    workspace.write(f'robo/{file}', 'def generate_test_description():\n    return None\n')
+    assert find_mistakes(str(workspace.folder)).mistakes == []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -119,3 +121,16 @@ def test_what_cannot_be_made_is_refused(
         create(name, **options)
     assert error in str(caught.value)
     assert sorted(path.name for path in tmp_path.iterdir()) == ['there']
+
+
+def test_pytest_knows_the_marks_of_a_new_package(create: Callable[..., list[str]], tmp_path: Path) -> None:
+    create('my_package', build_type='ament_python')
+    done = subprocess.run(
+        [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '-W', 'error'],
+        cwd=tmp_path / 'my_package',
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 0 and '3 skipped' in done.stdout and 'warning' not in done.stdout, done.stdout
