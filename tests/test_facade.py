@@ -66,3 +66,20 @@ def test_a_wrong_name_is_an_attribute_error() -> None:
     assert fresh('import edulaunch\ntry:\n    edulaunch.runn\nexcept AttributeError as error:\n    print(error)') == (
         "module 'edulaunch' has no attribute 'runn'"
     )
+
+
+def test_what_a_session_ends_by_closing_is_not_recorded(tmp_path: Path) -> None:
+    script = tmp_path / 'script.py'
+    script.write_text('import time\ntry:\n    time.sleep(100)\nfinally:\n    print("the end")\n')
+    file = tmp_path / 'a.launch.py'
+    file.write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
+        f'def generate_launch_description():\n    return LaunchDescription([ExecuteProcess(cmd=["python3", {str(script)!r}])])\n'
+    )
+    with edulaunch.Session() as session:
+        session.launch(file)
+        session.run(1.0)
+        before = len(session.recorder.output_lines)
+    assert [row['returncode'] for row in session.recorder.processes] == [None, None]
+    assert len(session.recorder.output_lines) == before
+    assert session.recorder.content()['duration_ns'] == 10**9

@@ -18,9 +18,13 @@ PRINT_FOREVER = 'import time\nwhile True:\n    time.sleep(1)\n    print("tick")\
     [
         ('print("done")', 0, 'done\n'),
         ('import sys\nsys.exit(3)', 3, ''),
+        ('import sys\nsys.exit(256)', 0, ''),
+        ('import sys\nsys.exit(-1)', 255, ''),
+        ('import sys\nsys.exit(True)', 1, ''),
         ('import sys\nsys.exit("bad luck")', 1, 'bad luck\n'),
         ('raise SystemExit', 0, ''),
         ('exit(4)', 4, ''),
+        ('import os\nos._exit(-1)', 255, ''),
         ('import os\ntry:\n    os._exit(5)\nfinally:\n    print("not printed")', 5, ''),
     ],
 )

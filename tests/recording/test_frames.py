@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 import edulaunch
+from edulaunch.recording import Recording
+
+from .conftest import turtle_run
 
 SCRIPT = """
 import rclpy
@@ -39,3 +45,53 @@ def test_the_newest_stamp_counts_and_other_types_on_the_topic_do_not(tmp_path: P
     box = recording.frames_at(1.0)['box']
     assert (box.parent, box.translation, box.stamp_s) == ('world', (1.0, 0.0, 0.0), 5.0)
     assert 'box' in repr(recording.plot_tf_tree().scene)
+
+
+def broadcast(*rows: tuple[str, float, float, float]) -> Recording:
+    """Transforms of 'box' as (topic, published in s, stamp in s, x)."""
+    content = turtle_run()._content
+    names = {name: [row for row in rows if row[0] == name] for name in ('/tf', '/tf_static')}
+    content['topics'] = [
+        {
+            'topic': name,
+            'type': 'tf2_msgs/msg/TFMessage',
+            'times': [round(published * 1e9) for _, published, _, _ in of_topic],
+            'publishers': [1] * len(of_topic),
+            'messages': [
+                [
+                    [
+                        [
+                            content['start_ns'] // 10**9 + int(stamp),
+                            int(stamp % 1 * 1e9),
+                            'world',
+                            'box',
+                            x,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            0.0,
+                            1.0,
+                        ]
+                    ]
+                ]
+                for _, _, stamp, x in of_topic
+            ],
+        }
+        for name, of_topic in names.items()
+    ]
+    return Recording(content)
+
+
+@pytest.mark.parametrize(
+    'rows, time_s, x',
+    [
+        ([('/tf', 1.0, 0.5, 1.0), ('/tf', 1.0, 0.5, 2.0)], 1.0, 2.0),  # equal stamps: the last one published
+        ([('/tf', 1.0, 0.5, 1.0), ('/tf', 1.5, 0.25, 2.0)], 2.0, 1.0),  # an older stamp comes late
+        ([('/tf', 1.0, 0.5, 1.0), ('/tf', 2.0, 2.0, 2.0)], 2.0, 2.0),  # published at that very time
+        ([('/tf', 1.0, 0.5, 1.0), ('/tf', 2.0, 2.0, 2.0)], 1.999, 1.0),
+        ([('/tf_static', 1.0, 9.0, 1.0), ('/tf', 1.0, 0.5, 2.0)], 1.0, 2.0),  # what moves counts before what does not
+    ],
+)
+def test_which_of_two_transforms_counts(rows: list[Any], time_s: float, x: float) -> None:
+    assert broadcast(*rows).frames_at(time_s)['box'].translation[0] == x

@@ -101,7 +101,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         getpid=lambda: process.pid,
         getppid=lambda: 1000,
         kill=lambda pid, signum, /: _kill(process, pid, signum),
-        _exit=process.exit_now,
+        _exit=lambda status: process.exit_now(status & 0xFF),
         abort=lambda: process.end_by(signal.SIGABRT),
         getcwd=Free(getcwd),
         chdir=chdir,
