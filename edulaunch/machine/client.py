@@ -8,13 +8,15 @@ import signal
 import socket
 import sys
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
-from types import FrameType
 
 from edulaunch.machine import wire
 from edulaunch.machine.keyboard import Keyboard
 from edulaunch.machine.place import UnsafePlace, domain, folder
 from edulaunch.machine.starting import connect, log_file
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import FrameType
 
 PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
 PATIENCE = 4
@@ -149,8 +151,10 @@ class Client:
         self._tell(wire.SIZE, '{} {}'.format(*_size()))
 
     def _tell(self, kind: bytes, text: str) -> None:
-        with suppress(OSError):  # reading from it tells
+        try:
             self._connection.sendall(wire.frame(kind, text.encode()))
+        except OSError:
+            return  # reading from it tells
 
 
 class _GaveUp(Exception):

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from typing import NamedTuple
 
 LISTENER = 3
 """The number under which a new machine finds the socket that listens already."""
@@ -18,8 +15,8 @@ class UnsafePlace(Exception):
     """The folder of the machines belongs to somebody else, or others may write in it."""
 
 
-class Address(NamedTuple):
-    """How a machine is reached.
+class Address:
+    """How a machine is reached. (A plain class: `typing` takes longer to load than everything else that a terminal needs.)
 
     :ivar kind: 'unix' or 'tcp'.
     :ivar place: path of the socket, or number of a port on 127.0.0.1.
@@ -28,11 +25,12 @@ class Address(NamedTuple):
     :ivar host: 'terminals', or 'notebook' for a kernel.
     """
 
-    kind: str
-    place: str
-    token: str
-    pid: int
-    host: str
+    def __init__(self, kind: str, place: str, token: str, pid: int, host: str) -> None:
+        self.kind, self.place, self.token, self.pid, self.host = kind, place, token, pid, host
+
+    def lines(self) -> list[str]:
+        """As the file says it."""
+        return [self.kind, self.place, self.token, str(self.pid), self.host]
 
 
 def domain() -> str:
@@ -52,8 +50,8 @@ def folder() -> str:
         path = os.path.join(runtime, 'edulaunch')
     else:
         path = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edulaunch-{user}')
-    with suppress(FileExistsError):
-        os.mkdir(path, 0o700)
+    if not os.path.lexists(path):
+        _make(path)
     found = os.lstat(path)
     if not stat.S_ISDIR(found.st_mode) or found.st_uid != user or stat.S_IMODE(found.st_mode) & 0o077:
         raise UnsafePlace(
@@ -61,6 +59,13 @@ def folder() -> str:
             '  help: remove it, or let XDG_RUNTIME_DIR name a folder of your own'
         )
     return path
+
+
+def _make(path: str) -> None:
+    try:
+        os.mkdir(path, 0o700)
+    except FileExistsError:  # another terminal came first
+        return
 
 
 def address_file(place: str, number: str) -> str:
@@ -83,25 +88,31 @@ def write_address(place: str, number: str, address: Address) -> None:
     path = address_file(place, number)
     new = f'{path}.{os.getpid()}'
     with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), 'w', encoding='utf-8') as file:
-        file.write('\n'.join(map(str, address)) + '\n')
+        file.write('\n'.join(address.lines()) + '\n')
     os.replace(new, path)
 
 
 def remove_address(place: str, number: str, address: Address) -> None:
     """Let nobody find that machine any longer; another one stays."""
     found = read_address(place, number)
-    with suppress(OSError):
-        if found is not None and found.token == address.token:
-            os.unlink(address_file(place, number))
-        if address.kind == 'unix':
-            os.unlink(address.place)
+    paths = [address_file(place, number)] if found is not None and found.token == address.token else []
+    for path in [*paths, *([address.place] if address.kind == 'unix' else [])]:
+        if os.path.exists(path):
+            os.unlink(path)
 
 
-@contextmanager
-def locked(place: str, number: str) -> Iterator[None]:
-    """Alone among all who start or end a machine of this domain. Whoever dies lets go."""
-    import fcntl
+class locked:
+    """With it: alone among all who start or end a machine of this domain. Whoever dies lets go."""
 
-    with open(os.open(os.path.join(place, f'lock-{number}'), os.O_RDWR | os.O_CREAT, 0o600), 'w') as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+    def __init__(self, place: str, number: str) -> None:
+        self._path = os.path.join(place, f'lock-{number}')
+        self._file = -1
+
+    def __enter__(self) -> None:
+        import fcntl
+
+        self._file = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o600)
+        fcntl.flock(self._file, fcntl.LOCK_EX)
+
+    def __exit__(self, *_: object) -> None:
+        os.close(self._file)

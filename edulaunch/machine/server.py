@@ -104,6 +104,10 @@ class Server:
         self.time = RealTime(session.sim)
         self.terminals = Terminals(session, self.time)
 
+    def has_connections(self) -> bool:
+        """Whether anybody is connected, known or not."""
+        return bool(self._connections)
+
     def has_terminals(self) -> bool:
         """Whether anybody is connected who may be."""
         return any(connection.terminal is not None for connection in self._connections)
@@ -151,7 +155,7 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
     early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
         due_s = server.run_due()
-        left_s = math.inf if server.has_terminals() else server.last_seen_s + grace_s - time.monotonic()
+        left_s = math.inf if server.has_connections() else server.last_seen_s + grace_s - time.monotonic()
         if left_s <= 0:
             break
         if early and (due_s is None or due_s > QUIET_S):
@@ -164,6 +168,7 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
         server.drop_the_silent()
     with locked(place, number):
         remove_address(place, number, address)
+    server.flush()
     server.close()
 
 

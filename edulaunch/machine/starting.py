@@ -27,7 +27,7 @@ def connect(number: str, *, start: bool = True) -> tuple[socket.socket, str] | N
         found = _try(read_address(place, number))
         if found is None:
             listener, address = listen(place, number, 'terminals')
-            address = address._replace(pid=_spawn(listener, place, number))
+            address.pid = _spawn(listener, place, number)
             write_address(place, number, address)
             listener.close()
             found = _try(address)

@@ -1,0 +1,96 @@
+"""The command `ros2` beside a real one."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.machine.shells import ROS2, Desk
+
+
+@pytest.fixture
+def real(tmp_path: Path) -> Path:
+    """A folder with what stands for the `ros2` of a real ROS 2."""
+    place = tmp_path / 'opt' / 'bin'
+    place.mkdir(parents=True)
+    for name in ('ros2', 'rosdep'):
+        (place / name).write_text(f'#!/bin/sh\necho real {name} "$@"\nexit 7\n')
+        (place / name).chmod(0o755)
+    return place
+
+
+def run(desk: Desk, *words: str, program: list[str] = ROS2, **env: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([*program, *words], env={**desk.env, **env}, cwd=desk.folder, capture_output=True, text=True)
+
+
+@pytest.mark.parametrize('sign', ['ROS_DISTRO', 'AMENT_PREFIX_PATH'])
+def test_it_steps_aside_for_a_real_one_that_is_sourced(desk: Desk, real: Path, sign: str) -> None:
+    path = f'{real}{os.pathsep}{desk.env["PATH"]}'
+    done = run(desk, 'topic', 'list', PATH=path, **{sign: 'jazzy'})
+    assert (done.returncode, done.stdout, done.stderr) == (7, 'real ros2 topic list\n', '')
+
+
+def test_verbose_says_so(desk: Desk, real: Path) -> None:
+    done = run(desk, '--verbose', 'topic', 'list', PATH=str(real), ROS_DISTRO='jazzy')
+    assert done.stdout == 'real ros2 topic list\n' and f'stepping aside for {real}/ros2' in done.stderr
+
+
+def test_one_that_is_not_sourced_is_not_meant(desk: Desk, real: Path) -> None:
+    assert run(desk, 'topic', 'list', PATH=f'{real}{os.pathsep}{desk.env["PATH"]}').stdout == '/parameter_events\n/rosout\n'
+
+
+def test_none_that_is_ours_counts_as_real(desk: Desk, real: Path) -> None:
+    (real / 'ros2').write_text('#!/usr/bin/python\nfrom edulaunch.machine.command import ros2\n')
+    done = run(desk, 'topic', 'list', PATH=f'{real}{os.pathsep}{desk.env["PATH"]}', ROS_DISTRO='jazzy')
+    assert done.stdout == '/parameter_events\n/rosout\n'
+
+
+def test_edulaunch_ros2_always_means_ours(desk: Desk, real: Path) -> None:
+    program = [sys.executable, '-m', 'edulaunch', 'ros2']
+    done = run(desk, 'topic', 'list', program=program, PATH=f'{real}{os.pathsep}{desk.env["PATH"]}', ROS_DISTRO='jazzy')
+    assert done.stdout == '/parameter_events\n/rosout\n'
+
+
+def test_rosdep_is_the_real_one_or_the_verb(desk: Desk, real: Path) -> None:
+    program = [sys.executable, '-c', 'import sys; from edulaunch.cli.rosdep import command; sys.exit(command())']
+    assert run(desk, 'check', program=program, PATH=str(real)).stdout == 'real rosdep check\n'
+    assert 'edulaunch rosdep' in run(desk, '--help', program=program, PATH='').stdout
+
+
+def test_exit_codes_and_streams_are_those_of_the_command(desk: Desk) -> None:
+    done = run(desk, 'run', 'turtlesim', 'turtlesim_nod')
+    assert (done.returncode, done.stdout) == (1, '') and "did you mean 'turtlesim_node'?" in done.stderr
+    assert run(desk, 'nonsense').returncode == 2
+
+
+def test_words_to_the_machine(desk: Desk) -> None:
+    machine = [sys.executable, '-m', 'edulaunch', 'machine']
+    done = run(desk, program=machine)
+    assert done.returncode == 1 and 'no machine is running in ROS_DOMAIN_ID 0' in done.stderr
+    talker = desk.ros2('run demo_nodes_py talker')
+    talker.until('Publishing')
+    assert 'terminal 1: ros2 run demo_nodes_py talker (2 programs)' in run(desk, 'status', program=machine).stdout
+    assert run(desk, 'speed', '4', program=machine).stdout == 'one second is 4 simulated seconds now\n'
+    assert run(desk, 'speed', 'much', program=machine).returncode == 2
+    assert 'time stands still' in run(desk, 'pause', program=machine).stdout
+    assert 'paused' in run(desk, program=machine).stdout
+    assert 'time goes on' in run(desk, 'resume', program=machine).stdout
+    assert run(desk, 'stop', program=machine).stdout == 'the machine stops\n'
+    assert talker.end() == 1
+
+
+def test_each_domain_has_a_machine_of_its_own(desk: Desk) -> None:
+    desk.ros2('run demo_nodes_py talker', ROS_DOMAIN_ID='7').until('Publishing')
+    assert desk.said('node list') == '' and desk.said('node list', ROS_DOMAIN_ID='7') == '/talker\n'
+
+
+def test_of_many_that_come_first_one_starts_the_machine(desk: Desk) -> None:
+    shells = [desk.ros2(f'run demo_nodes_py talker --ros-args -r __node:=talker_{number}') for number in range(6)]
+    for shell in shells:
+        shell.until('Publishing')
+    assert desk.said('node list').split() == [f'/talker_{number}' for number in range(6)]
+    assert len(list((desk.runtime / 'edulaunch').glob('0-*'))) == 1
