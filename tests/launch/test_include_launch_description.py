@@ -132,19 +132,6 @@ def test_a_chain_of_includes_loads_each_file_at_most_twice(launch_it: Any, write
     assert [loads.count(str(n)) for n in range(depth)] == [1] + [2] * (depth - 1)
 
 
-def test_a_chain_of_includes_looks_a_few_times_at_each_file(launch_it: Any, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    from launch import _static_loads
-
-    looks: list[str] = []
-    stamp_of = _static_loads._stamp_of
-    monkeypatch.setattr(_static_loads, '_stamp_of', lambda place: looks.append(place) or stamp_of(place))
-    path = write('0.launch.py', 'DeclareLaunchArgument("last", default_value="x")')
-    for n in range(1, 21):
-        path = write(f'{n}.launch.py', f'IncludeLaunchDescription({path!r})')
-    launch_it(IncludeLaunchDescription(path))
-    assert len(looks) < 4 * 21
-
-
 def test_a_file_that_changed_is_searched_again(write: Any) -> None:
     include = IncludeLaunchDescription(write('a.launch.py', "DeclareLaunchArgument('x')"))
     assert [a.name for a in LaunchDescription([include]).get_launch_arguments()] == ['x']

@@ -1,16 +1,17 @@
-"""The static search for launch arguments.
+"""The static search for launch arguments, and the files that are loaded only to look inside.
 
 Upstream searches everything below a file when it is included, and so again at each level: quadratic in the
-depth. Here what was found below a description that was only loaded to look inside is kept, as long as none of
-the files changes that it came from.
+depth. Here each file is looked into once within one visit, in which includes of any depth are executed one right after
+the other. A file that is really launched is always loaded anew.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from ._static_loads import Loaded, is_current, loads_watched
+from ._engine import running_process
 
 if TYPE_CHECKING:
     from .actions.declare_launch_argument import DeclareLaunchArgument
@@ -21,6 +22,46 @@ if TYPE_CHECKING:
 FoundArguments = list[tuple['DeclareLaunchArgument', list['IncludeLaunchDescription'] | None]]
 Finding = tuple['DeclareLaunchArgument', bool, tuple['IncludeLaunchDescription', ...]]
 """An argument, whether it is only there under a condition, and the includes that lead to it."""
+_KEY = 'launch.look'
+
+
+class Look:
+    """What was seen of the files that were only looked into.
+
+    :ivar descriptions: by kind of source and location; None for what cannot be loaded.
+    :ivar findings: by the identity of such a description what was found in it and below; None before the search.
+    """
+
+    def __init__(self) -> None:
+        self.descriptions: dict[tuple[type, str], LaunchDescription | None] = {}
+        self.findings: dict[int, list[Finding] | None] = {}
+
+
+@contextmanager
+def looking() -> Iterator[Look]:
+    """Inside, each file is looked into once. (A look may hold others, which are the same.)"""
+    state = running_process().state
+    if _KEY in state:
+        yield state[_KEY]
+        return
+    state[_KEY] = look = Look()
+    try:
+        yield look
+    finally:
+        del state[_KEY]
+
+
+def load_once(source: object, location: str, load: Callable[[], LaunchDescription]) -> LaunchDescription | None:
+    """What `load()` returns, None when it raises an exception; remembered in a look by the kind of source and location."""
+    with looking() as look:
+        key = type(source), location
+        if key not in look.descriptions:
+            try:
+                look.descriptions[key] = description = load()
+                look.findings[id(description)] = None
+            except Exception:
+                look.descriptions[key] = None
+        return look.descriptions[key]
 
 
 def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:
@@ -29,9 +70,10 @@ def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bo
     :param conditional: whether the entities themselves are only there under a condition.
     """
     found: FoundArguments = []
-    for argument, is_conditional, includes in _first_ones(_findings(entities, conditional)):
-        argument._conditionally_included = is_conditional
-        found.append((argument, list(includes) or None))
+    with looking() as look:
+        for argument, is_conditional, includes in _first_ones(_findings(entities, conditional, look)):
+            argument._conditionally_included = is_conditional
+            found.append((argument, list(includes) or None))
     return found
 
 
@@ -42,7 +84,7 @@ def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
     return list(first.values())
 
 
-def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> list[Finding]:
+def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, look: Look) -> list[Finding]:
     """All below the entities; nothing is seen after a `ResetLaunchConfigurations`.
 
     As upstream, only what stands directly in a conditional branch counts as conditional: the arguments of a file that is
@@ -56,34 +98,22 @@ def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool) ->
         if role == 'argument':
             argument: Any = entity
             findings.append((argument, conditional or argument.condition is not None, ()))
-        below = _below(entity)
+        below = _inside(entity.describe_sub_entities(), False, look)
+        for _, branch in entity.describe_conditional_sub_entities():
+            below += _inside(branch, True, look)
         if role == 'include':
             include: Any = entity
-            below = [(argument, conditional, (include, *includes)) for argument, conditional, includes in below]
+            below = [(argument, is_conditional, (include, *includes)) for argument, is_conditional, includes in below]
         findings += below
     return findings
 
 
-def _below(entity: Any) -> list[Finding]:
-    findings = _inside(entity.describe_sub_entities(), False)
-    for _, entities in entity.describe_conditional_sub_entities():
-        findings += _inside(entities, True)
-    return findings
-
-
-def _inside(entities: Any, conditional: bool) -> list[Finding]:
-    only: Any = entities[0] if isinstance(entities, list) and len(entities) == 1 else None
-    loaded: Loaded | None = getattr(only, '_loaded', None)
-    return list(_findings(entities, conditional) if loaded is None else _below_loaded(only, loaded))
-
-
-def _below_loaded(description: LaunchDescription, loaded: Loaded) -> list[Finding]:
-    """The same for a description that was only loaded to look inside."""
-    if loaded.is_searched:
-        return []  # it includes itself
-    if loaded.findings is None or not is_current(loaded.files):
-        loaded.is_searched = True
-        with loads_watched() as files:
-            loaded.findings = _first_ones(_findings([description], False))
-        loaded.files, loaded.is_searched = files, False
-    return loaded.findings
+def _inside(entities: Any, conditional: bool, look: Look) -> list[Finding]:
+    only = id(entities[0]) if isinstance(entities, list) and len(entities) == 1 else 0
+    if only not in look.findings:
+        return _findings(entities, conditional, look)
+    found = look.findings[only]
+    if found is None:
+        look.findings[only] = []  # while it is searched: it may include itself
+        found = look.findings[only] = _first_ones(_findings(entities, False, look))
+    return list(found)

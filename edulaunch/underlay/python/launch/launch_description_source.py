@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._static_loads import load_once
+from ._argument_search import load_once
 from .launch_context import LaunchContext
 from .some_substitutions_type import SomeSubstitutionsType
 from .substitutions.text_substitution import TextSubstitution
@@ -68,8 +68,7 @@ class LaunchDescriptionSource:
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """The description if its path is known without a running launch and it can be loaded; else None.
 
-        As upstream the file is executed for this, but only once as long as nothing changes that it could
-        depend on.
+        As upstream the file is executed for this, but within one visit only once.
         """
         if self.__launch_description is not None:
             return self.__launch_description

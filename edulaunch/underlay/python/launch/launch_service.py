@@ -9,12 +9,12 @@ from collections.abc import Awaitable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
 from ._done import Done
 from ._engine import new_event_loop, running_process
 from ._help import show_help
 from ._origin import note_origin
-from ._static_loads import one_visit
 from .event import Event
 from .event_handler import BaseEventHandler
 from .event_handlers.on_include_launch_description import OnIncludeLaunchDescription
@@ -253,7 +253,7 @@ class LaunchService:
             context._pop_locals()
 
     def __visit(self, entity: LaunchDescriptionEntity) -> None:
-        with collector_paused(), one_visit():
+        with collector_paused(), looking():
             pairs = visit_all_entities_and_collect_futures(entity, self.__context)
         on_done = self.__on_done
         for visited, future in pairs:
