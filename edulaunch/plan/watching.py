@@ -148,7 +148,7 @@ class WatchedHandler(BaseEventHandler):
 
     def __init__(self, watch: Watch, handler: BaseEventHandler, parent: Branch) -> None:
         super().__init__(matcher=handler.matches)
-        self._event_keys = handler._event_keys
+        self.only_action = getattr(handler, 'only_action', None)
         self._watch = watch
         self._handler = handler
         self._parent = parent

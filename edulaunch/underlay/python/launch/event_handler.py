@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from ._stable_repr import StableRepr
@@ -22,11 +22,10 @@ class BaseEventHandler(StableRepr):
     :param handle_once: forget this handler after the first event.
     """
 
-    _event_keys: Sequence[tuple[type, Any]] | None = None
-    """All that the matcher can accept: types of events, each with the only action that it can come from (or
-    None).
+    only_action: Any = None
+    """The only action whose events the matcher can accept, None when it can be any; events that have no action do not count.
 
-    None when that is unknown. It lets launch skip this handler quickly; see `_handler_table.py`.
+    Launch then does not ask about others. (edulaunch only.)
     """
 
     def __init__(self, *, matcher: Matcher, handle_once: bool = False) -> None:

@@ -186,10 +186,6 @@ class LaunchContext:
         """The handlers to ask about the event, as registered now, first asked first."""
         return self.__handlers.candidates(event)
 
-    def _has_handlers_for(self, event_type: type) -> bool:
-        """Whether an event of that type could find a handler at all. Quick."""
-        return self.__handlers.may_handle(event_type)
-
     def would_handle_event(self, event: Event) -> bool:
         """Whether any registered handler matches the event."""
         return any(handler.matches(event) for handler in self.__handlers.candidates(event))

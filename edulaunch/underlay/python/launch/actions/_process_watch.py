@@ -15,7 +15,6 @@ from ..events.process.process_started import ProcessStarted
 from ..events.process.process_stderr import ProcessStderr
 from ..events.process.process_stdout import ProcessStdout
 from ..events.process.process_targeted_event import ProcessTargetedEvent
-from ..events.process.running_process_event import RunningProcessEvent
 from ..events.process.shutdown_process import ShutdownProcess
 from ..events.process.signal_process import SignalProcess
 from ..events.shutdown import Shutdown
@@ -51,7 +50,7 @@ class ProcessWatch(BaseEventHandler):
         self, action: ExecuteLocal, details: dict[str, Any], options: ProcessOptions, output: Any, loop: asyncio.AbstractEventLoop
     ) -> None:
         super().__init__(matcher=self._concerns)
-        self._event_keys = (RunningProcessEvent, action), (Shutdown, None), (ProcessTargetedEvent, None)
+        self.only_action = action
         self._action = action
         self._details = details
         self._options = options

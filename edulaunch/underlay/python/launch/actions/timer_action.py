@@ -126,8 +126,6 @@ class TimerAction(Action):
 class _TimerEventHandler(EventHandler):
     """Handles the events of all timers of a context."""
 
-    _event_keys = ((TimerEvent, None),)
-
     def __init__(self) -> None:
         super().__init__(
             matcher=lambda event: isinstance(event, TimerEvent), entities=OpaqueFunction(function=_handle_timer_event)

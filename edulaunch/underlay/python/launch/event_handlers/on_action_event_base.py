@@ -40,8 +40,7 @@ class OnActionEventBase(BaseEventHandler):
         self.__target_event_cls = target_event_cls
         self.__action_matcher = action_matcher
         super().__init__(matcher=self.__accepts, **kwargs)
-        only = action_matcher if isinstance(action_matcher, LaunchDescriptionEntity) else None
-        self._event_keys = ((target_event_cls, only),)
+        self.only_action = action_matcher if isinstance(action_matcher, LaunchDescriptionEntity) else None
         self.__actions_on_event: list[LaunchDescriptionEntity] = []
         self.__on_event: Any = None
         if callable(on_event):

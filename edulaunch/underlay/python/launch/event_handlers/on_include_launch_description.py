@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 class OnIncludeLaunchDescription(BaseEventHandler):
     """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these."""
 
-    _event_keys = ((IncludeLaunchDescription, None),)
-
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)
 

@@ -22,8 +22,6 @@ class OnShutdown(BaseEventHandler):
     :param on_shutdown: an entity, several, or a callable (event, context) that may return entities.
     """
 
-    _event_keys = ((Shutdown, None),)
-
     def __init__(self, *, on_shutdown: Reaction, **kwargs: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, Shutdown), **kwargs)
         self.__on_shutdown: Any = on_shutdown
