@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
 from ._parsed_by import ParsedByFrontend
+from ._read_only import ReadOnly
 from .condition import Condition
 from .events.execution_complete import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
@@ -50,10 +51,7 @@ class Action(LaunchDescriptionEntity):
     parse = ParsedByFrontend('action', _only_a_condition)
     """Class method: the class, and the keyword arguments that an element of an XML or YAML file stands for."""
 
-    @property
-    def condition(self) -> Condition | None:
-        """The condition, or None."""
-        return self.__condition
+    condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 
     def describe(self) -> str:
         """What people read."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from ._read_only import ReadOnly
 from ._stable_repr import StableRepr
 from .event import Event
 from .some_entities_type import SomeEntitiesType
@@ -32,10 +33,7 @@ class BaseEventHandler(StableRepr):
         self.__matcher = matcher
         self.__handle_once = handle_once
 
-    @property
-    def handle_once(self) -> bool:
-        """Whether this handles only one event."""
-        return self.__handle_once
+    handle_once: ReadOnly[bool] = ReadOnly('Whether this handles only one event.')
 
     @property
     def handler_description(self) -> str:
@@ -77,10 +75,7 @@ class EventHandler(BaseEventHandler):
         super().__init__(matcher=matcher, handle_once=handle_once)
         self.__entities = entities
 
-    @property
-    def entities(self) -> SomeEntitiesType | None:
-        """What is visited."""
-        return self.__entities
+    entities: ReadOnly[SomeEntitiesType | None] = ReadOnly('What is visited.')
 
     @property
     def handler_description(self) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ._argument_search import FoundArguments, found_arguments
+from ._read_only import ReadOnly
 from .launch_description_entity import LaunchDescriptionEntity
 
 if TYPE_CHECKING:
@@ -27,20 +28,14 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.__entities = list(initial_entities) if initial_entities is not None else []
         self.__deprecated_reason = deprecated_reason
 
-    @property
-    def entities(self) -> list[LaunchDescriptionEntity]:
-        """The entities, live."""
-        return self.__entities
+    entities: ReadOnly[list[LaunchDescriptionEntity]] = ReadOnly('The entities, live.')
 
     @property
     def deprecated(self) -> bool:
         """Whether there is a reason not to use it any more."""
         return self.__deprecated_reason is not None
 
-    @property
-    def deprecated_reason(self) -> str | None:
-        """The reason not to use it any more, or None."""
-        return self.__deprecated_reason
+    deprecated_reason: ReadOnly[str | None] = ReadOnly('The reason not to use it any more, or None.')
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
         """Add an entity at the end."""

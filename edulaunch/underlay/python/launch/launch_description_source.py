@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ._argument_search import load_once
+from ._read_only import ReadOnly
 from .launch_context import LaunchContext
 from .some_substitutions_type import SomeSubstitutionsType
 from .substitutions.text_substitution import TextSubstitution
@@ -48,10 +49,7 @@ class LaunchDescriptionSource:
             return ' + '.join(part.describe() for part in self.__location)
         return self.__expanded_location
 
-    @property
-    def method(self) -> str:
-        """How it is loaded, in words."""
-        return self.__method
+    method: ReadOnly[str] = ReadOnly('How it is loaded, in words.')
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """The description, loaded at the first call.

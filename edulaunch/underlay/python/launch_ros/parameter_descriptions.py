@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from launch._engine import assumptions, state_of
+from launch._read_only import ReadOnly
 from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
@@ -55,10 +56,7 @@ class ParameterValue:
         """The evaluated value once there is one, until then what is to be evaluated."""
         return self.__value if self.__evaluated is None else self.__evaluated
 
-    @property
-    def value_type(self) -> Any:
-        """The stated type, or None."""
-        return self.__value_type
+    value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.')
 
     def evaluate(self, context: LaunchContext) -> Any:
         """The value.

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
+
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
     from rclpy.node import Node
@@ -69,15 +71,8 @@ class ROSAdapter:
         rclpy.shutdown(context=self.__ros_context)
         self.__ros_context = None
 
-    @property
-    def argv(self) -> list[str]:
-        """The arguments."""
-        return self.__argv
-
-    @property
-    def ros_context(self) -> Any:
-        """The rclpy context."""
-        return self.__ros_context
+    argv: ReadOnly[list[str]] = ReadOnly('The arguments.')
+    ros_context: ReadOnly[Any] = ReadOnly('The rclpy context.')
 
     @property
     def ros_node(self) -> Node:
@@ -85,10 +80,7 @@ class ROSAdapter:
         node: Node = self.__ros_node
         return node
 
-    @property
-    def ros_executor(self) -> Any:
-        """The executor."""
-        return self.__ros_executor
+    ros_executor: ReadOnly[Any] = ReadOnly('The executor.')
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -40,15 +41,8 @@ class AppendEnvironmentVariable(Action):
         self.__prepend: Any = normalize_to_list_of_substitutions(given) if as_text else normalize_typed_substitution(given, bool)
         self.__separator = normalize_to_list_of_substitutions(separator)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        """The value, as substitutions."""
-        return self.__value
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
 
     @property
     def prepend(self) -> bool | list[Substitution]:
@@ -56,10 +50,7 @@ class AppendEnvironmentVariable(Action):
         prepend: bool | list[Substitution] = self.__prepend
         return prepend
 
-    @property
-    def separator(self) -> list[Substitution]:
-        """What stands between the values, as substitutions."""
-        return self.__separator
+    separator: ReadOnly[list[Substitution]] = ReadOnly('What stands between the values, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add it."""

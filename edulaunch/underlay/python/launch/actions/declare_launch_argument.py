@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .._read_only import ReadOnly
 from .._run_notes import note_declared
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -50,25 +51,10 @@ class DeclareLaunchArgument(Action):
         self.__description = _describe(description, self.__choices)
         self._conditionally_included = False
 
-    @property
-    def name(self) -> str:
-        """The name."""
-        return self.__name
-
-    @property
-    def default_value(self) -> list[Substitution] | None:
-        """The default, as substitutions, or None."""
-        return self.__default_value
-
-    @property
-    def description(self) -> str:
-        """For people; names the choices."""
-        return self.__description
-
-    @property
-    def choices(self) -> list[str] | None:
-        """The only values allowed, or None."""
-        return self.__choices
+    name: ReadOnly[str] = ReadOnly('The name.')
+    default_value: ReadOnly[list[Substitution] | None] = ReadOnly('The default, as substitutions, or None.')
+    description: ReadOnly[str] = ReadOnly('For people; names the choices.')
+    choices: ReadOnly[list[str] | None] = ReadOnly('The only values allowed, or None.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the launch configuration to the default unless it is set; check the choices.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..event import Event
 from ..utilities.class_tools_impl import is_a_subclass
@@ -24,10 +25,7 @@ class EmitEvent(Action):
             raise RuntimeError(f"EmitEvent() expected an event instance, got '{event}'.")
         self.__event = event
 
-    @property
-    def event(self) -> Event:
-        """The event."""
-        return self.__event
+    event: ReadOnly[Event] = ReadOnly('The event.')
 
     def execute(self, context: LaunchContext) -> None:
         """Emit it."""

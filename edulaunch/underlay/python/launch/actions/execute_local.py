@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from .._engine import environment
+from .._read_only import ReadOnly
 from ..action import Action
 from ..descriptions.executable import Executable
 from ..event_handlers.on_process_exit import OnProcessExit
@@ -86,10 +87,7 @@ class ExecuteLocal(Action):
     __watch: ProcessWatch | None = None
     __executed = False
 
-    @property
-    def process_description(self) -> Executable:
-        """The command line and what belongs to it."""
-        return self.__process_description
+    process_description: ReadOnly[Executable] = ReadOnly('The command line and what belongs to it.')
 
     @property
     def shell(self) -> bool:
@@ -118,15 +116,8 @@ class ExecuteLocal(Action):
         """How often it is started again at most; negative: without limit. (edulaunch only.)"""
         return int(self.__options.respawn_max_retries)
 
-    @property
-    def sigterm_timeout(self) -> list[Substitution]:
-        """Seconds between SIGINT and SIGTERM, as substitutions."""
-        return self.__sigterm_timeout
-
-    @property
-    def sigkill_timeout(self) -> list[Substitution]:
-        """Seconds between SIGTERM and SIGKILL, as substitutions."""
-        return self.__sigkill_timeout
+    sigterm_timeout: ReadOnly[list[Substitution]] = ReadOnly('Seconds between SIGINT and SIGTERM, as substitutions.')
+    sigkill_timeout: ReadOnly[list[Substitution]] = ReadOnly('Seconds between SIGTERM and SIGKILL, as substitutions.')
 
     @property
     def output(self) -> Any:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from .._absent_packages import is_left_out
 from .._help import is_students
 from .._include_ring import enter_include
+from .._read_only import ReadOnly
 from .._run_notes import note_declared, note_include, note_undeclared
 from .._wrong_return import tell_wrong_return
 from ..action import Action
@@ -60,10 +61,9 @@ class IncludeLaunchDescription(Action):
         """Where the description comes from."""
         return self.__source
 
-    @property
-    def launch_arguments(self) -> tuple[tuple[SomeSubstitutionsType, SomeSubstitutionsType], ...]:
-        """The (name, value) pairs."""
-        return self.__launch_arguments
+    launch_arguments: ReadOnly[tuple[tuple[SomeSubstitutionsType, SomeSubstitutionsType], ...]] = ReadOnly(
+        'The (name, value) pairs.'
+    )
 
     def describe(self) -> str:
         """`IncludeLaunchDescription(/path/to/the.launch.py)`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -21,10 +22,7 @@ class LogInfo(Action):
         super().__init__(**kwargs)
         self.__msg = normalize_to_list_of_substitutions(msg)
 
-    @property
-    def msg(self) -> list[Substitution]:
-        """The message, as substitutions."""
-        return self.__msg
+    msg: ReadOnly[list[Substitution]] = ReadOnly('The message, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Write it."""

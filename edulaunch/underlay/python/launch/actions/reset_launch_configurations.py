@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -29,10 +30,9 @@ class ResetLaunchConfigurations(Action):
         super().__init__(**kwargs)
         self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
 
-    @property
-    def launch_configurations(self) -> dict[SomeSubstitutionsType, SomeSubstitutionsType]:
-        """The ones that are set afterwards."""
-        return self.__launch_configurations
+    launch_configurations: ReadOnly[dict[SomeSubstitutionsType, SomeSubstitutionsType]] = ReadOnly(
+        'The ones that are set afterwards.'
+    )
 
     def execute(self, context: LaunchContext) -> None:
         """Forget, then set."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -22,15 +23,8 @@ class SetEnvironmentVariable(Action):
         self.__name = normalize_to_list_of_substitutions(name)
         self.__value = normalize_to_list_of_substitutions(value)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        """The value, as substitutions."""
-        return self.__value
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set it."""

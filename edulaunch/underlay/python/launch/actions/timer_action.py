@@ -7,6 +7,7 @@ import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..event_handler import EventHandler
 from ..event_handlers.on_shutdown import OnShutdown
@@ -59,15 +60,8 @@ class TimerAction(Action):
         self._completed_future: asyncio.Future[Any] | None = None
         self._canceled_future: asyncio.Future[Any] | None = None
 
-    @property
-    def period(self) -> Any:
-        """Seconds, or substitutions."""
-        return self.__period
-
-    @property
-    def actions(self) -> Iterable[LaunchDescriptionEntity]:
-        """What is visited then."""
-        return self.__actions
+    period: ReadOnly[Any] = ReadOnly('Seconds, or substitutions.')
+    actions: ReadOnly[Iterable[LaunchDescriptionEntity]] = ReadOnly('What is visited then.')
 
     def describe(self) -> str:
         """`TimerAction(period=2.0, actions=<actions>)`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..event_handler import BaseEventHandler
 
@@ -21,10 +22,7 @@ class UnregisterEventHandler(Action):
         super().__init__(**kwargs)
         self.__event_handler = event_handler
 
-    @property
-    def event_handler(self) -> BaseEventHandler:
-        """The handler."""
-        return self.__event_handler
+    event_handler: ReadOnly[BaseEventHandler] = ReadOnly('The handler.')
 
     def execute(self, context: LaunchContext) -> None:
         """Forget it."""

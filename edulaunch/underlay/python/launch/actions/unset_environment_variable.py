@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..action import Action
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -21,10 +22,7 @@ class UnsetEnvironmentVariable(Action):
         super().__init__(**kwargs)
         self.__name = normalize_to_list_of_substitutions(name)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Remove it."""

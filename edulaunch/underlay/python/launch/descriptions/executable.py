@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from .._engine import process_counter
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..substitutions.launch_configuration import LaunchConfiguration
@@ -67,10 +68,7 @@ class Executable:
         self.__final_cwd: str | None = None
         self.__final_env: dict[str, str] | None = None
 
-    @property
-    def name(self) -> Substitutions | None:
-        """The name, as substitutions."""
-        return self.__name
+    name: ReadOnly[Substitutions | None] = ReadOnly('The name, as substitutions.')
 
     @property
     def prefix(self) -> Substitutions:
@@ -91,30 +89,14 @@ class Executable:
             for word in words
         ]
 
-    @property
-    def cwd(self) -> Substitutions | None:
-        """The working directory, as substitutions."""
-        return self.__cwd
+    cwd: ReadOnly[Substitutions | None] = ReadOnly('The working directory, as substitutions.')
+    env: ReadOnly[list[tuple[Substitutions, Substitutions]] | None] = ReadOnly('The environment, as substitutions.')
+    additional_env: ReadOnly[list[tuple[Substitutions, Substitutions]] | None] = ReadOnly(
+        'What is added to the environment, as substitutions.'
+    )
 
-    @property
-    def env(self) -> list[tuple[Substitutions, Substitutions]] | None:
-        """The environment, as substitutions."""
-        return self.__env
-
-    @property
-    def additional_env(self) -> list[tuple[Substitutions, Substitutions]] | None:
-        """What is added to the environment, as substitutions."""
-        return self.__additional_env
-
-    @property
-    def arguments(self) -> list[SomeSubstitutionsType] | None:
-        """The further words, as given."""
-        return self.__arguments
-
-    @property
-    def final_name(self) -> str | None:
-        """The unique name, such as 'talker-1'; None before :meth:`prepare`."""
-        return self.__final_name
+    arguments: ReadOnly[list[SomeSubstitutionsType] | None] = ReadOnly('The further words, as given.')
+    final_name: ReadOnly[str | None] = ReadOnly("The unique name, such as 'talker-1'; None before :meth:`prepare`.")
 
     @property
     def final_cmd(self) -> list[str] | None:
@@ -136,15 +118,8 @@ class Executable:
         """Let `write` put the files that the command names on the disk before somebody looks at it. (edulaunch only.)"""
         self._named_files = write
 
-    @property
-    def final_cwd(self) -> str | None:
-        """The working directory, None for launch's own."""
-        return self.__final_cwd
-
-    @property
-    def final_env(self) -> dict[str, str] | None:
-        """The environment; None before :meth:`prepare`."""
-        return self.__final_env
+    final_cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
+    final_env: ReadOnly[dict[str, str] | None] = ReadOnly('The environment; None before :meth:`prepare`.')
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
         """Evaluate everything in `context`, and give the process the next number."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..event import Event
 
 if TYPE_CHECKING:
@@ -18,7 +19,4 @@ class ExecutionComplete(Event):
     def __init__(self, *, action: Action) -> None:
         self.__action = action
 
-    @property
-    def action(self) -> Action:
-        """The action."""
-        return self.__action
+    action: ReadOnly[Action] = ReadOnly('The action.')

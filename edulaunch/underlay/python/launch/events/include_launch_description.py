@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..event import Event
 
 if TYPE_CHECKING:
@@ -18,7 +19,4 @@ class IncludeLaunchDescription(Event):
     def __init__(self, launch_description: LaunchDescription) -> None:
         self.__launch_description = launch_description
 
-    @property
-    def launch_description(self) -> LaunchDescription:
-        """The description."""
-        return self.__launch_description
+    launch_description: ReadOnly[LaunchDescription] = ReadOnly('The description.')

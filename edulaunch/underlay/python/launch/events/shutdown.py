@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .._read_only import ReadOnly
 from ..event import Event
 
 
@@ -18,12 +19,5 @@ class Shutdown(Event):
         self.__reason = reason
         self.__due_to_sigint = due_to_sigint
 
-    @property
-    def reason(self) -> str:
-        """Why."""
-        return self.__reason
-
-    @property
-    def due_to_sigint(self) -> bool:
-        """Whether ctrl-c was pressed."""
-        return self.__due_to_sigint
+    reason: ReadOnly[str] = ReadOnly('Why.')
+    due_to_sigint: ReadOnly[bool] = ReadOnly('Whether ctrl-c was pressed.')

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..event import Event
 
 if TYPE_CHECKING:
@@ -18,7 +19,4 @@ class TimerEvent(Event):
     def __init__(self, *, timer_action: TimerAction) -> None:
         self.__timer_action = timer_action
 
-    @property
-    def timer_action(self) -> TimerAction:
-        """The timer."""
-        return self.__timer_action
+    timer_action: ReadOnly[TimerAction] = ReadOnly('The timer.')

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .._engine import running_process
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -25,10 +26,7 @@ class AnonName(Substitution):
     def __init__(self, name: SomeSubstitutionsType) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The name to make unique, as substitutions."""
-        return self.__name
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name to make unique, as substitutions.')
 
     def describe(self) -> str:
         """`AnonName('name')`."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -21,10 +22,7 @@ class NotSubstitution(Substitution):
     def __init__(self, value: SomeSubstitutionsType) -> None:
         self.__value = normalize_to_list_of_substitutions(value)
 
-    @property
-    def value(self) -> list[Substitution]:
-        """The operand."""
-        return self.__value
+    value: ReadOnly[list[Substitution]] = ReadOnly('The operand.')
 
     def describe(self) -> str:
         """`NotSubstitution(value)`."""
@@ -42,15 +40,8 @@ class AndSubstitution(Substitution):
         self.__left = normalize_to_list_of_substitutions(left)
         self.__right = normalize_to_list_of_substitutions(right)
 
-    @property
-    def left(self) -> list[Substitution]:
-        """The left operand."""
-        return self.__left
-
-    @property
-    def right(self) -> list[Substitution]:
-        """The right operand."""
-        return self.__right
+    left: ReadOnly[list[Substitution]] = ReadOnly('The left operand.')
+    right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
 
     def describe(self) -> str:
         """`AndSubstitution(left right)`."""
@@ -68,15 +59,8 @@ class OrSubstitution(Substitution):
         self.__left = normalize_to_list_of_substitutions(left)
         self.__right = normalize_to_list_of_substitutions(right)
 
-    @property
-    def left(self) -> list[Substitution]:
-        """The left operand."""
-        return self.__left
-
-    @property
-    def right(self) -> list[Substitution]:
-        """The right operand."""
-        return self.__right
+    left: ReadOnly[list[Substitution]] = ReadOnly('The left operand.')
+    right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
 
     def describe(self) -> str:
         """`OrSubstitution(left right)`."""
@@ -93,10 +77,7 @@ class AnySubstitution(Substitution):
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
 
-    @property
-    def args(self) -> list[list[Substitution]]:
-        """The operands."""
-        return self.__args
+    args: ReadOnly[list[list[Substitution]]] = ReadOnly('The operands.')
 
     def describe(self) -> str:
         """`AnySubstitution(a b)`."""
@@ -113,10 +94,7 @@ class AllSubstitution(Substitution):
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
 
-    @property
-    def args(self) -> list[list[Substitution]]:
-        """The operands."""
-        return self.__args
+    args: ReadOnly[list[list[Substitution]]] = ReadOnly('The operands.')
 
     def describe(self) -> str:
         """`AllSubstitution(a b)`."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from .._absent_packages import is_empty_output
 from .._engine import run_command
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -32,15 +33,8 @@ class Command(Substitution):
         self.__command = normalize_to_list_of_substitutions(command)
         self.__on_stderr = normalize_to_list_of_substitutions(on_stderr)
 
-    @property
-    def command(self) -> list[Substitution]:
-        """The command, as substitutions."""
-        return self.__command
-
-    @property
-    def on_stderr(self) -> list[Substitution]:
-        """What output on standard error means, as substitutions."""
-        return self.__on_stderr
+    command: ReadOnly[list[Substitution]] = ReadOnly('The command, as substitutions.')
+    on_stderr: ReadOnly[list[Substitution]] = ReadOnly('What output on standard error means, as substitutions.')
 
     def describe(self) -> str:
         """`Command('ls')`."""

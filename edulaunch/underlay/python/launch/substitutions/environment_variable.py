@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -25,15 +26,8 @@ class EnvironmentVariable(Substitution):
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default_value = None if default_value is None else normalize_to_list_of_substitutions(default_value)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__name
-
-    @property
-    def default_value(self) -> list[Substitution] | None:
-        """The default, as substitutions, or None."""
-        return self.__default_value
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    default_value: ReadOnly[list[Substitution] | None] = ReadOnly('The default, as substitutions, or None.')
 
     def describe(self) -> str:
         """`EnvVar('NAME')`."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ..utilities.perform_substitutions_impl import perform_substitutions
@@ -29,15 +30,8 @@ class EqualsSubstitution(Substitution):
         self.__left = _normalize_operand(left)
         self.__right = _normalize_operand(right)
 
-    @property
-    def left(self) -> list[Substitution]:
-        """The left operand."""
-        return self.__left
-
-    @property
-    def right(self) -> list[Substitution]:
-        """The right operand."""
-        return self.__right
+    left: ReadOnly[list[Substitution]] = ReadOnly('The left operand.')
+    right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
 
     def describe(self) -> str:
         """`EqualsSubstitution('a' 'b')`."""

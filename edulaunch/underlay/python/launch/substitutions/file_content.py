@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -24,10 +25,7 @@ class FileContent(Substitution):
     def __init__(self, path: SomeSubstitutionsType) -> None:
         self.__path = normalize_to_list_of_substitutions(path)
 
-    @property
-    def path(self) -> list[Substitution]:
-        """The path, as substitutions."""
-        return self.__path
+    path: ReadOnly[list[Substitution]] = ReadOnly('The path, as substitutions.')
 
     def describe(self) -> str:
         """`FileContent('path')`."""

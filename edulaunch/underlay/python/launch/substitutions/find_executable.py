@@ -8,6 +8,7 @@ from osrf_pycommon.process_utils import which
 
 from .._absent_packages import absent_program
 from .._engine import assumptions
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -28,10 +29,7 @@ class FindExecutable(Substitution):
     def __init__(self, *, name: SomeSubstitutionsType) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The program's name, as substitutions."""
-        return self.__name
+    name: ReadOnly[list[Substitution]] = ReadOnly("The program's name, as substitutions.")
 
     def describe(self) -> str:
         """`FindExec('ls')`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -30,20 +31,9 @@ class IfElseSubstitution(Substitution):
         self.__if_value = normalize_to_list_of_substitutions(if_value)
         self.__else_value = normalize_to_list_of_substitutions(else_value)
 
-    @property
-    def condition(self) -> list[Substitution]:
-        """The condition, as substitutions."""
-        return self.__condition
-
-    @property
-    def if_value(self) -> list[Substitution]:
-        """The text when true, as substitutions."""
-        return self.__if_value
-
-    @property
-    def else_value(self) -> list[Substitution]:
-        """The text when false, as substitutions."""
-        return self.__else_value
+    condition: ReadOnly[list[Substitution]] = ReadOnly('The condition, as substitutions.')
+    if_value: ReadOnly[list[Substitution]] = ReadOnly('The text when true, as substitutions.')
+    else_value: ReadOnly[list[Substitution]] = ReadOnly('The text when false, as substitutions.')
 
     def describe(self) -> str:
         """`IfElseSubstitution(condition, if_value, else_value)`."""

@@ -6,6 +6,7 @@ import collections.abc
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -29,10 +30,7 @@ class LaunchConfiguration(Substitution):
         self.__variable_name = normalize_to_list_of_substitutions(variable_name)
         self.__default: list[Substitution] | None = None if default is None else _normalize_default(default)
 
-    @property
-    def variable_name(self) -> list[Substitution]:
-        """The name, as substitutions."""
-        return self.__variable_name
+    variable_name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
 
     def describe(self) -> str:
         """`LaunchConfig('name')`."""

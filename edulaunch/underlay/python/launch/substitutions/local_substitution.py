@@ -6,6 +6,7 @@ from functools import lru_cache
 from types import CodeType
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..substitution import Substitution
 
 if TYPE_CHECKING:
@@ -24,10 +25,7 @@ class LocalSubstitution(Substitution):
         self.__expression = expression
         self.__description = description
 
-    @property
-    def expression(self) -> str:
-        """The Python expression behind `context.locals.`."""
-        return self.__expression
+    expression: ReadOnly[str] = ReadOnly('The Python expression behind `context.locals.`.')
 
     def describe(self) -> str:
         """`LocalVar('event.reason')`."""

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from ._description import describe_all
@@ -23,10 +24,7 @@ class PathJoinSubstitution(Substitution):
     def __init__(self, substitutions: Iterable[str | Substitution]) -> None:
         self.__substitutions = normalize_to_list_of_substitutions(substitutions)
 
-    @property
-    def substitutions(self) -> list[Substitution]:
-        """The parts."""
-        return self.__substitutions
+    substitutions: ReadOnly[list[Substitution]] = ReadOnly('The parts.')
 
     def describe(self) -> str:
         """`PathJoin(''a' + LaunchConfig('b')')`."""

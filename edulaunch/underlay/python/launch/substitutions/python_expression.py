@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .._engine import import_for_expression
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -29,15 +30,8 @@ class PythonExpression(Substitution):
         self.__expression = normalize_to_list_of_substitutions(expression)
         self.__python_modules = normalize_to_list_of_substitutions(python_modules)
 
-    @property
-    def expression(self) -> list[Substitution]:
-        """The expression, as substitutions."""
-        return self.__expression
-
-    @property
-    def python_modules(self) -> list[Substitution]:
-        """The modules the expression may use."""
-        return self.__python_modules
+    expression: ReadOnly[list[Substitution]] = ReadOnly('The expression, as substitutions.')
+    python_modules: ReadOnly[list[Substitution]] = ReadOnly('The modules the expression may use.')
 
     def describe(self) -> str:
         """`PythonExpr('1+1', ['math'])`."""

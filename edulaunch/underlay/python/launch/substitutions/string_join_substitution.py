@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
 from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -22,15 +23,8 @@ class StringJoinSubstitution(Substitution):
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 
-    @property
-    def substitutions(self) -> list[list[Substitution]]:
-        """The parts, each a list of substitutions."""
-        return self.__substitutions
-
-    @property
-    def delimiter(self) -> list[Substitution]:
-        """What stands between the parts."""
-        return self.__delimiter
+    substitutions: ReadOnly[list[list[Substitution]]] = ReadOnly('The parts, each a list of substitutions.')
+    delimiter: ReadOnly[list[Substitution]] = ReadOnly('What stands between the parts.')
 
     def describe(self) -> str:
         """`StringJoin('a' + 'b')`."""

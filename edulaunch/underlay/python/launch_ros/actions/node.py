@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch._engine import process_counter, process_state
+from launch._read_only import ReadOnly
 from launch.actions.execute_process import ExecuteProcess
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -123,10 +124,7 @@ class Node(ExecuteProcess):
         """The package, as given."""
         return self.__package
 
-    @property
-    def node_executable(self) -> SomeSubstitutionsType:
-        """The executable, as given."""
-        return self.__node_executable
+    node_executable: ReadOnly[SomeSubstitutionsType] = ReadOnly('The executable, as given.')
 
     @property
     def node_name(self) -> str:
@@ -138,10 +136,7 @@ class Node(ExecuteProcess):
             raise RuntimeError("cannot access 'node_name' before executing action")
         return self.__final_node_name
 
-    @property
-    def expanded_node_namespace(self) -> str:
-        """The namespace, after execution."""
-        return self.__expanded_node_namespace
+    expanded_node_namespace: ReadOnly[str] = ReadOnly('The namespace, after execution.')
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]]:

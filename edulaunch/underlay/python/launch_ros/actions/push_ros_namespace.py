@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -28,10 +29,7 @@ class PushROSNamespace(Action):
         super().__init__(**kwargs)
         self.__namespace = normalize_to_list_of_substitutions(namespace)
 
-    @property
-    def namespace(self) -> list[Substitution]:
-        """The namespace, to be evaluated."""
-        return self.__namespace
+    namespace: ReadOnly[list[Substitution]] = ReadOnly('The namespace, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the launch configuration `ros_namespace`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -24,10 +25,7 @@ class SetParametersFromFile(Action):
         super().__init__(**kwargs)
         self.__filename = normalize_to_list_of_substitutions(filename)
 
-    @property
-    def filename(self) -> list[Substitution]:
-        """The path, to be evaluated."""
-        return self.__filename
+    filename: ReadOnly[list[Substitution]] = ReadOnly('The path, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add it to the launch configuration `global_params`."""

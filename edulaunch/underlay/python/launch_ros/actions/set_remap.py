@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -22,15 +23,8 @@ class SetRemap(Action):
         self.__src = normalize_to_list_of_substitutions(src)
         self.__dst = normalize_to_list_of_substitutions(dst)
 
-    @property
-    def src(self) -> list[Substitution]:
-        """The name to replace, to be evaluated."""
-        return self.__src
-
-    @property
-    def dst(self) -> list[Substitution]:
-        """The new name, to be evaluated."""
-        return self.__dst
+    src: ReadOnly[list[Substitution]] = ReadOnly('The name to replace, to be evaluated.')
+    dst: ReadOnly[list[Substitution]] = ReadOnly('The new name, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add it to the launch configuration `ros_remaps`."""

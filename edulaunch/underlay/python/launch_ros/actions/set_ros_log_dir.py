@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.action import Action
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -22,10 +23,7 @@ class SetROSLogDir(Action):
         super().__init__(**kwargs)
         self.__log_dir = normalize_to_list_of_substitutions(new_log_dir)
 
-    @property
-    def log_dir(self) -> list[Substitution]:
-        """The folder, to be evaluated."""
-        return self.__log_dir
+    log_dir: ReadOnly[list[Substitution]] = ReadOnly('The folder, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the environment variable."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.action import Action
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 
@@ -23,10 +24,7 @@ class SetUseSimTime(Action):
         super().__init__(**kwargs)
         self.__value = normalize_typed_substitution(value, bool)
 
-    @property
-    def value(self) -> Any:
-        """The value, to be evaluated."""
-        return self.__value
+    value: ReadOnly[Any] = ReadOnly('The value, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the parameter."""

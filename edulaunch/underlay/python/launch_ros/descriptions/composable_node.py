@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from launch._read_only import ReadOnly
 from launch.condition import Condition
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -44,40 +45,13 @@ class ComposableNode:
         self.__extra_arguments = None if not extra_arguments else normalize_parameters(extra_arguments)
         self.__condition = condition
 
-    @property
-    def package(self) -> list[Substitution]:
-        """The package."""
-        return self.__package
-
-    @property
-    def node_plugin(self) -> list[Substitution]:
-        """The class name."""
-        return self.__node_plugin
-
-    @property
-    def node_name(self) -> list[Substitution] | None:
-        """The node's name, or None for the plugin's own."""
-        return self.__node_name
-
-    @property
-    def node_namespace(self) -> list[Substitution] | None:
-        """The node's namespace, or None."""
-        return self.__node_namespace
-
-    @property
-    def parameters(self) -> Parameters | None:
-        """Normalized parameters, or None."""
-        return self.__parameters
-
-    @property
-    def remappings(self) -> RemapRules | None:
-        """Normalized remap rules, or None."""
-        return self.__remappings
-
-    @property
-    def extra_arguments(self) -> Any | None:
-        """Normalized arguments for the container, or None."""
-        return self.__extra_arguments
+    package: ReadOnly[list[Substitution]] = ReadOnly('The package.')
+    node_plugin: ReadOnly[list[Substitution]] = ReadOnly('The class name.')
+    node_name: ReadOnly[list[Substitution] | None] = ReadOnly("The node's name, or None for the plugin's own.")
+    node_namespace: ReadOnly[list[Substitution] | None] = ReadOnly("The node's namespace, or None.")
+    parameters: ReadOnly[Parameters | None] = ReadOnly('Normalized parameters, or None.')
+    remappings: ReadOnly[RemapRules | None] = ReadOnly('Normalized remap rules, or None.')
+    extra_arguments: ReadOnly[Any | None] = ReadOnly('Normalized arguments for the container, or None.')
 
     def condition(self) -> Condition | None:
         """The condition, or None. A method, as upstream."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from launch._read_only import ReadOnly
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
@@ -25,15 +26,8 @@ class Parameter(Substitution):
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default = None if default is None else normalize_to_list_of_substitutions(default)
 
-    @property
-    def name(self) -> list[Substitution]:
-        """The parameter's name."""
-        return self.__name
-
-    @property
-    def default(self) -> list[Substitution] | None:
-        """The default."""
-        return self.__default
+    name: ReadOnly[list[Substitution]] = ReadOnly("The parameter's name.")
+    default: ReadOnly[list[Substitution] | None] = ReadOnly('The default.')
 
     def describe(self) -> str:
         """As `ros2 launch -s` shows it."""

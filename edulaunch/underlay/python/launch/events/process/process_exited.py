@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..._read_only import ReadOnly
 from .running_process_event import RunningProcessEvent
 
 
@@ -19,7 +20,4 @@ class ProcessExited(RunningProcessEvent):
         super().__init__(**kwargs)
         self.__returncode = returncode
 
-    @property
-    def returncode(self) -> int:
-        """The exit code."""
-        return self.__returncode
+    returncode: ReadOnly[int] = ReadOnly('The exit code.')

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..._read_only import ReadOnly
 from .running_process_event import RunningProcessEvent
 
 
@@ -21,10 +22,7 @@ class ProcessIO(RunningProcessEvent):
         self.__text = text
         self.__fd = fd
 
-    @property
-    def text(self) -> bytes:
-        """The bytes."""
-        return self.__text
+    text: ReadOnly[bytes] = ReadOnly('The bytes.')
 
     @property
     def from_stdin(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from ..._read_only import ReadOnly
 from ...event import Event
 
 if TYPE_CHECKING:
@@ -24,7 +25,4 @@ class ProcessTargetedEvent(Event):
     def __init__(self, *, process_matcher: ProcessMatcher) -> None:
         self.__process_matcher = process_matcher
 
-    @property
-    def process_matcher(self) -> ProcessMatcher:
-        """Decides which processes are meant."""
-        return self.__process_matcher
+    process_matcher: ReadOnly[ProcessMatcher] = ReadOnly('Decides which processes are meant.')

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from ..._read_only import ReadOnly
 from ...event import Event
 
 if TYPE_CHECKING:
@@ -26,10 +27,7 @@ class RunningProcessEvent(Event):
         self.__env = env
         self.__pid = pid
 
-    @property
-    def action(self) -> ExecuteLocal:
-        """The action that started the process."""
-        return self.__action
+    action: ReadOnly[ExecuteLocal] = ReadOnly('The action that started the process.')
 
     @property
     def execute_process_action(self) -> ExecuteLocal:
@@ -41,22 +39,7 @@ class RunningProcessEvent(Event):
         """The unique name, such as 'talker-1'."""
         return self.__name
 
-    @property
-    def cmd(self) -> list[str]:
-        """The command line."""
-        return self.__cmd
-
-    @property
-    def cwd(self) -> str | None:
-        """The working directory, None for launch's own."""
-        return self.__cwd
-
-    @property
-    def env(self) -> Mapping[str, str] | None:
-        """The environment."""
-        return self.__env
-
-    @property
-    def pid(self) -> int:
-        """The process number."""
-        return self.__pid
+    cmd: ReadOnly[list[str]] = ReadOnly('The command line.')
+    cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
+    env: ReadOnly[Mapping[str, str] | None] = ReadOnly('The environment.')
+    pid: ReadOnly[int] = ReadOnly('The process number.')

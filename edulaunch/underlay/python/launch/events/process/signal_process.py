@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 
+from ..._read_only import ReadOnly
 from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent
 
 
@@ -19,10 +20,7 @@ class SignalProcess(ProcessTargetedEvent):
         super().__init__(process_matcher=process_matcher)
         self.__signal = signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
 
-    @property
-    def signal(self) -> signal.Signals:
-        """The signal."""
-        return self.__signal
+    signal: ReadOnly[signal.Signals] = ReadOnly('The signal.')
 
     @property
     def signal_name(self) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
+from launch._read_only import ReadOnly
 from launch.event import Event
 
 if TYPE_CHECKING:
@@ -51,12 +52,5 @@ class ChangeState(Event):
         self.__lifecycle_node_matcher = lifecycle_node_matcher
         self.__transition_id = transition_id
 
-    @property
-    def lifecycle_node_matcher(self) -> Callable[[LifecycleNode], bool]:
-        """The matcher."""
-        return self.__lifecycle_node_matcher
-
-    @property
-    def transition_id(self) -> int:
-        """The transition."""
-        return self.__transition_id
+    lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly('The matcher.')
+    transition_id: ReadOnly[int] = ReadOnly('The transition.')

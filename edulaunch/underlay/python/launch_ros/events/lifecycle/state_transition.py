@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from launch._read_only import ReadOnly
 from launch.event import Event
 
 if TYPE_CHECKING:
@@ -26,10 +27,7 @@ class StateTransition(Event):
         self.__action = action
         self.__msg: Any = msg
 
-    @property
-    def action(self) -> LifecycleNode:
-        """The node's action."""
-        return self.__action
+    action: ReadOnly[LifecycleNode] = ReadOnly("The node's action.")
 
     @property
     def msg(self) -> TransitionEvent:
