@@ -18,7 +18,6 @@ IMPORTS = (
 MISTAKES = {
     'from launch.actions import IfCondition': 'IfCondition lives in launch.conditions',
     'from launch.actions import DeclareLaunchArgumnt': "did you mean 'DeclareLaunchArgument'?",
-    'import xacro': "the module 'xacro' (robot descriptions) is not here",
     'from nav2_common.launch import RewrittenYaml': "the module 'nav2_common' (Navigation 2) is not here",
     'import qqq_zzz.parts': "if 'qqq_zzz' is a package of yours, name its workspace: --workspace DIR; if it is not, try: pip install qqq_zzz",
     'from launch.action_s import LogInfo': "did you mean 'from launch.actions import ...'?",
