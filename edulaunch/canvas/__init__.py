@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.canvas.picture import Picture, shown
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
     from edulaunch.recording import Recording
 
-__all__ = ['Picture', 'parameter_table', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles', 'replay']
+__all__ = ['Picture', 'parameter_table', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles']
 
 
 def plot_turtles(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
@@ -96,13 +95,3 @@ def parameter_table(recording: Recording, node: str | None = None, *, every: boo
     from edulaunch.canvas.table import Table, table_rows
 
     return Table(table_rows(recording, node, every))
-
-
-def replay(recording: Recording) -> Replay:
-    """A player for the run: turtles and robots with their trails, tf frames on demand, a time slider.
-
-    :raises ValueError: when nothing moved in the recording.
-    """
-    from edulaunch.canvas.player import Replay
-
-    return Replay(recording)

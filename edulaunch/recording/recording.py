@@ -25,12 +25,12 @@ from edulaunch.recording.records import (
 )
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.player import Replay
     from edulaunch.canvas.table import Table
     from edulaunch.graph.qos import QoS
     from edulaunch.recording.misfits import Misfit
     from edulaunch.recording.recorded_types import RecordedTypes
     from edulaunch.recording.trajectory import Trajectory
+    from edulaunch.view.replay import Replay
 
 
 SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted', 'waits for input')
@@ -385,10 +385,10 @@ class Recording:
         return parameter_table(self, node, every=every)
 
     def replay(self) -> Replay:
-        """A player for turtles, robots and tf frames; see :func:`edulaunch.canvas.replay`."""
-        from edulaunch.canvas import replay
+        """Everything of the run over time, with a slider; see :class:`edulaunch.view.replay.Replay`."""
+        from edulaunch.view.replay import Replay
 
-        return replay(self)
+        return Replay(self)
 
 
 def _seconds(time_ns: int | None) -> float | None:

@@ -29,15 +29,21 @@ def module() -> str:
     return f'{script()}\n{link}'
 
 
-def packed(piece: dict[str, Any]) -> str:
-    """A piece of film as text for a page: JSON, deflated, in base64."""
-    return b64encode(zlib.compress(json.dumps(piece, separators=(',', ':')).encode(), 9)).decode()
+def packed(piece: dict[str, Any], small: bool = True) -> str:
+    """A piece of film as text for a page: JSON in base64 behind a letter, deflated if it is to be small.
+
+    Deflated bytes differ between versions of zlib; what a notebook stores is to be equal everywhere, and is not deflated.
+    """
+    data = json.dumps(piece, separators=(',', ':')).encode()
+    return 'z' + b64encode(zlib.compress(data, 9)).decode() if small else 'j' + b64encode(data).decode()
 
 
-def recorded_page(piece: dict[str, Any], title: str, tab: str = 'graph') -> str:
-    """An HTML page that plays a whole film, from disk and without a network."""
+def recorded_page(piece: dict[str, Any], title: str, tab: str = 'graph', *, small: bool = True) -> str:
+    """An HTML page that plays a whole film, from disk and without a network; `small`: see :func:`packed`."""
     options = json.dumps({'tab': tab}).replace('</', '<\\/')
-    start = f"unpacked('{packed(piece)}').then(film => openDesk(document.getElementById('desk'), null, {options}).load(film));"
+    start = (
+        f"unpacked('{packed(piece, small)}').then(film => openDesk(document.getElementById('desk'), null, {options}).load(film));"
+    )
     return _page(title, start)
 
 

@@ -12,10 +12,12 @@ _PARTS = {'output': 'output_lines'}
 
 
 class OfRecording:
-    """A finished recording as the source of a film."""
+    """A finished recording as the source of a film: equal on every machine, for paths of this one are left out."""
 
     def __init__(self, recording: Recording) -> None:
-        self._content = recording._content
+        from edulaunch.recording.canonical import canonical
+
+        self._content = canonical(recording._content)
         self._class = recording._class
         self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
 

@@ -42,12 +42,15 @@ def test_the_slider_of_a_replay_moves_the_turtle(lab: Lab) -> None:
         page.run_all()
         page.show('square-picture')
         player = page.page.frame_locator('.jp-OutputArea iframe')
-        player.locator('body.ready').wait_for()
-        before = player.locator('body').inner_text()
-        player.locator('#slider').evaluate('slider => { slider.value = slider.max; slider.dispatchEvent(new Event("input")); }')
-        after = player.locator('body').inner_text()
+        picture = player.locator('.worlds canvas').first
+        picture.wait_for()
+        before = picture.get_attribute('aria-label')
+        slider = player.get_by_label('time in the run')
+        slider.evaluate('slider => { slider.value = slider.max; slider.dispatchEvent(new Event("input")); }')
+        player.locator('.clock').filter(has_text='20.000 s').wait_for()
+        after = picture.get_attribute('aria-label')
         page.show('square-picture', 'replay-at-the-end')
-    assert 'turtle1 (5.54, 5.54)' in before and 'turtle1 (5.53, 5.55)' in after
+    assert 'turtle1 at (5.54, 5.54)' in before and 'turtle1 at (5.53, 5.55)' in after
 
 
 def test_a_check_passes_after_the_solution_is_put_in(lab: Lab, course: Path) -> None:

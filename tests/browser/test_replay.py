@@ -1,7 +1,8 @@
-"""The replay in a real browser: a page on disk, no network."""
+"""The replay in a real browser: the output of a cell on disk, without a network."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,95 +10,124 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.canvas.turtle_scene import turtle_scene
+from edulaunch.canvas.worlds import read_worlds
+from edulaunch.recording import Recording
+from tests.browser.desk import Desk
 
 
 @pytest.fixture(scope='module')
-def cell(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def recording() -> Recording:
+    """A leader that is driven on a square, with a pen of its own, and one who follows."""
+    with edulaunch.Session() as session:
+        session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+        session.run(1.5)
+        start = session.host.start
+        from edulaunch.processes.spec import ProcessSpec
+
+        pen = (
+            'ros2',
+            'service',
+            'call',
+            '/turtle1/set_pen',
+            'turtlesim/srv/SetPen',
+            '{r: 250, g: 20, b: 30, width: 6, "off": 0}',
+        )
+        go = ('ros2', 'topic', 'pub', '/turtle1/cmd_vel', 'geometry_msgs/msg/Twist', '{linear: {x: 2.0}, angular: {z: 1.2}}')
+        for words in (pen, go):
+            start(ProcessSpec(argv=words, name='ros2'))
+        session.run(5)
+        return session.recording()
+
+
+@pytest.fixture(scope='module')
+def cell(tmp_path_factory: pytest.TempPathFactory, recording: Recording) -> Path:
     """A page with the output of a cell that shows a replay, as an exported notebook has it."""
-    replay = edulaunch.run('turtle_tf2_py', 'turtle_tf2_demo.launch.py', duration_s=6.0).replay()
     page = tmp_path_factory.mktemp('replay') / 'cell.html'
-    page.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{replay.html()}</body>', encoding='utf-8')
+    page.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{recording.replay().html()}</body>', encoding='utf-8')
     return page
 
 
-class Shown:
-    """The page in the browser: its player, the errors in it, and what it asked other machines for."""
-
-    def __init__(self, page: Any, address: str) -> None:
-        self.page = page
-        self.errors: list[str] = []
-        self.requests: list[str] = []
-        page.on('pageerror', lambda error: self.errors.append(str(error)))
-        page.on('request', lambda request: self.requests.append(request.url))
-        page.goto(address)
-        self.player = page.frame_locator('iframe')
-        self.player.locator('body.ready').wait_for()
-
-    def text(self, name: str) -> str:
-        return str(self.player.locator(name).text_content())
-
-    def picture(self) -> str:
-        return str(self.player.locator('canvas').first.evaluate('canvas => canvas.toDataURL()'))
-
-    def move_slider(self, sample: int) -> None:
-        self.player.locator('#slider').evaluate(
-            f'slider => {{ slider.value = {sample}; slider.dispatchEvent(new Event("input")); }}'
-        )
-
-
 @pytest.fixture
-def shown(browser: Any, cell: Path) -> Iterator[Shown]:
-    context = browser.new_context(viewport={'width': 900, 'height': 620}, offline=True)
-    shown = Shown(context.new_page(), cell.as_uri())
-    yield shown
-    assert shown.errors == []
-    assert [url for url in shown.requests if not url.startswith(('file:', 'data:', 'about:'))] == []
+def desk(browser: Any, tmp_path: Path, recording: Recording) -> Iterator[Desk]:
+    file = tmp_path / 'replay.html'
+    recording.replay().save(file)
+    context = browser.new_context(viewport={'width': 1200, 'height': 800}, offline=True)
+    desk = Desk(context.new_page(), (file.as_uri(),))
+    desk.page.goto(file.as_uri())
+    desk.page.locator('.worlds canvas').first.wait_for()
+    yield desk
     context.close()
+    assert desk.errors == []
 
 
-def test_the_slider_moves_the_turtle(shown: Shown) -> None:
-    before = (shown.text('#twin'), shown.picture())
-    shown.move_slider(100)
-    assert shown.text('#clock') == '5.00 s'
-    assert shown.text('#twin') != before[0] and shown.picture() != before[1]
-    assert 'turtle2 (' in str(shown.player.locator('canvas').first.get_attribute('aria-label'))
+@pytest.mark.parametrize('part', [0.0, 0.2, 0.31, 0.62, 1.0])
+def test_stills_and_desk_show_the_same_scene(desk: Desk, recording: Recording, part: float) -> None:
+    desk.page.get_by_label('a colour for each trail').uncheck()
+    desk.seek(part)
+    scene = turtle_scene(read_worlds(recording), desk.time()).windows[0]
+    shown = {body.name: desk.pose(body.name) for body in scene.bodies}
+    assert shown == {body.name: (pytest.approx(body.x, abs=0.04), pytest.approx(body.y, abs=0.04)) for body in scene.bodies}
+    assert ('turtle2' in desk.label()) == ('turtle2' in shown)
+    taken = [(body.x, body.y) for body in scene.bodies]
+    for trail in scene.trails:
+        far = [point for point in trail.points if all(math.dist(point, body) > 1.6 for body in taken)]
+        if len(far) > 4:
+            colour = desk.pixel(*far[len(far) // 2])
+            assert all(abs(one - other) < 60 for one, other in zip(colour, trail.colour, strict=True)), (colour, trail.colour)
+    assert desk.pixel(0.1, 0.1) == scene.background
 
 
-def test_play_runs_and_pause_stands_still(shown: Shown) -> None:
-    shown.player.locator('#speed').select_option('1')
-    shown.player.locator('#play').click()
-    shown.player.locator('#clock').evaluate(
-        'clock => new Promise(done => { (function look() { parseFloat(clock.textContent) > 0.5 ? done() : setTimeout(look, 10) })() })'
-    )
-    shown.player.locator('#play').click()
-    assert 'Play' in shown.text('#play')
-    stopped = shown.text('#clock')
-    shown.page.wait_for_timeout(100)
-    assert shown.text('#clock') == stopped
+def test_play_runs_and_pause_stands_still(desk: Desk) -> None:
+    desk.press('play or pause')
+    desk.until_js("parseFloat(root.querySelector('.clock').textContent) > 0.5")
+    desk.press('play or pause')
+    stopped = desk.time()
+    desk.frame()
+    desk.frame()
+    assert desk.time() == stopped
 
 
-def test_the_keyboard_plays_steps_and_jumps(shown: Shown) -> None:
-    shown.player.locator('canvas').first.click()
-    for key, clock in (
-        ('ArrowRight', '0.05 s'),
-        ('Shift+ArrowRight', '1.05 s'),
-        ('End', '6.00 s'),
-        ('ArrowLeft', '5.95 s'),
-        ('Home', '0.00 s'),
-    ):
-        shown.page.keyboard.press(key)
-        assert shown.text('#clock') == clock
-    shown.page.keyboard.press(' ')
-    assert 'Pause' in shown.text('#play')
+def test_the_keyboard_plays_steps_and_jumps(desk: Desk) -> None:
+    desk.page.locator('.worlds canvas').first.click()
+    for key, clock in (('ArrowRight', 0.016), ('Shift+ArrowRight', 1.016), ('End', 6.5), ('ArrowLeft', 6.48), ('Home', 0.0)):
+        desk.page.keyboard.press(key)
+        desk.frame()
+        assert desk.time() == pytest.approx(clock, abs=0.009)
+    desk.page.keyboard.press(' ')
+    desk.until('footer button', 'Pause')
 
 
-def test_tf_frames_are_shown_on_demand(shown: Shown) -> None:
-    shown.move_slider(100)
-    before = shown.picture()
-    shown.player.locator('#frames').check()
-    assert shown.picture() != before
-    shown.player.locator('#frames').uncheck()
-    assert shown.picture() == before
+def test_one_message_back_and_on(desk: Desk) -> None:
+    desk.seek(0.5)
+    desk.page.get_by_label('what one step is').select_option('message')
+    before = desk.time()
+    desk.press('one step on')
+    desk.frame()
+    assert 0 < desk.time() - before <= 0.017
+    desk.press('one step back')
+    desk.frame()
+    assert desk.time() <= before + 0.001
+
+
+def test_tf_frames_are_shown_on_demand(desk: Desk) -> None:
+    desk.seek(0.8)
+    picture = 'canvas => canvas.toDataURL()'
+    canvas = desk.page.locator('.worlds canvas').first
+    before = canvas.evaluate(picture)
+    desk.page.get_by_label('tf axes').check()
+    desk.frame()
+    assert canvas.evaluate(picture) != before
+    desk.page.get_by_label('tf axes').uncheck()
+    desk.frame()
+    assert canvas.evaluate(picture) == before
+
+
+def test_the_cell_plays_in_its_frame(browser: Any, cell: Path) -> None:
+    page = browser.new_page()
+    page.goto(cell.as_uri())
+    page.frame_locator('iframe').locator('.worlds canvas').first.wait_for()
+    page.close()
 
 
 def test_where_frames_are_taken_out_the_filmstrip_is_seen(browser: Any, cell: Path) -> None:
@@ -106,5 +136,5 @@ def test_where_frames_are_taken_out_the_filmstrip_is_seen(browser: Any, cell: Pa
     page.set_content(text[: text.index('<iframe')] + '</div></body>')
     strip = page.locator('img')
     assert strip.is_visible() and strip.evaluate('image => image.naturalWidth') > 500
-    assert str(strip.get_attribute('alt')).startswith('replay of 6.00 s: /sim with turtle1, turtle2')
+    assert str(strip.get_attribute('alt')).startswith('replay of 6.50 s: /sim with turtle1, turtle2')
     page.close()

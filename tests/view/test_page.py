@@ -18,9 +18,10 @@ def test_what_programs_wrote_stands_in_no_page_as_text() -> None:
     page = recorded_page(PIECE, '<b>title</b>')
     assert '</script><script>' not in page
     assert '<b>title' not in page
-    data = re.search(r"unpacked\('([^']+)'\)", page)
+    data = re.search(r"unpacked\('z([^']+)'\)", page)
     assert data
     assert json.loads(zlib.decompress(base64.b64decode(data[1]))) == PIECE
+    assert json.loads(base64.b64decode(packed(PIECE, small=False)[1:])) == PIECE
 
 
 @pytest.mark.parametrize('page', [recorded_page(PIECE, 'a'), live_page('a')], ids=['recorded', 'live'])

@@ -263,7 +263,9 @@ function openDesk(host, link, options) {
   return new Desk(root, link, options);
 }
 
+/* A film as `packed` (page.py) writes it: base64 behind a letter that says whether it is deflated. */
 async function unpacked(text) {
-  const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
-  return JSON.parse(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text());
+  let stream = new Blob([Uint8Array.from(atob(text.slice(1)), letter => letter.charCodeAt(0))]).stream();
+  if (text[0] === 'z') stream = stream.pipeThrough(new DecompressionStream('deflate'));
+  return JSON.parse(await new Response(stream).text());
 }
