@@ -29,8 +29,9 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
     roots = [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))]
     read: dict[str, None] = {}
     listed: dict[str, None] = {}
-    for root in dict.fromkeys(os.path.realpath(each) for each in roots):
-        for place, is_whole in _beneath(root, hidden):
+    seen: set[str] = set()
+    for root in roots:
+        for place, is_whole in _beneath(os.path.realpath(root), hidden, seen):
             (read if is_whole else listed).setdefault(place)
     return list(read), list(listed)
 
@@ -45,13 +46,14 @@ def _is_checkout(path: str) -> bool:
     return os.path.isdir(os.path.join(path, 'edulaunch')) and os.path.isdir(os.path.join(path, 'solutions'))
 
 
-def _beneath(place: str, hidden: Sequence[str]) -> Iterator[tuple[str, bool]]:
-    """(place, whether with all below it) so that everything in `place` can be read but what is hidden."""
-    if place in hidden:
+def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tuple[str, bool]]:
+    """(place, whether with all below it) so that everything in `place` can be read but what is hidden. Links are resolved."""
+    if place in seen or any(place == each or place.startswith(os.path.join(each, '')) for each in hidden):
         return
+    seen.add(place)
     if not any(each.startswith(os.path.join(place, '')) for each in hidden):
         yield place, True
         return
     yield place, False
     for name in sorted(os.listdir(place)):
-        yield from _beneath(os.path.join(place, name), hidden)
+        yield from _beneath(os.path.realpath(os.path.join(place, name)), hidden, seen)
