@@ -23,6 +23,16 @@ def is_shipped(file: str) -> bool:
     return file.startswith(_engine() + os.sep)
 
 
+def shipped_program(package: str, executable: str) -> str:
+    """The path under which edulaunch runs a program of a package of its own."""
+    return os.path.join(_engine(), 'underlay', 'lib', package, executable)
+
+
+def comes_with_edulaunch(package: str) -> bool:
+    """Whether edulaunch brings a package of this name."""
+    return os.path.isdir(os.path.join(_engine(), 'underlay', 'share', package))
+
+
 def _engine() -> str:
     import edulaunch
 

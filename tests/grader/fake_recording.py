@@ -11,6 +11,7 @@ from edugrade import Scenario
 from edugrade.catalogue import find_rubric
 from edugrade.judging import judge
 from edugrade.outcome import Outcome
+from edugrade.place import shipped_program
 from edugrade.source import Source
 
 from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
@@ -69,7 +70,7 @@ def tf_wires(frames_at: Callable[[float], Mapping[str, Frame]], duration_s: floa
 
 def process(package: str, executable: str, **changes: Any) -> ProcessRecord:
     return ProcessRecord(
-        f'{executable}-1', 1002, [f'/opt/{executable}'], package, executable, FILE, 7, {'radius': 'here'}, 0.0
+        f'{executable}-1', 1002, [shipped_program(package, executable)], package, executable, FILE, 7, {'radius': 'here'}, 0.0
     )._replace(**changes)
 
 

@@ -8,7 +8,7 @@ import pytest
 from edugrade import Scenario
 from fake_recording import FakeRecording, arc, circle_run, graded, process
 
-from edulaunch.recording.records import DeclaredArgument, LaunchRecord
+from edulaunch.recording.records import DeclaredArgument, LaunchRecord, NodeRecord
 
 
 def radius(scenario: Scenario) -> float:
@@ -138,13 +138,26 @@ def test_a_node_that_died_shows_its_exception() -> None:
     assert statuses(results) == {'no_node_dies': 'failed', 'radius_is_passed': 'not_run', 'circle_is_driven': 'not_run'}
 
 
-def test_a_node_started_by_ros2_run_counts() -> None:
-    typed = process('x', 'y')._replace(
-        package=None, executable=None, argv=['ros2', 'run', 'part3_beyond_basics', 'param_circle.py']
-    )
-    typed = typed._replace(name='param_circle.py-1')
-    results = graded('circle', lambda scenario: circle_run(radius(scenario), processes=[typed]))
-    assert statuses(results) == {}
+def test_a_node_of_the_name_from_elsewhere_is_not_the_node() -> None:
+    for argv in (['/ws/lib/part3_beyond_basics/param_circle.py'], ['python3', 'fake.py', '/x/param_circle.py']):
+        copy = process('part3_beyond_basics', 'param_circle.py')._replace(argv=argv)
+        result = graded('circle', lambda s, copy=copy: circle_run(radius(s), processes=[copy]))['node_is_started']  # type: ignore[misc]
+        assert result.seen == ' '.join(argv)
+        assert 'is not the one that came with edulaunch' in result.reason
+
+
+def test_odometry_of_ones_own_is_no_robot() -> None:
+    def claimed(scenario: Scenario) -> FakeRecording:
+        run = circle_run(radius(scenario))
+        own = process('mine', 'fake', line=9)._replace(name='fake-2')
+        run.processes.append(own)
+        run.nodes.append(NodeRecord('/fake', own.name, 0.0, None, [('/odom', 'nav_msgs/msg/Odometry')], [], [], []))
+        return run
+
+    results = graded('circle', claimed)
+    assert statuses(results) == {'world_is_there': 'failed', 'circle_is_driven': 'not_run'}
+    assert results['world_is_there'].reason == '/fake publishes /odom, which only a program of turtlebot3_gazebo may'
+    assert results['world_is_there'].where == ('/student/a.launch.py', 9)
 
 
 def test_a_fake_is_a_recording_for_every_question_of_the_rubric() -> None:

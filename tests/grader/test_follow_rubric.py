@@ -104,3 +104,14 @@ def test_poses_that_are_not_numbers_follow_nobody(track: str) -> None:
     results = graded('follow', lambda scenario: run(scenario, tracks={**run(scenario).tracks, track: nowhere}))
     assert results['moving_leader_is_followed'].earned == results['standing_leader_is_reached'].earned == 0
     assert 'grader_broke' not in statuses(results).values()
+
+
+def test_a_turtle_that_is_put_at_its_goal_does_not_drive_there() -> None:
+    def put(scenario: Scenario) -> FakeRecording:
+        tracks = run(scenario).tracks
+        before = [(t, 1.0, 1.0) for t in TIMES if t <= 2.0]
+        return run(scenario, tracks={**tracks, '/turtle2/pose': before + tracks['/turtle2/pose']})
+
+    results = graded('follow', put)
+    assert statuses(results) == {'standing_leader_is_reached': 'failed', 'moving_leader_is_followed': 'failed'}
+    assert results['standing_leader_is_reached'].reason == 'turtle2 jumps, when launched with no arguments'

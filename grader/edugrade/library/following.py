@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from ..evidence import Evidence
 from ..failure import Failure
-from .movement import Track, distances, farthest, length, progress_towards, since, turtle_track
+from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
 
+FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
 LAST_S = 1.0  # a turtle is there to the end when its last pose is not older than this
 LEAST_SHARE = 0.4  # of the way of a moving goal; whoever cuts its corners travels less than the goal
 
@@ -17,7 +18,7 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
     :param follower: the turtle, such as ``/turtle2``.
     :raises Failure: with the largest distance and when it was.
     """
-    track = turtle_track(run[scenario], f'{follower}/pose')
+    track = _driven(run, scenario, follower)
     worst = farthest(distances(goal, track), since_s)
     is_there = worst is not None and track[-1][0] >= run[scenario].duration_s - LAST_S
     if not (worst is not None and is_there and worst[1] <= bound_m):
@@ -42,7 +43,7 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
     """
     recording = run[scenario]
     leader = turtle_track(recording, f'{goal}/pose')
-    track = since(turtle_track(recording, f'{follower}/pose'), since_s)
+    track = since(_driven(run, scenario, follower), since_s)
     way, towards = length(since(leader, since_s)), progress_towards(leader, track)
     if not towards >= LEAST_SHARE * way > 0.0:
         raise Failure(
@@ -71,6 +72,20 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
                 where=run.source.place,
                 try_=try_,
             )
+
+
+def _driven(run: Evidence, scenario: str, turtle: str) -> Track:
+    """The track of a turtle that drives. Raises Failure for one that was put somewhere (teleported)."""
+    track = turtle_track(run[scenario], f'{turtle}/pose')
+    if not fastest(track) <= FASTEST_M_S:
+        raise Failure(
+            f'{turtle.strip("/")} jumps, when launched with {run.scenario(scenario).words}',
+            expected=f'it drives, at {FASTEST_M_S:g} m/s at most',
+            seen=f'{fastest(track):.0f} m/s between two poses',
+            where=run.source.place,
+            try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
+        )
+    return track
 
 
 def still(place: tuple[float, float]) -> Track:

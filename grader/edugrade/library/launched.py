@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from ..evidence import Evidence
 from ..failure import Failure, Missing
-from ..place import Place
+from ..place import Place, shipped_program
+from .stock import is_stock
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -15,22 +16,32 @@ if TYPE_CHECKING:
 
 
 def find_processes(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
-    """The processes of one executable, in order of their start; started by Node or by ``ros2 run``."""
-    return [
-        process
-        for process in recording.processes
-        if (process.package, process.executable) == (package, executable) or _words_of_run(process.argv) == [package, executable]
-    ]
+    """The processes of one executable, in order of their start; started by Node, by ``ros2 run`` or by a shell."""
+    return [process for process in _named(recording, package, executable) if is_stock(process)]
+
+
+def _named(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
+    return [process for process in recording.processes if (process.package, process.executable) == (package, executable)]
 
 
 def require_process(run: Evidence, package: str, executable: str) -> ProcessRecord:
     """The first process of an executable in the first scenario.
 
     :raises Missing: when none was started; names what was.
+    :raises Failure: when something else ran under its name.
     """
     found = find_processes(run.first, package, executable)
     if found:
         return found[0]
+    others = _named(run.first, package, executable)
+    if others:
+        raise Failure(
+            f'{executable} of the package {package} is not the one that came with edulaunch',
+            expected=shipped_program(package, executable),
+            seen=' '.join(others[0].argv),
+            where=others[0].origin,
+            try_=f'take out the prefix of the Node, or give your own package another name than {package}',
+        )
     started = [process.executable or os.path.basename(process.argv[0]) for process in launched(run.first)]
     raise Missing(
         f'the node {executable} of the package {package}',
@@ -89,12 +100,6 @@ def _death(process: ProcessRecord, words: str) -> Failure:
         expected='it runs until the end',
         try_=f'look at what the launch file gives it{origin}',
     )
-
-
-def _words_of_run(argv: list[str]) -> list[str]:
-    """Package and executable of a ``ros2 run package executable`` command line."""
-    words = [os.path.basename(argv[0]), *argv[1:]] if argv else []
-    return words[2:4] if words[:2] == ['ros2', 'run'] else []
 
 
 def refuse_shared_names(run: Evidence) -> None:

@@ -8,6 +8,7 @@ from math import hypot, isfinite
 from typing import TYPE_CHECKING, cast
 
 from ..failure import Failure
+from .stock import refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -18,20 +19,21 @@ Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
     """Where a robot was, by its odometry; empty when nobody published any.
 
-    :raises Failure: when the topic carries something else, or a position that is not a finite number.
+    :raises Failure: when somebody else publishes it, or it carries something else, or positions that are not finite numbers.
     """
-    return _track(recording, topic, 'pose.pose.position.x', 'pose.pose.position.y')
+    return _track(recording, topic, 'turtlebot3_gazebo', 'pose.pose.position.x', 'pose.pose.position.y')
 
 
 def turtle_track(recording: Recording, topic: str) -> Track:
     """Where a turtle was, by its pose topic; empty when nobody published any.
 
-    :raises Failure: when the topic carries something else, or a position that is not a finite number.
+    :raises Failure: when somebody else publishes it, or it carries something else, or positions that are not finite numbers.
     """
-    return _track(recording, topic, 'x', 'y')
+    return _track(recording, topic, 'turtlesim', 'x', 'y')
 
 
-def _track(recording: Recording, topic: str, x: str, y: str) -> Track:
+def _track(recording: Recording, topic: str, package: str, x: str, y: str) -> Track:
+    refuse_strangers(recording, topic, package)
     try:
         track = cast(Track, recording.series(topic, x, y))
         wrong = next((time for time, *place in track if not all(map(isfinite, place))), None)
@@ -55,6 +57,14 @@ def _track(recording: Recording, topic: str, x: str, y: str) -> Track:
 def length(track: Track) -> float:
     """Metres travelled along a track."""
     return sum(hypot(b[1] - a[1], b[2] - a[2]) for a, b in zip(track, track[1:], strict=False))
+
+
+def fastest(track: Track) -> float:
+    """The greatest speed between two samples, in m/s: a turtle that is put somewhere has a great one."""
+    return max(
+        (hypot(b[1] - a[1], b[2] - a[2]) / (b[0] - a[0]) for a, b in zip(track, track[1:], strict=False) if b[0] > a[0]),
+        default=0.0,
+    )
 
 
 def since(track: Track, since_s: float) -> Track:
