@@ -1,0 +1,29 @@
+"""The program lifecycle_talker: speaks while others have switched it on; that takes two seconds."""
+
+from __future__ import annotations
+
+import time
+
+import rclpy
+from demo_nodes_py._running import run
+from lifecycle_py.talker import LifecycleTalker
+from rclpy.lifecycle import State, TransitionCallbackReturn
+
+
+class SlowTalker(LifecycleTalker):
+    """Does some work while it is activated, for which others must wait."""
+
+    def on_activate(self, state: State) -> TransitionCallbackReturn:
+        """Work."""
+        result = super().on_activate(state)
+        time.sleep(2.0)
+        return result
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(lambda: rclpy.spin(SlowTalker()), args)
+
+
+if __name__ == '__main__':
+    main()

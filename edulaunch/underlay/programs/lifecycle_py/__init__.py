@@ -1,0 +1,1 @@
+"""lifecycle_py: A node with a lifecycle."""

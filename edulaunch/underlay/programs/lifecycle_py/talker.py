@@ -1,0 +1,75 @@
+"""The program lifecycle_talker: speaks while others have switched it on."""
+
+from __future__ import annotations
+
+import rclpy
+from demo_nodes_py._running import run
+from rclpy.lifecycle import LifecycleNode, LifecyclePublisher, State, TransitionCallbackReturn
+from rclpy.timer import Timer
+from std_msgs.msg import String
+
+
+class LifecycleTalker(LifecycleNode):
+    """Has its publisher and its timer from configure to cleanup, and speaks while it is active."""
+
+    def __init__(self, node_name: str = 'lc_talker') -> None:
+        super().__init__(node_name)
+        self._count = 0
+        self._pub: LifecyclePublisher | None = None
+        self._timer: Timer | None = None
+
+    def publish(self) -> None:
+        """Say the next number; a publisher that is not active says nothing."""
+        message = String(data=f'Lifecycle HelloWorld #{self._count}')
+        self._count += 1
+        if self._pub is None or not self._pub.is_activated:
+            self.get_logger().info('Lifecycle publisher is inactive. Messages are not published.')
+        else:
+            self.get_logger().info(f'Lifecycle publisher is active. Publishing: [{message.data}]')
+        if self._pub is not None:
+            self._pub.publish(message)
+
+    def on_configure(self, state: State) -> TransitionCallbackReturn:
+        """Make publisher and timer."""
+        self._pub = self.create_lifecycle_publisher(String, 'lifecycle_chatter', 10)
+        self._timer = self.create_timer(1.0, self.publish)
+        self.get_logger().info('on_configure() is called.')
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_activate(self, state: State) -> TransitionCallbackReturn:
+        """Switch the publisher on, as the base class does."""
+        self.get_logger().info('on_activate() is called.')
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: State) -> TransitionCallbackReturn:
+        """Switch the publisher off, as the base class does."""
+        self.get_logger().info('on_deactivate() is called.')
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: State) -> TransitionCallbackReturn:
+        """Give publisher and timer back."""
+        self._give_back()
+        self.get_logger().info('on_cleanup() is called.')
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_shutdown(self, state: State) -> TransitionCallbackReturn:
+        """Give publisher and timer back."""
+        self._give_back()
+        self.get_logger().info('on_shutdown() is called.')
+        return TransitionCallbackReturn.SUCCESS
+
+    def _give_back(self) -> None:
+        if self._timer is not None:
+            self.destroy_timer(self._timer)
+        if self._pub is not None:
+            self.destroy_publisher(self._pub)
+        self._timer = self._pub = None
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the program."""
+    run(lambda: rclpy.spin(LifecycleTalker()), args)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,1 @@
+"""logging_demo: Log calls of different kinds, and levels that change while the program runs."""
