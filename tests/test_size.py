@@ -26,9 +26,13 @@ SPARE = 150
 
 
 def files() -> dict[Path, str]:
-    """Every Python file of the house with its room; programs and launch files of the underlay's share folders are one."""
-    shared = sorted((PACKAGE / 'underlay' / 'share').rglob('*.py'))
-    return {path: room(name) for name, path in modules().items()} | dict.fromkeys(shared, 'share')
+    """Every Python file of the house with its room; launch files of the underlay's share folders are one, and so are the
+    built-in programs that are written as students write theirs.
+    """
+    found = {path: room(name) for name, path in modules().items()}
+    for place in ('share', 'programs'):
+        found |= dict.fromkeys(sorted((PACKAGE / 'underlay' / place).rglob('*.py')), place)
+    return found
 
 
 @cache
