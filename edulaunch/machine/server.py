@@ -28,6 +28,10 @@ MOST_CONNECTIONS = 512
 HELLO_WITHIN_S = 5.0
 LOOK_EVERY_S = 5.0
 QUIET_S = 0.04
+FORGET_EVERY_S = 10.0
+REMEMBERED_S = 120.0
+MESSAGES_KEPT = 200
+"""What a machine that runs for hours keeps of the past: simulated seconds, and messages of each topic at least."""
 TURN_LIMIT_S = 2.0
 """As in a Session, but others wait here."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
@@ -54,7 +58,7 @@ class Server:
         self.is_listening = False
         self.rounds = 0
         self.is_behind = False
-        self.last_seen_s = time.monotonic()
+        self.last_seen_s = self._forgot_s = time.monotonic()
         self.on_accept: Callable[[socket.socket], object] = lambda client: None
         self._listener = listener
         self._token = token
@@ -127,6 +131,15 @@ class Server:
         self._connections.remove(connection)
         self.last_seen_s = time.monotonic()
 
+    def forget(self) -> None:
+        """Now and then let go of what is long over, unless a desk that shows it is open."""
+        if time.monotonic() - self._forgot_s < FORGET_EVERY_S:
+            return
+        self._forgot_s = time.monotonic()
+        self.session.host.forget_overlays()
+        if all(isinstance(connection.terminal, Terminal) for connection in self._connections):
+            self.session.recorder.forget_before(self.session.sim.now_ns - round(REMEMBERED_S * 1e9), MESSAGES_KEPT)
+
     def drop_the_silent(self) -> None:
         """Close connections that did not say who they are in time."""
         late = time.monotonic() - HELLO_WITHIN_S
@@ -166,6 +179,7 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
         if early and time.monotonic() - begun_s >= QUIET_S:
             import_module(early.pop(0))
         server.drop_the_silent()
+        server.forget()
     with locked(place, number):
         remove_address(place, number, address)
     server.flush()

@@ -92,7 +92,8 @@ class Terminal:
         """Run the command inside the simulation."""
         host = self._terminals.session.host
         name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
-        index = index_for(find_workspaces(cwd, env, _launch_file(words, cwd)))
+        workspaces = find_workspaces(cwd, env, _launch_file(words, cwd))
+        index = index_for(workspaces) if workspaces else host.index
         spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
         if not host.knows(spec):
             self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())

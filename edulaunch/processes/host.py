@@ -148,6 +148,11 @@ class Host:
         generated = self.generated_files.get(path)
         return entries_of_file(path) if generated is None else generated.entries()
 
+    def forget_overlays(self) -> None:
+        """Let go of the workspaces of programs that have ended."""
+        used = [self.index, *(process.index for process in self.processes)]
+        self._overlays = [pair for pair in self._overlays if any(pair[0] is index for index in used)]
+
     def next_pid(self) -> int:
         """Process numbers count up from 1001, so that they repeat from run to run."""
         pid = self._pid

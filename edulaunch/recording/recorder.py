@@ -96,6 +96,15 @@ class Recorder(Tracer):
         """
         return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
 
+    def forget_before(self, at_ns: int, kept: int) -> None:
+        """Forget what is older than a simulated time, but the last `kept` messages of each topic."""
+        for flat in self.columns.values():
+            del flat[: 3 * max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))]
+        since = at_ns - self.sim.start_ns
+        for rows in (self.output_lines, self.logs, self.notes, self.calls):
+            del rows[: bisect_right([row[0] for row in rows], since)]
+        self._call_row = {key: row for key, row in self._call_row.items() if row[0] > since}
+
     def publication_count(self) -> int:
         """How many messages have been published so far."""
         return sum(map(len, self.columns.values())) // 3
@@ -108,7 +117,7 @@ class Recorder(Tracer):
 
     def node_removed(self, node: NodeEntry) -> None:
         if self.on and node in self._node_row:
-            self._node_row[node][3] = self._now()
+            self._node_row.pop(node)[3] = self._now()
 
     def endpoint_added(self, kind: str, endpoint: Any) -> None:
         if self.on:
@@ -160,7 +169,7 @@ class Recorder(Tracer):
             self.processes.append(row)
 
     def process_exited(self, process: Process) -> None:
-        row = self._process_row.get(process)
+        row = self._process_row.pop(process, None)
         if self.on and row is not None:
             row.update(ended=self._now(), returncode=process.returncode)
             error = process.state.get('exception')
