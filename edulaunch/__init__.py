@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from edulaunch import attached
+
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
@@ -38,6 +40,9 @@ _PLACES = {
     'source': ('sourcing', 'source'),
     'start': ('machine.started', 'start'),
 }
+_PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_distance', 'parameter_table')
+attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
+attached.PLACES.update(replay=('edulaunch.view.replay', 'Replay'), ros2=('edulaunch.cli.inside', 'main'))
 
 
 def __getattr__(name: str) -> Any:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import TracebackType
 from typing import TextIO
 
+from edulaunch.attached import attached
 from edulaunch.graph.graph import Graph
 from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.packages import Index
@@ -62,7 +63,12 @@ class Session:
         self.index = index_for(workspaces)
         self.console = console
         self.host = Host(
-            self.sim, self.graph, self.index, env=machine_environment(env, self.index), ros2=_ros2_command, stdin=stdin
+            self.sim,
+            self.graph,
+            self.index,
+            env=machine_environment(env, self.index),
+            ros2=lambda process: attached('ros2')(process),
+            stdin=stdin,
         )
         self.host.watchdog = Watchdog(self.sim, turn_limit_s) if turn_limit_s else None
         self.recorder.overlay = self.host.overlay(self.index)
@@ -211,9 +217,3 @@ def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str
     found.update(ROS_DISTRO='jazzy', ROS_VERSION='2', ROS_PYTHON_VERSION='3')
     found['AMENT_PREFIX_PATH'] = os.pathsep.join(index.search_paths())
     return found
-
-
-def _ros2_command(process: object) -> object:
-    from edulaunch.cli.inside import main
-
-    return main(process)  # type: ignore[arg-type]

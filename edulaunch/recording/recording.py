@@ -7,6 +7,7 @@ from functools import cached_property
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.attached import attached
 from edulaunch.errors import InterfaceError, RecordingError
 from edulaunch.recording import file_format
 from edulaunch.recording.absent import NoMessages, not_recorded
@@ -25,12 +26,10 @@ from edulaunch.recording.records import (
 )
 
 if TYPE_CHECKING:
-    from edulaunch.canvas.table import Table
     from edulaunch.graph.qos import QoS
     from edulaunch.recording.misfits import Misfit
     from edulaunch.recording.recorded_types import RecordedTypes
     from edulaunch.recording.trajectory import Trajectory
-    from edulaunch.view.replay import Replay
 
 
 SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted', 'waits for input')
@@ -350,45 +349,31 @@ class Recording:
 
     def plot_turtles(self, time_s: float | None = None, *, ax: Any = None) -> Any:
         """The turtle windows at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_turtles`."""
-        from edulaunch.canvas import plot_turtles
-
-        return plot_turtles(self, time_s, ax=ax)
+        return attached('plot_turtles')(self, time_s, ax=ax)
 
     def plot_frames(self, time_s: float | None = None, *, ax: Any = None) -> Any:
         """tf frames from above at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_frames`."""
-        from edulaunch.canvas import plot_frames
-
-        return plot_frames(self, time_s, ax=ax)
+        return attached('plot_frames')(self, time_s, ax=ax)
 
     def plot_tf_tree(self, *, ax: Any = None) -> Any:
         """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""
-        from edulaunch.canvas import plot_tf_tree
-
-        return plot_tf_tree(self, ax=ax)
+        return attached('plot_tf_tree')(self, ax=ax)
 
     def plot_graph(self, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
         """Nodes and topics; see :func:`edulaunch.canvas.plot_graph`."""
-        from edulaunch.canvas import plot_graph
-
-        return plot_graph(self, unused=unused, services=services, ax=ax)
+        return attached('plot_graph')(self, unused=unused, services=services, ax=ax)
 
     def plot_distance(self, first: str, second: str, close_m: float = 1.0, *, ax: Any = None) -> Any:
         """How far a turtle, robot or tf frame is from another over time; see :func:`edulaunch.canvas.plot_distance`."""
-        from edulaunch.canvas import plot_distance
+        return attached('plot_distance')(self, first, second, close_m, ax=ax)
 
-        return plot_distance(self, first, second, close_m, ax=ax)
-
-    def parameter_table(self, node: str | None = None, *, every: bool = False) -> Table:
+    def parameter_table(self, node: str | None = None, *, every: bool = False) -> Any:
         """Parameters with their values and where these came from; see :func:`edulaunch.canvas.parameter_table`."""
-        from edulaunch.canvas import parameter_table
+        return attached('parameter_table')(self, node, every=every)
 
-        return parameter_table(self, node, every=every)
-
-    def replay(self) -> Replay:
+    def replay(self) -> Any:
         """Everything of the run over time, with a slider; see :class:`edulaunch.view.replay.Replay`."""
-        from edulaunch.view.replay import Replay
-
-        return Replay(self)
+        return attached('replay')(self)
 
 
 def _seconds(time_ns: int | None) -> float | None:
