@@ -15,7 +15,16 @@ if TYPE_CHECKING:
     from edulaunch.canvas.table import Table
     from edulaunch.recording import Recording
 
-__all__ = ['Picture', 'parameter_table', 'plot_distance', 'plot_frames', 'plot_graph', 'plot_tf_tree', 'plot_turtles']
+__all__ = [
+    'Picture',
+    'parameter_table',
+    'plot_distance',
+    'plot_frames',
+    'plot_graph',
+    'plot_series',
+    'plot_tf_tree',
+    'plot_turtles',
+]
 
 
 def plot_turtles(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
@@ -83,6 +92,20 @@ def plot_distance(recording: Recording, first: str, second: str, close_m: float 
     from edulaunch.canvas.distance_scene import distance_scene
 
     return shown(distance_scene(recording, first, second, close_m), 'draw_distance', ax)
+
+
+def plot_series(recording: Recording, topic: str, *fields: str, ax: Any = None) -> Any:
+    """Numbers of a topic over time, a line for each field.
+
+    :param fields: paths such as 'x', 'twist.linear.x' or 'ranges[0]'.
+    :param ax: matplotlib axes to draw on: seconds across.
+    :returns: a Picture, or what was given as `ax`.
+    :raises NotRecorded: when there is no such topic or field; the message names the nearest one.
+    :raises NothingToDraw: when nothing was published there, or a field is no number.
+    """
+    from edulaunch.canvas.series_scene import series_scene
+
+    return shown(series_scene(recording, topic, fields), 'draw_series', ax)
 
 
 def parameter_table(recording: Recording, node: str | None = None, *, every: bool = False) -> Table:

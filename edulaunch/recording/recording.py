@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from functools import cached_property
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.attached import attached
-from edulaunch.errors import InterfaceError, RecordingError
+from edulaunch.errors import InterfaceError, RecordingError, UnusableInput
 from edulaunch.recording import file_format
 from edulaunch.recording.absent import NoMessages, not_recorded
 from edulaunch.recording.records import (
@@ -227,18 +226,56 @@ class Recording:
         return self._registry
 
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
-        """Numbers over time: rows of (time in seconds, field, field ...); a field is a path such as 'pose.pose.position.x'."""
+        """Numbers over time: rows of (time in seconds, field, field ...); a field is a path: 'pose.pose.position.x', 'ranges[0]'.
+
+        :raises NotRecorded: when the messages have no such field; the message names the nearest one.
+        """
+        from edulaunch.recording.fields import getter
+
         if not fields:
             raise ValueError('series() needs at least one field, such as "linear.x"')
-        get = attrgetter(*fields)
         messages = self.messages(topic)
         if isinstance(messages, NoMessages):
             return messages
-        rows: list[tuple[float, ...]] = []
-        for time, message in messages:
-            values: Any = get(message)
-            rows.append((time, values) if len(fields) == 1 else (time, *values))
-        return rows
+        gets = [getter(self._class(self.topics[topic].type), field) for field in fields]
+        return [(time, *(get(message) for get in gets)) for time, message in messages]
+
+    def message_class(self, type_name: str) -> Any:
+        """The class of a message type, as it was in the run: 'turtlesim/msg/Pose'."""
+        return self._class(type_name)
+
+    def plot(self, topic: str, *fields: str, ax: Any = None) -> Any:
+        """Numbers of a topic over time: `recording.plot('/turtle1/pose', 'x', 'y')`; see :func:`edulaunch.canvas.plot_series`."""
+        return attached('plot_series')(self, topic, *fields, ax=ax)
+
+    def table(self, topic: str, *fields: str) -> Any:
+        """The messages of a topic as a table; see :func:`edulaunch.canvas.text_table.message_table`."""
+        return attached('message_table')(self, topic, fields)
+
+    def log_table(self, process: str | None = None, level: str = 'DEBUG', word: str = '') -> Any:
+        """Log lines as a table: of one process, from a level up ('WARN'), with a word in them."""
+        return attached('log_table')(self, process, level, word)
+
+    def to_pandas(self, topic: str, *fields: str) -> Any:
+        """The messages of a topic as a pandas DataFrame with the time in seconds as its index (pandas has to be installed).
+
+        :param fields: default: every field that is no list.
+        :raises UnusableInput: when pandas is not installed.
+        """
+        from edulaunch.recording.fields import getter, leaf_paths
+
+        try:
+            import pandas  # type: ignore[import-untyped, unused-ignore]
+        except ImportError:
+            raise UnusableInput('to_pandas() needs pandas', help='pip install pandas') from None
+        messages = self.messages(topic)
+        if isinstance(messages, NoMessages):
+            messages[0]  # says which topics there are
+        cls = self._class(self.topics[topic].type)
+        paths = fields or tuple(path for path, kind in cls.wire_type() if ']' not in kind and path in leaf_paths(cls))
+        gets = [getter(cls, path) for path in paths]
+        rows = [[get(message) for get in gets] for _, message in messages]
+        return pandas.DataFrame(rows, columns=list(paths), index=pandas.Index([time for time, _ in messages], name='time_s'))
 
     @cached_property
     def _registry(self) -> RecordedTypes:
