@@ -18,10 +18,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action='store_true',
         help='print what to evaluate in a shell: eval "$(edulaunch env --shell)", then python3 node.py',
     )
+    parser.add_argument(
+        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help='say whether a line of a tutorial is needed here'
+    )
+
+
+FUNCTIONS = """colcon() {
+    if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
+}
+sudo() { edulaunch env --answer "$@" || command sudo "$@"; }
+apt() { edulaunch env --answer apt "$@" || command apt "$@"; }
+function source {
+    if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
+}
+function . { source "$@"; }
+"""
+"""The lines of a tutorial that set a computer up, as functions of bash and zsh. They step aside for what is really there."""
 
 
 def main(arguments: argparse.Namespace) -> int:
     """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers; or lines for a shell."""
+    if arguments.answer is not None:
+        return _answer(arguments.answer)
     if not arguments.shell:
         print(underlay_python())
         return 0
@@ -29,7 +47,18 @@ def main(arguments: argparse.Namespace) -> int:
 
     for name, value in sorted(sourced_environment(os.environ).items()):
         print(f'export {name}={quote(value)}')
+    print(FUNCTIONS, end='')
     return 0
+
+
+def _answer(words: list[str]) -> int:
+    """Say what a line that sets a computer up means here; 1 when it is none of those."""
+    from edulaunch.workspace.not_needed import answer
+
+    said = answer(words)
+    if said is not None:
+        print(said)
+    return 0 if said is not None else 1
 
 
 def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
