@@ -146,7 +146,10 @@ class Host:
         :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
         """
         generated = self.generated_files.get(path)
-        return entries_of_file(path) if generated is None else generated.entries()
+        if generated is not None:
+            return generated.entries()
+        program = self.program_here()
+        return entries_of_file(os.path.join((program and program.cwd) or '', path))
 
     def forget_overlays(self) -> None:
         """Let go of the workspaces of programs that have ended."""

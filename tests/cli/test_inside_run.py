@@ -101,3 +101,9 @@ def test_the_seeds_file_records_a_bag(tmp_path: Path, monkeypatch) -> None:
 def test_programs_that_are_windows_name_the_page_that_shows_the_same(machine) -> None:
     assert '`edulaunch view --tab graph`' in machine.read('ros2 run rqt_graph rqt_graph')
     assert '`edulaunch view --tab log`' in machine.read('ros2 run rqt_console rqt_console')
+
+
+def test_a_parameter_file_is_found_from_the_folder_of_the_terminal(machine) -> None:
+    (machine.folder / 'blue.yaml').write_text('/**:\n  ros__parameters: {background_b: 7}\n')
+    machine.run('ros2 run turtlesim turtlesim_node --ros-args -r __node:=other --params-file blue.yaml')
+    assert machine.read('ros2 param get /other background_b') == 'Integer value is: 7\n'

@@ -83,6 +83,7 @@ class Shop:
             TERM='dumb',
             INPUTRC=os.devnull,
             USER='student',
+            EDULAUNCH_TURN_LIMIT_S='5',
         )
         self.terminals: dict[int, Terminal] = {}
         self._keep_time()

@@ -9,6 +9,12 @@ COLUMN, ROW = 3.6, 2.2
 """Inches that a frame takes, with the facts on the arrow above it."""
 
 
+def prepare() -> None:
+    """Load what draws now, so that drawing is a short turn of its own."""
+    import matplotlib.backends.backend_pdf
+    import matplotlib.figure  # noqa: F401
+
+
 def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -> None:
     """Draw parents above their children; on each arrow stand broadcaster, rate, buffer length and the age of transforms.
 

@@ -16,7 +16,7 @@ from tf2_msgs.srv import FrameGraph
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
-from ._tree_page import draw_pdf
+from ._tree_page import draw_pdf, prepare
 
 
 def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
@@ -77,6 +77,7 @@ def main() -> int:
     rclpy.init()
     arguments = parser.parse_args(remove_ros_args(sys.argv)[1:])
     node = rclpy.create_node('view_frames')
+    prepare()
     buffer = Buffer(node=node)
     listener = TransformListener(buffer, node)
     node.get_logger().info(f'Listening to tf data for {arguments.wait_time} seconds...')
