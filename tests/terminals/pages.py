@@ -26,6 +26,8 @@ class Step(NamedTuple):
     :ivar then: patterns that come after these keys.
     :ivar differs: how it differs from the page; empty: it works word for word.
     :ivar why: why it is not offered; empty: it is.
+    :ivar is_pattern: whether the page means a form, with names of the reader's own in place of words.
+    :ivar is_ours: whether no page says it: the test looks, or writes what the reader would write.
     """
 
     says: str
@@ -39,6 +41,8 @@ class Step(NamedTuple):
     code: int = 0
     differs: str = ''
     why: str = ''
+    is_pattern: bool = False
+    is_ours: bool = False
 
     @property
     def typed(self) -> str:
@@ -48,6 +52,8 @@ class Step(NamedTuple):
     @property
     def verdict(self) -> str:
         """For the table."""
+        if self.is_pattern:
+            return 'works, with names of your own'
         return f'not offered: {self.why}' if self.why else f'differs: {self.differs}' if self.differs else 'works'
 
 

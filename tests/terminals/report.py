@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
@@ -10,7 +11,6 @@ from tests.terminals.pages import Page, Step, pages
 
 DOCS = Path(__file__).resolve().parents[2] / 'docs'
 COMMANDS_PAGE, TUTORIAL_PAGE = DOCS / 'commands.md', DOCS / 'from_a_tutorial.md'
-SEED_TITLE = 'Five tutorials of others'
 
 
 def commands_page() -> str:
@@ -27,7 +27,7 @@ def commands_page() -> str:
     ]
     for page in found:
         lines += ['', f'## {page.title}', '', '| command | here |', '|---|---|']
-        lines += [f'| {_code(step.says)} | {_cell(step)} |' for step in page.steps]
+        lines += [f'| {_code(step.says)} | {_cell(step)} |' for step in page.steps if not step.is_ours]
     return '\n'.join(lines) + '\n'
 
 
@@ -44,16 +44,17 @@ def tutorial_page() -> str:
         '| the page says | you type | why |',
         '|---|---|---|',
     ]
-    rows = {step.says: step for page in pages() for step in page.steps if step.verdict != 'works'}
+    rows = {step.says: step for page in pages() for step in page.steps if step.differs or step.why}
     lines += [
-        f'| {_code(step.says)} | {_code(step.type) if step.type else "nothing"} | {step.differs or step.why} |'
+        f'| {_code(step.says)} | {_code(step.type) if step.type else "nothing" if step.why else "the same"} | {step.differs or step.why} |'
         for step in rows.values()
     ]
     return '\n'.join(lines) + '\n'
 
 
 def _counts(found: Iterable[Page]) -> list[str]:
-    words = Counter((bool(page.seed), step.verdict.partition(':')[0]) for page in found for step in page.steps)
+    tried = ((page, step) for page in found for step in page.steps if not step.is_ours)
+    words = Counter((bool(page.seed), re.split('[:,]', step.verdict)[0]) for page, step in tried)
     rows = (("the official tutorials' pages", False), ('the five seed tutorials', True))
     return [
         '| commands of | works word for word | differs | not offered |',
