@@ -47,7 +47,7 @@ def main(arguments: argparse.Namespace) -> int:
 
     for name, value in sorted(sourced_environment(os.environ).items()):
         print(f'export {name}={quote(value)}')
-    print(FUNCTIONS, end='')
+    print(f'if [ -n "$BASH_VERSION$ZSH_VERSION" ]; then eval {quote(FUNCTIONS)}; fi')
     return 0
 
 
