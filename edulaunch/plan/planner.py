@@ -201,8 +201,8 @@ class Planner:
             item['time'] = self._sim.elapsed_s
         if item['kind'] == 'node':
             branch.file_origins = add_names_and_parameters(item, self._host)
-            branch.origins = branch.action._process_spec_details()['parameter_origins']
-            branch.missing_files = branch.action._missing_parameter_files()
+            branch.origins = branch.action.process_spec_details()['parameter_origins']
+            branch.missing_files = branch.action.missing_parameter_files()
         branch.item = _plain(item)
         self._items.append(branch.item)
 

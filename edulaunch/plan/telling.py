@@ -155,7 +155,7 @@ def _process_details(item: Item, branch: Branch) -> list[str]:
         lines.append(f'in the folder {item["cwd"]}')
     if item['respawn']:
         delay = item['respawn_delay']
-        limit = branch.action._respawn_limit
+        limit = branch.action.respawn_limit
         lines.append(
             'started again when it ends'
             + (f', {delay:g} s later' if delay else '')

@@ -99,7 +99,7 @@ class Watched(LaunchDescriptionEntity):
         watch.phase = self._phase
         if isinstance(self._entity, Action):
             action: Any = self._entity
-            condition = None if action.condition is None else action.condition._shown
+            condition = None if action.condition is None else action.condition.in_words
             origin = action.origin
             if origin is not None and not is_students(origin.file):
                 origin = None

@@ -58,7 +58,7 @@ def process_state(key: str, make: Callable[[], T]) -> T:
 def state_of(context: LaunchContext) -> dict[str, Any]:
     """The state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
     try:
-        return context._state
+        return context.process_state
     except AttributeError:
         return running_process().state
 
@@ -66,7 +66,7 @@ def state_of(context: LaunchContext) -> dict[str, Any]:
 def process_counter(context: LaunchContext) -> list[int]:
     """The number of the process that was numbered last, as the only item of a list; for any context, as above."""
     try:
-        return context._process_counter
+        return context.process_counter
     except AttributeError:
         return process_state('launch.process_counter', lambda: [0])
 

@@ -34,13 +34,13 @@ def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> N
 
     :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
     """
-    if context._includes is None:
+    if context.open_includes is None:
         return
     entered = Include(file, origin, dict(context.launch_configurations))
-    before = [number for number, include in enumerate(context._includes) if include.file == file]
-    if before and (len(before) >= DEEPEST or context._includes[before[-1]].configurations == entered.configurations):
-        raise _ring_error([*context._includes[before[-1] :], entered])
-    context._includes.append(entered)
+    before = [number for number, include in enumerate(context.open_includes) if include.file == file]
+    if before and (len(before) >= DEEPEST or context.open_includes[before[-1]].configurations == entered.configurations):
+        raise _ring_error([*context.open_includes[before[-1] :], entered])
+    context.open_includes.append(entered)
 
 
 def _ring_error(ring: list[Include]) -> RecursionError:

@@ -44,7 +44,7 @@ class Action(LaunchDescriptionEntity):
         """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
         return origin_of(self.__dict__.get('_Action__origin'))
 
-    def _set_origin(self, file: str, line: int) -> None:
+    def set_origin(self, file: str, line: int) -> None:
         """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""
         self.__origin = (file, line)
 

@@ -21,7 +21,7 @@ class Condition(StableRepr):
         self._predicate = predicate
 
     @property
-    def _shown(self) -> str:
+    def in_words(self) -> str:
         """The condition in words, for a plan. (edulaunch only.)"""
         return f'if {type(self).__name__} says so'
 

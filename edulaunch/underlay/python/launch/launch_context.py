@@ -43,15 +43,15 @@ class LaunchContext:
         self.__environment_stack: list[dict[str, str]] = []
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
-        self._includes: list[Include] | None = None
+        self.open_includes: list[Include] | None = None
         """The launch files that are visited just now, outermost first; None outside any walk."""
         self._names_read = names_read()
-        self._state = running_process().state
-        self._process_counter = process_state('launch.process_counter', lambda: [0])
+        self.process_state = running_process().state
+        self.process_counter = process_state('launch.process_counter', lambda: [0])
         self.__is_shutdown = False
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.__logger: Logger | None = None
-        self._starts_are_abandoned = False
+        self.starts_are_abandoned = False
         """Set after an exception: processes that are scheduled but not started yet must not start."""
 
     @property
@@ -125,7 +125,7 @@ class LaunchContext:
         """The globals, overridden by the locals."""
         return {**self.__globals, **self.__locals}
 
-    def _local(self, name: str) -> Any:
+    def local(self, name: str) -> Any:
         """One local or global, None when there is none."""
         return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
@@ -182,7 +182,7 @@ class LaunchContext:
         """
         self.__handlers.remove(event_handler)
 
-    def _handlers_that_match(self, event: Event) -> list[BaseEventHandler]:
+    def handlers_that_match(self, event: Event) -> list[BaseEventHandler]:
         """The handlers to ask about the event, as registered now, first asked first."""
         return self.__handlers.candidates(event)
 

@@ -171,7 +171,7 @@ class LaunchService:
         self.__return_code, self.__shutting_down, self.__interrupted = 0, False, False
         context._set_asyncio_loop(loop)
         context._set_is_shutdown(False)
-        context._starts_are_abandoned = False
+        context.starts_are_abandoned = False
         context._event_queue.on_put = self.__wake
         try:
             yield
@@ -232,7 +232,7 @@ class LaunchService:
         debug = self.__logger.isEnabledFor(DEBUG)
         if debug:
             self.__logger.debug(f"processing event: '{event}'")
-        for handler in self.__context._handlers_that_match(event):
+        for handler in self.__context.handlers_that_match(event):
             if handler.matches(event):
                 if debug:
                     self.__logger.debug(f"processing event: '{event}' ✓ '{handler}'")
@@ -283,7 +283,7 @@ class LaunchService:
         self.__logger.error(message)
         show_help(error)
         self.__return_code = 1
-        self.__context._starts_are_abandoned = True
+        self.__context.starts_are_abandoned = True
         self.__shut_down(message)
 
     def __shut_down(self, reason: str, due_to_sigint: bool = False) -> None:

@@ -19,7 +19,7 @@ class _SpecificArgument(LocalSubstitution):
 
     def perform(self, context: LaunchContext) -> str:
         """As the base class, without compiling an expression."""
-        arguments: dict[str, str] = context._local('ros_specific_arguments')
+        arguments: dict[str, str] = context.local('ros_specific_arguments')
         return arguments[self._key]
 
 

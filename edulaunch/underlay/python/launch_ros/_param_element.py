@@ -67,7 +67,7 @@ def _dictionary(params: list[Entity], parser: Parser) -> dict[Any, Any]:
 
 def _made(line: int, value: Any, data_type: Any) -> ParameterValue:
     made = ParameterValue(value, value_type=data_type)
-    made._line = line
+    made.line = line
     return made
 
 

@@ -48,7 +48,7 @@ def origins_of(values: Mapping[str, Any], written: Mapping[Any, Any], node: Orig
     origins: dict[str, str] = {}
     for name, value in zip(values, written.values(), strict=True):
         argument = _argument_in(value)
-        line = getattr(value, '_line', 0) or given.get(name, 0)
+        line = getattr(value, 'line', 0) or given.get(name, 0)
         if argument is None and not line:
             lines = key_lines(*node) if lines is None else lines
             line = lines.get(name) or lines.get(name.rpartition('.')[2]) or node.line
@@ -58,7 +58,7 @@ def origins_of(values: Mapping[str, Any], written: Mapping[Any, Any], node: Orig
 
 def _argument_in(value: Any) -> str | None:
     """'launch argument x', when a launch configuration decides the value."""
-    value = getattr(value, '_written', value)
+    value = getattr(value, 'written', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):
         if isinstance(part, LaunchConfiguration):
             names = [getattr(text, 'text', '') for text in part.variable_name]

@@ -34,7 +34,7 @@ class ParameterValue:
     :raises TypeError: when a literal has not the type.
     """
 
-    _line = 0
+    line = 0
     """The line of the launch file that says so, when a frontend made this."""
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
@@ -44,7 +44,7 @@ class ParameterValue:
         self.__evaluated: Any = None
 
     @property
-    def _written(self) -> Any:
+    def written(self) -> Any:
         """What is to be evaluated, also afterwards."""
         return self.__value
 
@@ -87,9 +87,9 @@ class Parameter:
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
     @property
-    def _written(self) -> Any:
+    def written(self) -> Any:
         """What is to be evaluated, also afterwards."""
-        return self.__value._written
+        return self.__value.written
 
     @property
     def value(self) -> Any:

@@ -102,7 +102,7 @@ class ProcessWatch(BaseEventHandler):
         A mistake that comes up here ends the action; the launch service reports it.
         """
         self._respawn = None
-        if context._starts_are_abandoned:
+        if context.starts_are_abandoned:
             self._finish()
             return
         try:
@@ -191,7 +191,7 @@ class ProcessWatch(BaseEventHandler):
             emulate_tty=emulate_tty,
             origin=self._action.origin,
             has_pipe=True,
-            **self._action._process_spec_details(),
+            **self._action.process_spec_details(),
         )
 
         def on_output(stream: str, text: str) -> None:

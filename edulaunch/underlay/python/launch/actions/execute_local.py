@@ -112,7 +112,7 @@ class ExecuteLocal(Action):
         return self.__options.respawn_delay
 
     @property
-    def _respawn_limit(self) -> int:
+    def respawn_limit(self) -> int:
         """How often it is started again at most; negative: without limit. (edulaunch only.)"""
         return int(self.__options.respawn_max_retries)
 
@@ -177,7 +177,7 @@ class ExecuteLocal(Action):
             respawn = perform_typed_substitution(context, self.__options.respawn, bool)
             self.__options = self.__options._replace(respawn=respawn)
 
-    def _process_spec_details(self) -> dict[str, Any]:
+    def process_spec_details(self) -> dict[str, Any]:
         """Further fields of the `ProcessSpec`; a node says which package and executable it is. For
         subclasses.
         """

@@ -25,7 +25,7 @@ class IfCondition(Condition):
         super().__init__(predicate=self._predicate_func)
 
     @property
-    def _shown(self) -> str:
+    def in_words(self) -> str:
         return 'if ' + ' + '.join(part.describe() for part in self.__predicate_expression)
 
     def describe(self) -> str:

@@ -35,7 +35,7 @@ class LaunchConfigurationEquals(Condition):
     _sign = 'is'
 
     @property
-    def _shown(self) -> str:
+    def in_words(self) -> str:
         if self.__expected is None:
             return f"if '{self.__name}' {self._sign} unset"
         return f"if '{self.__name}' {self._sign} " + ' + '.join(part.describe() for part in self.__expected)

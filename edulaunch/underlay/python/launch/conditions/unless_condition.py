@@ -24,7 +24,7 @@ class UnlessCondition(Condition):
         super().__init__(predicate=self._predicate_func)
 
     @property
-    def _shown(self) -> str:
+    def in_words(self) -> str:
         return 'unless ' + ' + '.join(part.describe() for part in self.__predicate_expression)
 
     def describe(self) -> str:

@@ -53,10 +53,10 @@ class Executable:
         arguments: Iterable[SomeSubstitutionsType] | None = None,
     ) -> None:
         self.__words: list[Word] = []
-        self._add_words(cmd)
+        self.add_words(cmd)
         self.__arguments = None if arguments is None else list(arguments)
         if arguments is not None:
-            self._add_words(self.__arguments or ())
+            self.add_words(self.__arguments or ())
         self.__given_prefix = None if prefix is None else normalize_to_list_of_substitutions(prefix)
         self.__name = None if name is None else normalize_to_list_of_substitutions(name)
         self.__cwd = None if cwd is None else normalize_to_list_of_substitutions(cwd)
@@ -82,7 +82,7 @@ class Executable:
         words[:] = [word if isinstance(word, list) else normalize_to_list_of_substitutions(word) for word in words]
         return words  # type: ignore[return-value]
 
-    def _add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
+    def add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
         """Add words at the end of the command line. Texts become substitutions only when somebody looks."""
         self.__words += [
             word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)

@@ -85,8 +85,8 @@ class Parser:
         except Exception as error:
             hints.complete(error, self.file, entity)
             raise
-        if self.file and hasattr(action, '_set_origin'):
-            action._set_origin(self.file, entity.line)
+        if self.file and hasattr(action, 'set_origin'):
+            action.set_origin(self.file, entity.line)
         return action
 
     def _parse_method_of_extension(self, entity: Entity) -> Any:

@@ -16,5 +16,5 @@ def plain_text(value: Any) -> str | None:
     if kind is str:
         return value  # type: ignore[no-any-return]
     if (kind is list or kind is tuple) and len(value) == 1 and type(value[0]) is TextSubstitution:
-        return value[0]._text
+        return value[0].text
     return None

@@ -21,12 +21,12 @@ def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, cont
     :returns: each visited entity that has a future, with that future.
     """
     pairs: EntityFuturePairs = []
-    around = getattr(context, '_includes', None)
-    includes = context._includes = [] if around is None else around
+    around = getattr(context, 'open_includes', None)
+    includes = context.open_includes = [] if around is None else around
     try:
         _visit(entity, context, includes, pairs)
     finally:
-        context._includes = around
+        context.open_includes = around
     return pairs
 
 

@@ -167,15 +167,15 @@ class Node(ExecuteProcess):
         arguments = {'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}
         for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
             words, arguments = extension.prepare_for_execute(context, arguments, self)
-            self.process_description._add_words(words)
+            self.process_description.add_words(words)
         return arguments
 
-    def _missing_parameter_files(self) -> list[str]:
+    def missing_parameter_files(self) -> list[str]:
         """Files that were given and are not there, once the action was executed."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.missing_files
 
-    def _process_spec_details(self) -> dict[str, Any]:
+    def process_spec_details(self) -> dict[str, Any]:
         """What a checker may want to know of the node: package, executable, and where its parameter values
         were written."""
         assert self.__parameter_arguments is not None
@@ -206,7 +206,7 @@ class Node(ExecuteProcess):
         self.__final_node_name = f'{namespace}/{self.__expanded_node_name}'
         self.__expand_parameters(context, words)
         self.__expand_remappings(context, words)
-        self.process_description._add_words(words)
+        self.process_description.add_words(words)
 
     def __expand_name(self, context: LaunchContext, words: Words) -> None:
         name = _text(context, self.__node_name)

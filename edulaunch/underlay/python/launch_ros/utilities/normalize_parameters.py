@@ -61,8 +61,8 @@ def _plain(item: Mapping[Any, Any]) -> PlainParameters | None:
     for name, value in item.items():
         text = name if type(name) is str else plain_text(name)
         if type(value) is ParameterValue:
-            plain.lines[text or ''] = value._line
-            value = value._written
+            plain.lines[text or ''] = value.line
+            value = value.written
         if text is None or type(value) not in _PLAIN:
             return None
         plain[text] = value

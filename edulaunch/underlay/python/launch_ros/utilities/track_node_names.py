@@ -12,7 +12,7 @@ _KEY = 'unique_ros_node_names'
 
 def add_node_name(context: LaunchContext, node_name: str) -> int:
     """Count a node with this full name; gives how many there are now."""
-    counts = context._local(_KEY)
+    counts = context.local(_KEY)
     if counts is None:
         counts = {}
         context.extend_globals({_KEY: counts})
@@ -23,5 +23,5 @@ def add_node_name(context: LaunchContext, node_name: str) -> int:
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
     """How often the name was counted."""
-    counts: dict[str, int] = context._local(_KEY) or {}
+    counts: dict[str, int] = context.local(_KEY) or {}
     return counts.get(node_name, 0)
