@@ -110,7 +110,7 @@ def visit_s(path: Path) -> float:
 
     def end(context: Any) -> None:
         moments.append(time.process_time())
-        context._starts_are_abandoned = True
+        context.starts_are_abandoned = True
         sim.stop()
 
     def main(process: object) -> int:

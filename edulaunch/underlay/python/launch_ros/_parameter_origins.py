@@ -43,12 +43,11 @@ def origins_of(values: Mapping[str, Any], written: Mapping[Any, Any], node: Orig
     """
     if len(values) != len(written) or node is None:
         return dict.fromkeys(values, 'launch file' if node is None else place_text(*node))
-    given: dict[str, int] = getattr(written, 'lines', {})
     lines: dict[str, int] | None = None
     origins: dict[str, str] = {}
     for name, value in zip(values, written.values(), strict=True):
         argument = _argument_in(value)
-        line = getattr(value, 'line', 0) or given.get(name, 0)
+        line = getattr(value, 'line', 0)
         if argument is None and not line:
             lines = key_lines(*node) if lines is None else lines
             line = lines.get(name) or lines.get(name.rpartition('.')[2]) or node.line

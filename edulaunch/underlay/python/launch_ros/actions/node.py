@@ -19,12 +19,12 @@ from launch.utilities.perform_substitutions_impl import perform_substitutions
 from .._names import validated_name, validated_namespace
 from .._node_words import NODE_NAME, NODE_NAMESPACE
 from .._parameter_arguments import ParameterArguments
-from ..parameters_type import Parameters, SomeParameters
-from ..remap_rule_type import RemapRule, SomeRemapRules
+from ..parameters_type import SomeParameters
+from ..remap_rule_type import SomeRemapRules
 from ..substitutions.executable_in_package import ExecutableInPackage
 from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
-from ..utilities.normalize_parameters import plain_or_normalized
-from ..utilities.normalize_remap_rule import normalize_remap_rules, plain_or_normalized_rules
+from ..utilities.normalize_parameters import normalize_parameters
+from ..utilities.normalize_remap_rule import normalize_remap_rules
 from ..utilities.track_node_names import add_node_name
 from ._node_extensions import NodeActionExtension, get_extensions, instantiate_extension
 
@@ -83,8 +83,8 @@ class Node(ExecuteProcess):
             cmd += ['-r', NODE_NAME]
         if parameters is not None and not isinstance(parameters, list):
             ensure_argument_type(parameters, (list,), 'parameters', 'Node')
-        self.__own_parameters = None if parameters is None else plain_or_normalized(parameters)
-        self.__own_remappings = () if remappings is None else plain_or_normalized_rules(remappings)
+        self.__parameters = None if parameters is None else normalize_parameters(parameters)
+        self.__remappings = [] if remappings is None else list(normalize_remap_rules(remappings))
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.__package = package
         self.__node_executable = executable
@@ -101,20 +101,10 @@ class Node(ExecuteProcess):
     __package_and_executable: tuple[str | None, str | None] = None, None
 
     @property
-    def __parameters(self) -> Parameters | None:
-        """The parameters, normalized; for those who look where upstream keeps them."""
-        return self.__own_parameters
-
-    @property
-    def __remappings(self) -> list[RemapRule]:
-        """The remap rules, normalized; likewise."""
-        return list(normalize_remap_rules(self.__own_remappings))
-
-    @property
     def __expanded_parameter_arguments(self) -> list[tuple[str, bool]] | None:
         """(path, True) and (`name:=value`, False) in order, after execution; likewise. The files exist."""
         arguments = self.__parameter_arguments
-        if arguments is None or not (arguments.items or self.__own_parameters is not None):
+        if arguments is None or not (arguments.items or self.__parameters is not None):
             return None
         arguments.write_files()
         return arguments.items
@@ -228,8 +218,8 @@ class Node(ExecuteProcess):
         for_all = context.launch_configurations.get('global_params')
         if for_all:
             arguments.add_global(for_all)
-        if self.__own_parameters:
-            arguments.add_own(context, self.__own_parameters)
+        if self.__parameters:
+            arguments.add_own(context, self.__parameters)
         if arguments.items:
             self.process_description.write_before_look(arguments.write_files)
             for text, is_file in arguments.items:
@@ -237,11 +227,8 @@ class Node(ExecuteProcess):
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:
         rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))
-        for source, target in self.__own_remappings:
-            if type(source) is str and type(target) is str:
-                rules.append((source, target))
-            else:
-                rules.append((_text(context, source) or '', _text(context, target) or ''))
+        for source, target in self.__remappings:
+            rules.append((perform_substitutions(context, source), perform_substitutions(context, target)))
         for source_name, target_name in rules:
             words += ('-r', f'{source_name}:={target_name}')
 

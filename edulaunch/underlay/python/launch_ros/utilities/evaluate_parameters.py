@@ -11,7 +11,6 @@ from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from ..parameter_descriptions import ParameterFile, ParameterValue
 from ..parameters_type import EvaluatedParameters, EvaluatedParameterValue, Parameters, ParametersDict
-from .normalize_parameters import PlainParameters
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -34,8 +33,6 @@ def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> Evalu
 
 
 def _evaluate(context: LaunchContext, item: Any) -> Any:
-    if type(item) is PlainParameters:
-        return dict(item)
     if isinstance(item, ParameterFile):
         return item.evaluate(context)
     return evaluate_parameter_dict(context, item) if isinstance(item, dict) else item
@@ -43,9 +40,6 @@ def _evaluate(context: LaunchContext, item: Any) -> Any:
 
 def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) -> dict[str, EvaluatedParameterValue]:
     """Names and values of one normalized dict."""
-    plain: Any = parameters
-    if type(plain) is PlainParameters:
-        return dict(plain)
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)

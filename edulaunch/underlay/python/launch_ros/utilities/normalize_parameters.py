@@ -12,7 +12,6 @@ from typing import Any
 
 from launch.some_substitutions_type import SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
-from launch.utilities._plain_text import plain_text
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 
@@ -30,43 +29,6 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f'Expecting list of parameters, got {parameters}')
     return [_normalize(item) for item in parameters]
-
-
-_PLAIN = frozenset((str, bool, int, float))
-
-
-class PlainParameters(dict[str, Any]):
-    """Texts as names, and scalars as values: nothing is left to evaluate.
-
-    :ivar lines: where frontends read the values, by name.
-    """
-
-    lines: dict[str, int]
-
-
-def plain_or_normalized(parameters: SomeParameters) -> Parameters:
-    """As :func:`normalize_parameters`, but dicts of literal names and values, which are nearly all, become
-    :class:`PlainParameters`.
-
-    :raises TypeError: as that.
-    """
-    if not isinstance(parameters, (list, tuple)):
-        return normalize_parameters(parameters)
-    return [(_plain(item) if type(item) is dict else None) or _normalize(item) for item in parameters]
-
-
-def _plain(item: Mapping[Any, Any]) -> PlainParameters | None:
-    plain = PlainParameters()
-    plain.lines = {}
-    for name, value in item.items():
-        text = name if type(name) is str else plain_text(name)
-        if type(value) is ParameterValue:
-            plain.lines[text or ''] = value.line
-            value = value.written
-        if text is None or type(value) not in _PLAIN:
-            return None
-        plain[text] = value
-    return plain
 
 
 def _normalize(item: Any) -> Any:

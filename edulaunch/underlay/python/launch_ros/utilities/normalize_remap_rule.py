@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
-from launch.utilities._plain_text import plain_text
 from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 
@@ -27,18 +25,3 @@ def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
 def normalize_remap_rules(remap_rules: SomeRemapRules) -> Iterable[RemapRule]:
     """:func:`normalize_remap_rule` of each, one by one."""
     return (normalize_remap_rule(rule) for rule in remap_rules)
-
-
-def plain_or_normalized_rules(remap_rules: SomeRemapRules) -> list[SomeRemapRule]:
-    """Pairs of literal texts become pairs of `str`; other rules are normalized at once.
-
-    :raises TypeError: as :func:`normalize_remap_rule`.
-    """
-    return [_plain(rule) or normalize_remap_rule(rule) for rule in remap_rules]
-
-
-def _plain(rule: Any) -> tuple[str, str] | None:
-    if not isinstance(rule, tuple) or len(rule) != 2:
-        return None
-    source, target = plain_text(rule[0]), plain_text(rule[1])
-    return None if source is None or target is None else (source, target)
