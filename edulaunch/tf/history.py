@@ -143,7 +143,7 @@ def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | No
         u, v, w, bx, by, bz, bw = known[newer]
         turned = ax or ay or bx or by  # about another axis than z; the zeros of the others need not be multiplied
         dot = ax * bx + ay * by + az * bz + aw * bw if turned else az * bz + aw * bw
-        if -1.0 < dot < 1.0:  # quaternions.slerp, written out
+        if -1.0 < dot < 1.0:  # spherical interpolation along the shorter arc
             theta = acos(dot) if dot > 0.0 else acos(-dot)
             scale = 1.0 / sin(theta)
             s = sin(rest * theta) * scale

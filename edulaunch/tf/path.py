@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from math import sqrt
 
 from edulaunch.tf.history import History, poses_at
-from edulaunch.tf.product import product
 from edulaunch.tf.quaternions import HUGE, TINY
-from edulaunch.tf.transforms import IDENTITY, Transform, canonical, relative
+from edulaunch.tf.transforms import IDENTITY, Transform, canonical, product, relative
 
 MAX_DEPTH = 1000
 

@@ -6,7 +6,7 @@ Rx(roll).
 
 from __future__ import annotations
 
-from math import acos, asin, atan2, copysign, cos, inf, nan, pi, sin, sqrt
+from math import asin, atan2, copysign, cos, inf, nan, pi, sin, sqrt
 
 Quaternion = tuple[float, float, float, float]
 Vector = tuple[float, float, float]
@@ -62,23 +62,6 @@ def canonical(q: Quaternion) -> Quaternion:
         scale = -scale
         w = -w
     return (x * scale + 0.0, y * scale + 0.0, z * scale + 0.0, w + 0.0)  # + 0.0 turns -0.0 into 0.0
-
-
-def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
-    """The rotation `ratio` (0 to 1) of the way from `a` to `b` along the shorter arc; equal rotations give
-    `a`.
-    """
-    ax, ay, az, aw = a
-    bx, by, bz, bw = b
-    dot = ax * bx + ay * by + az * bz + aw * bw
-    if dot < 0.0:
-        dot, bx, by, bz, bw = -dot, -bx, -by, -bz, -bw
-    if dot >= 1.0:
-        return a
-    theta = acos(dot)
-    scale = 1.0 / sin(theta)
-    s, t = sin((1.0 - ratio) * theta) * scale, sin(ratio * theta) * scale
-    return (ax * s + bx * t, ay * s + by * t, az * s + bz * t, aw * s + bw * t)
 
 
 def to_matrix(q: Quaternion) -> Matrix:

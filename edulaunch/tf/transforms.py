@@ -6,6 +6,8 @@ A transform is named `target_from_source`: applied to coordinates given in *sour
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from edulaunch.tf import quaternions
 from edulaunch.tf.quaternions import Vector
 
@@ -21,11 +23,22 @@ def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
     return (x + c_from_b[0], y + c_from_b[1], z + c_from_b[2], *quaternions.multiply(q, b_from_a[3:]))
 
 
-def inverse(b_from_a: Transform) -> Transform:
-    """a_from_b."""
-    q = quaternions.conjugate(b_from_a[3:])
-    x, y, z = quaternions.rotate(q, b_from_a[:3])
-    return (0.0 - x, 0.0 - y, 0.0 - z, *q)
+def product(poses: Sequence[Transform]) -> Transform:
+    """top_from_bottom, from each frame's pose in the next one, bottom first: the inner loop of lookups."""
+    x, y, z, qx, qy, qz, qw = poses[0]
+    for px, py, pz, ax, ay, az, aw in poses[1:]:
+        ux = 2.0 * (ay * z - az * y)
+        uy = 2.0 * (az * x - ax * z)
+        uz = 2.0 * (ax * y - ay * x)
+        x += px + aw * ux + ay * uz - az * uy
+        y += py + aw * uy + az * ux - ax * uz
+        z += pz + aw * uz + ax * uy - ay * ux
+        bx, by, bz = qx, qy, qz
+        qx = aw * bx + ax * qw + ay * bz - az * by
+        qy = aw * by - ax * bz + ay * qw + az * bx
+        qz = aw * bz + ax * by - ay * bx + az * qw
+        qw = aw * qw - ax * bx - ay * by - az * bz
+    return (x, y, z, qx, qy, qz, qw)
 
 
 def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import atan2, sqrt
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.tf.history import COMPACT_AT, History
-from edulaunch.tf.quaternions import slerp
+from edulaunch.tf.quaternions import conjugate, multiply
 
 from .shapes import at, poses
 
@@ -59,6 +61,12 @@ def test_between_two_samples_the_place_is_on_the_line(time):
     assert history_of((10, 0.0), (20, 1.0)).pose_at(time)[0] == pytest.approx((time - 10) / 10)
 
 
+def turn(a, b):
+    """The angle between two rotations, the shorter way round, in radians."""
+    x, y, z, w = multiply(conjugate(a[3:]), b[3:])
+    return 2.0 * atan2(sqrt(x * x + y * y + z * z), abs(w))
+
+
 @given(poses, poses, st.integers(0, 1000))
 def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, part):
     history = History('child', static=False)
@@ -68,8 +76,9 @@ def test_interpolation_is_a_line_for_the_place_and_slerp_for_the_rotation(a, b, 
     for low, value, high in zip(a[:3], found[:3], b[:3], strict=True):
         assert value == pytest.approx(low + ratio * (high - low), abs=1e-9)
         assert min(low, high) - 1e-9 <= value <= max(low, high) + 1e-9
-    turned = slerp(a[3:], b[3:], ratio)
-    assert abs(sum(p * q for p, q in zip(found[3:], turned, strict=True))) == pytest.approx(1.0)
+    whole, done = turn(a, b), turn(a, found)
+    assert done == pytest.approx(ratio * whole, abs=1e-6)
+    assert turn(found, b) == pytest.approx(whole - done, abs=1e-6)
 
 
 def test_between_different_parents_the_older_sample_holds():

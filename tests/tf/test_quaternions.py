@@ -16,7 +16,6 @@ from edulaunch.tf.quaternions import (
     from_matrix,
     multiply,
     rotate,
-    slerp,
     to_euler,
     to_matrix,
 )
@@ -76,21 +75,3 @@ def test_euler_angles_survive_the_round_trip(roll, pitch, yaw):
 def test_at_vertical_pitch_yaw_is_zero(pitch):
     roll, found, yaw = to_euler(from_euler(0.0, pitch, 0.0))
     assert (found, yaw) == (pytest.approx(pitch, abs=1e-7), pytest.approx(0.0, abs=1e-7))
-
-
-@given(rotations, rotations)
-def test_slerp_starts_at_one_end_and_ends_at_the_other(a, b):
-    assert canonical(slerp(a, b, 0.0)) == pytest.approx(canonical(a), abs=1e-6)
-    assert to_matrix(slerp(a, b, 1.0))[0] == pytest.approx(to_matrix(b)[0], abs=1e-6)
-
-
-def test_slerp_takes_the_shorter_arc():
-    a, b = from_euler(0.0, 0.0, 3.0), from_euler(0.0, 0.0, -3.0)
-    middle = to_euler(slerp(a, b, 0.5))[2]
-    assert abs(middle) == pytest.approx(pi)
-
-
-@given(st.floats(0.0, 1.0), st.floats(0.001, 3.0))
-def test_slerp_turns_evenly(ratio, yaw):
-    turned = slerp(IDENTITY, from_euler(0.0, 0.0, yaw), ratio)
-    assert to_euler(turned)[2] == pytest.approx(ratio * yaw, abs=1e-6)
