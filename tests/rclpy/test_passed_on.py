@@ -7,46 +7,13 @@ import sys
 from importlib import import_module
 
 import pytest
-
-MODULES = [
-    'rclpy.node',
-    'rclpy.executors',
-    'rclpy.client',
-    'rclpy.service',
-    'rclpy.publisher',
-    'rclpy.subscription',
-    'rclpy.timer',
-    'rclpy.parameter',
-    'rclpy.clock',
-    'rclpy.time',
-    'rclpy.duration',
-    'rclpy.action.server',
-    'rclpy.action.client',
-    'tf2_ros.buffer',
-    'rclpy.event_handler',
-    'rclpy.qos_event',
-    'rclpy.parameter_client',
-    'rclpy.parameter_event_handler',
-    'rclpy.parameter_service',
-    'rclpy.qos_overriding_options',
-    'rclpy.logging_service',
-    'rclpy.time_source',
-    'rclpy.type_description_service',
-    'rclpy.wait_for_message',
-    'rclpy.lifecycle.node',
-    'rclpy.lifecycle.publisher',
-    'rclpy.action.graph',
-    'tf2_ros.buffer_interface',
-    'tf2_ros.transform_listener',
-    'tf2_ros.transform_broadcaster',
-    'tf2_ros.static_transform_broadcaster',
-]
+from rclpy.impl.passed_on import _tables, homes_of
 
 
-@pytest.mark.parametrize('module', MODULES)
+@pytest.mark.parametrize('module', _tables())
 def test_every_name_is_found_at_its_home(module: str) -> None:
     found = import_module(module)
-    assert [name for name in found.__getattr__.names if getattr(found, name, None) is None] == []
+    assert [name for name in homes_of(module) if getattr(found, name, None) is None] == []
 
 
 @pytest.mark.parametrize(

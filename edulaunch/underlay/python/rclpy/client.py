@@ -196,16 +196,4 @@ class Client(Entity):
         self._impl.destroy()
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Dict Optional Type TypeVar',
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rclpy.clock': 'Clock',
-        'rclpy.context': 'Context',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'QoSProfile',
-        'rclpy.service_introspection': 'ServiceIntrospectionState',
-        'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
-    },
-)
+__getattr__ = passed_on(__name__)

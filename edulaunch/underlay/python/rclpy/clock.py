@@ -259,12 +259,4 @@ class ROSClock(Clock):
                 handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Callable Optional',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.context': 'Context',
-        'rclpy.utilities': 'get_default_context',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -82,12 +82,4 @@ class Duration:
 Infinite = Duration(nanoseconds=_INT64[-1])
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Union',
-        'builtin_interfaces': '',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.constants': 'S_TO_NS',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -371,13 +371,4 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         watch.look()
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rclpy.callback_groups': 'CallbackGroup',
-        'typing': 'List Optional',
-        'rclpy.waitable': 'NumberOfEntities',
-        'rclpy.logging': 'get_logger',
-        'rclpy.qos': 'qos_policy_name_from_kind',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -31,29 +31,4 @@ async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     return await result if is_coroutine_function(callback) else result
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable Coroutine Dict Generator List Optional Set Tuple TypeVar Union',
-        'inspect': '',
-        'os': '',
-        'concurrent.futures': 'ThreadPoolExecutor',
-        'contextlib': 'ExitStack',
-        'rclpy.client': 'Client',
-        'rclpy.clock': 'Clock ClockType',
-        'rclpy.context': 'Context',
-        'rclpy.duration': 'Duration',
-        'rclpy.exceptions': 'InvalidHandle',
-        'rclpy.guard_condition': 'GuardCondition',
-        'rclpy.handle': '',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.node': 'Node',
-        'rclpy.service': 'Service',
-        'rclpy.signals': 'SignalHandlerGuardCondition',
-        'rclpy.subscription': 'Subscription',
-        'rclpy.task': 'Future Task',
-        'rclpy.timer': 'Timer',
-        'rclpy.utilities': 'get_default_context timeout_sec_to_nsec',
-        'rclpy.waitable': 'NumberOfEntities Waitable',
-    },
-)
+__getattr__ = passed_on(__name__)

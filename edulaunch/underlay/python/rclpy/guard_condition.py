@@ -55,4 +55,4 @@ class GuardCondition(Entity):
         self._destroyed = True
 
 
-__getattr__ = passed_on(__name__, {'rclpy.utilities': 'get_default_context'})
+__getattr__ = passed_on(__name__)

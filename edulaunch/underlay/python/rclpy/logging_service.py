@@ -46,6 +46,4 @@ class LoggingService:
         return response
 
 
-__getattr__ = passed_on(
-    __name__, {'rcl_interfaces.srv': 'GetLoggerLevels SetLoggerLevels', 'rcl_interfaces.msg': 'LoggerLevel SetLoggerLevelsResult'}
-)
+__getattr__ = passed_on(__name__)

@@ -237,46 +237,4 @@ def _create_rosout(core: NodeCore) -> None:
     )
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable Dict Iterator List Optional Sequence Tuple Type TypeVar Union',
-        'math': '',
-        'warnings': '',
-        'weakref': '',
-        'rcl_interfaces.msg': 'FloatingPointRange IntegerRange ListParametersResult ParameterMsg=Parameter ParameterDescriptor '
-        'ParameterEvent ParameterType ParameterValue SetParametersResult',
-        'rcl_interfaces.srv': 'ListParameters',
-        'rclpy.callback_groups': 'ReentrantCallbackGroup',
-        'rclpy.client': 'Client',
-        'rclpy.clock': 'Clock',
-        'rclpy.constants': 'S_TO_NS',
-        'rclpy.event_handler': 'PublisherEventCallbacks SubscriptionEventCallbacks',
-        'rclpy.exceptions': 'InvalidHandle InvalidParameterTypeException InvalidParameterValueException '
-        'InvalidTopicNameException ParameterAlreadyDeclaredException ParameterImmutableException '
-        'ParameterNotDeclaredException ParameterUninitializedException',
-        'rclpy.executors': 'Executor',
-        'rclpy.expand_topic_name': 'expand_topic_name',
-        'rclpy.guard_condition': 'GuardCondition',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.logging': 'get_logger',
-        'rclpy.logging_service': 'LoggingService',
-        'rclpy.parameter_service': 'ParameterService',
-        'rclpy.publisher': 'Publisher',
-        'rclpy.qos': 'QoSProfile qos_profile_parameter_events qos_profile_services_default',
-        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
-        'rclpy.service': 'Service',
-        'rclpy.subscription': 'Subscription',
-        'rclpy.timer': 'Rate Timer',
-        'rclpy.topic_endpoint_info': 'TopicEndpointInfo',
-        'rclpy.type_description_service': 'TypeDescriptionService',
-        'rclpy.type_support': 'check_is_valid_msg_type check_is_valid_srv_type',
-        'rclpy.validate_full_topic_name': 'validate_full_topic_name',
-        'rclpy.validate_namespace': 'validate_namespace',
-        'rclpy.validate_node_name': 'validate_node_name',
-        'rclpy.validate_parameter_name': 'validate_parameter_name',
-        'rclpy.validate_topic_name': 'validate_topic_name',
-        'rclpy.waitable': 'Waitable',
-        'rclpy.impl.type_variables': 'MsgType SrvType SrvTypeRequest SrvTypeResponse',
-    },
-)
+__getattr__ = passed_on(__name__)

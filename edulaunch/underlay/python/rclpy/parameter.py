@@ -200,12 +200,4 @@ def _flattened(values: dict[str, Any], prefix: str) -> dict[str, Any]:
     return flat
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'array': '',
-        'typing': 'Any Dict List Optional Tuple TypeVar Union',
-        'yaml': '',
-        'rcl_interfaces.msg': 'ParameterMsg=Parameter ParameterDescriptor ParameterType ParameterValue SetParametersResult',
-    },
-)
+__getattr__ = passed_on(__name__)

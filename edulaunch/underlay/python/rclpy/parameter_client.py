@@ -147,17 +147,4 @@ def _messages(parameters: Sequence[Any]) -> list[Any]:
     return [parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter for parameter in parameters]
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
-        'ListParameters SetParameters SetParametersAtomically',
-        'typing': 'List Optional Union',
-        'rclpy.node': 'Node',
-        'rcl_interfaces.msg': 'ParameterEvent ParameterMsg=Parameter',
-        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
-        'rclpy.subscription': 'Subscription',
-        'rclpy.event_handler': 'SubscriptionEventCallbacks',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -129,17 +129,4 @@ def _remove(handles: list[Any], handle: Any) -> None:
     handles.remove(handle)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rclpy.callback_groups': 'CallbackGroup',
-        'typing': 'Dict Iterable List Optional Tuple',
-        'rclpy.node': 'Node',
-        'rclpy.parameter': 'Parameter',
-        'rcl_interfaces.msg': 'ParameterEvent',
-        'rclpy.qos_overriding_options': 'QoSOverridingOptions',
-        'rclpy.event_handler': 'SubscriptionEventCallbacks',
-        'itertools': 'chain',
-        'collections': 'defaultdict',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -83,11 +83,4 @@ def _failure(error: Exception) -> Any:
     return SetParametersResult(successful=False, reason=str(error))
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rcl_interfaces.srv': 'DescribeParameters GetParameterTypes GetParameters '
-        'ListParameters SetParameters SetParametersAtomically',
-        'rcl_interfaces.msg': 'ListParametersResult SetParametersResult',
-    },
-)
+__getattr__ = passed_on(__name__)

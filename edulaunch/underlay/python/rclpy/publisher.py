@@ -118,14 +118,4 @@ class Publisher:
         raise InvalidHandle('cannot use Destroyable because destruction was requested')
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'List Optional Type TypeVar Union',
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rclpy.event_handler': 'EventHandler PublisherEventCallbacks',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'QoSProfile',
-        'rclpy.impl.type_variables': 'MsgType',
-    },
-)
+__getattr__ = passed_on(__name__)

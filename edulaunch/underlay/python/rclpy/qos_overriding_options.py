@@ -110,14 +110,4 @@ def _to_policy(policy: str, present: Any, parameter: Parameter) -> Any:
     return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'List Optional Type Union',
-        'rclpy.exceptions': 'ParameterAlreadyDeclaredException',
-        'rcl_interfaces.msg': 'ParameterDescriptor SetParametersResult QosCallbackResult=SetParametersResult',
-        'rclpy.publisher': 'Publisher',
-        'rclpy.qos': 'QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy QoSReliabilityPolicy',
-        'rclpy.subscription': 'Subscription',
-    },
-)
+__getattr__ = passed_on(__name__)

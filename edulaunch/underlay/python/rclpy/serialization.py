@@ -50,4 +50,4 @@ def _has_one_size(message_type: Any) -> bool:
     )
 
 
-__getattr__ = passed_on(__name__, {'rclpy.type_support': 'check_for_type_support'})
+__getattr__ = passed_on(__name__)

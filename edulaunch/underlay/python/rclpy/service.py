@@ -114,16 +114,4 @@ class Service(Entity):
         self._impl.destroy()
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Callable Optional Type TypeVar',
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rclpy.clock': 'Clock',
-        'rclpy.exceptions': 'InvalidHandle',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'QoSProfile',
-        'rclpy.service_introspection': 'ServiceIntrospectionState',
-        'rclpy.impl.type_variables': 'SrvType SrvTypeRequest SrvTypeResponse',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -95,4 +95,4 @@ class SignalHandlerGuardCondition:
         """Forget it."""
 
 
-__getattr__ = passed_on(__name__, {'rclpy.guard_condition': 'GuardCondition', 'rclpy._rclpy_pybind11': 'InvalidHandle'})
+__getattr__ = passed_on(__name__)

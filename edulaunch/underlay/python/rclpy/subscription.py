@@ -178,16 +178,4 @@ def _accepts(callback: Any, count: int) -> bool:
     return True
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Callable List Optional Type TypeVar Union',
-        'inspect': '',
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rclpy.event_handler': 'EventHandler SubscriptionEventCallbacks',
-        'rclpy.exceptions': 'InvalidHandle',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'QoSProfile',
-        'rclpy.impl.type_variables': 'MsgType',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -146,11 +146,4 @@ def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
     return time
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Optional Tuple Union',
-        'builtin_interfaces': '',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-    },
-)
+__getattr__ = passed_on(__name__)

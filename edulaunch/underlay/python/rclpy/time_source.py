@@ -125,12 +125,4 @@ class TimeSource:
         return SetParametersResult(successful=True)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rclpy.clock_type': 'ClockType',
-        'typing': 'List Optional Set',
-        'rclpy.qos': 'QoSProfile ReliabilityPolicy',
-        'rcl_interfaces.msg': 'SetParametersResult',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -221,14 +221,4 @@ class Rate:
             raise ROSInterruptException()
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Callable Optional Union',
-        'rclpy.callback_groups': 'CallbackGroup',
-        'rclpy.clock': 'Clock',
-        'rclpy.context': 'Context',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.utilities': 'get_default_context',
-    },
-)
+__getattr__ = passed_on(__name__)

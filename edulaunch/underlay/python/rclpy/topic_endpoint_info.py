@@ -166,4 +166,4 @@ def _hash_of(type_name: str) -> TypeHash:
     return TypeHash(1, bytes.fromhex(text.partition('_')[2]))
 
 
-__getattr__ = passed_on(__name__, {'rclpy.qos': 'QoSPresetProfiles'})
+__getattr__ = passed_on(__name__)

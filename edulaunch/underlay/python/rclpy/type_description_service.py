@@ -86,13 +86,4 @@ def _individual(description: dict[str, Any]) -> Any:
     return IndividualTypeDescription(type_name=description['type_name'], fields=fields)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'type_description_interfaces.srv': 'GetTypeDescription',
-        'rclpy.parameter': 'Parameter',
-        'rcl_interfaces.msg': 'ParameterDescriptor',
-        'rclpy.service': 'Service',
-        'rclpy.type_support': 'check_is_valid_srv_type',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -69,4 +69,4 @@ def _has(cls: Any, name: str) -> bool:
     return False
 
 
-__getattr__ = passed_on(__name__, {'rclpy.exceptions': 'NoTypeSupportImportedException'})
+__getattr__ = passed_on(__name__)

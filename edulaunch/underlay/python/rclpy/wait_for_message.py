@@ -45,12 +45,4 @@ def wait_for_message(
     return (False, None) if taken is None else (True, msg_type.from_wire(taken[0]))
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'rclpy.node': 'Node',
-        'rclpy.signals': 'SignalHandlerGuardCondition',
-        'typing': 'Union',
-        'rclpy.utilities': 'timeout_sec_to_nsec',
-    },
-)
+__getattr__ = passed_on(__name__)

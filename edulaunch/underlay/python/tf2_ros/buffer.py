@@ -213,20 +213,4 @@ def fills_directly(buffer: Any) -> bool:
     return type(buffer).set_transform is Buffer.set_transform and 'set_transform' not in vars(buffer)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable List Optional Tuple Union',
-        'copy': 'deepcopy',
-        'rclpy': '',
-        'tf2_py': '',
-        'tf2_ros': '',
-        'rclpy.clock': 'Clock JumpThreshold TimeJump',
-        'rclpy.duration': 'Duration',
-        'rclpy.node': 'Node',
-        'rclpy.task': 'Future',
-        'geometry_msgs.msg': 'TransformStamped',
-        'tf2_msgs.srv': 'FrameGraph',
-        'tf2_ros.buffer_interface': 'BufferInterface',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -124,17 +124,4 @@ def convert(a: Any, b_type: Any) -> Any:
     return direct(a)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable Optional Union',
-        'copy': 'deepcopy',
-        'rclpy': '',
-        'tf2_py': '',
-        'rclpy.duration': 'Duration',
-        'rclpy.time': 'Time',
-        'geometry_msgs.msg': 'PointStamped PoseStamped PoseWithCovarianceStamped TransformStamped Vector3Stamped',
-        'sensor_msgs.msg': 'PointCloud2',
-        'std_msgs.msg': 'Header',
-    },
-)
+__getattr__ = passed_on(__name__)

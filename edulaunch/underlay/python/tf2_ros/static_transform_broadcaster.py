@@ -38,13 +38,4 @@ class StaticTransformBroadcaster:
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'List Optional Union',
-        'geometry_msgs.msg': 'TransformStamped',
-        'rclpy.node': 'Node',
-        'rclpy.qos': 'DurabilityPolicy HistoryPolicy QoSProfile',
-        'tf2_msgs.msg': 'TFMessage',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -43,13 +43,4 @@ def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[Tr
     return list(transform) if hasattr(transform, '__iter__') else [transform]
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'List Optional Union',
-        'geometry_msgs.msg': 'TransformStamped',
-        'rclpy.node': 'Node',
-        'rclpy.qos': 'QoSProfile',
-        'tf2_msgs.msg': 'TFMessage',
-    },
-)
+__getattr__ = passed_on(__name__)

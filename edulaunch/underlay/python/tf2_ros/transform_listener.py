@@ -131,14 +131,4 @@ def _receiver(set_transform: Any) -> Any:
     return receive
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Optional Union',
-        'rclpy.executors': 'SingleThreadedExecutor',
-        'rclpy.node': 'Node',
-        'rclpy.qos': 'ReliabilityPolicy',
-        'tf2_ros': '',
-        'tf2_ros.buffer': 'Buffer',
-    },
-)
+__getattr__ = passed_on(__name__)

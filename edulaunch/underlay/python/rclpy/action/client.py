@@ -304,21 +304,4 @@ def _random_uuid() -> Any:
     return UUID(uuid=list(found))
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable Dict Generic Optional Tuple Type TypeVar Union',
-        'uuid': '',
-        'weakref': '',
-        'action_msgs.msg': 'GoalStatus',
-        'action_msgs.srv': 'CancelGoal',
-        'builtin_interfaces.msg': 'Time',
-        'unique_identifier_msgs.msg': 'UUID',
-        'rclpy.executors': 'await_or_execute',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile',
-        'rclpy.task': 'Future',
-        'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
-        'rclpy.waitable': 'NumberOfEntities Waitable',
-    },
-)
+__getattr__ = passed_on(__name__)

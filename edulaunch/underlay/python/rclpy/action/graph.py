@@ -52,4 +52,4 @@ def _actions(topics: Callable[[], NamesAndTypes], failed: str) -> NamesAndTypes:
         raise hinted(RCLError(f'{failed}: {reason}'), getattr(error, 'edulaunch_hint', None)) from None
 
 
-__getattr__ = passed_on(__name__, {'typing': 'List Tuple', 'rclpy.node': 'Node'})
+__getattr__ = passed_on(__name__)

@@ -310,24 +310,4 @@ async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     return await callback(*args) if is_coroutine_function(callback) else callback(*args)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Any Callable Dict Generic Literal Optional Tuple Type TypeVar Union',
-        'enum': 'Enum',
-        'functools': '',
-        'traceback': '',
-        'action_msgs.msg': 'GoalInfo GoalStatus',
-        'rclpy': 'node',
-        'rclpy.clock': 'Clock',
-        'rclpy.duration': 'Duration',
-        'rclpy.executors': 'await_or_execute',
-        'rclpy.impl.implementation_singleton': '_rclpy=rclpy_implementation',
-        'rclpy.qos': 'qos_profile_action_status_default qos_profile_services_default QoSProfile',
-        'rclpy.task': 'Future Task',
-        'rclpy.time': 'Time',
-        'rclpy.type_support': 'check_is_valid_action_type check_for_type_support',
-        'rclpy.waitable': 'NumberOfEntities Waitable',
-        'rclpy.callback_groups': 'CallbackGroup',
-    },
-)
+__getattr__ = passed_on(__name__)

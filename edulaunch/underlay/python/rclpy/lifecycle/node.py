@@ -125,11 +125,4 @@ class LifecycleNode(LifecycleNodeMixin, Node):
         LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)
 
 
-__getattr__ = passed_on(
-    __name__,
-    {
-        'typing': 'Callable Dict NamedTuple Optional Set',
-        'rclpy.service': 'Service',
-        'rclpy.type_support': 'check_is_valid_srv_type',
-    },
-)
+__getattr__ = passed_on(__name__)

@@ -22,4 +22,4 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher):
         Publisher.publish(self, msg)
 
 
-__getattr__ = passed_on(__name__, {'typing': 'Union', 'rclpy.impl.type_variables': 'MsgType'})
+__getattr__ = passed_on(__name__)
