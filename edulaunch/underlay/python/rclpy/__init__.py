@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rclpy.context import Context
+from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.process_state import process_state
 from rclpy.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
@@ -164,8 +165,8 @@ def spin_until_future_complete(
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
     try:
-        source = getattr(future, '_source', None)
-        if timeout_sec is None and source is not None and source._ready_list.executor is None:
+        source = getattr(future, 'source', None)
+        if timeout_sec is None and source is not None and source.ready_list.executor is None:
             from rclpy.execution.deadlocks import note_foreign_future
 
             note_foreign_future(node, source)
@@ -182,62 +183,26 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     """
     if executor is None:
         executor = get_global_executor()
-    elif not hasattr(executor, '_spinner'):
+    elif not hasattr(executor, 'spinner'):
         from rclpy.execution.unfit import check_executor
 
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
-    if executor._spinner is not None and executor._note_nested_spin():
+    if executor.spinner is not None and executor.note_nested_spin():
         from rclpy.execution.deadlocks import note_future_wait, note_spin
 
-        source = None if future is None or future._done else getattr(future, '_source', None)
+        source = None if future is None or future._done else getattr(future, 'source', None)
         if source is not None and not source.callback_group.can_execute(source):
             note_future_wait(f'rclpy.{function}()', source)
         else:
             note_spin(f'rclpy.{function}', node, executor)
-    elif executor._spinner is None:
+    elif executor.spinner is None:
         core = getattr(node, '_rclpy', None)
         other = None if core is None else core.executor
-        if other is not None and other is not executor and other._spinner is not None and other._note_nested_spin():
+        if other is not None and other is not executor and other.spinner is not None and other.note_nested_spin():
             from rclpy.execution.deadlocks import note_lost_node
 
             note_lost_node(f'rclpy.{function}', node, other)
     return executor
 
 
-def __getattr__(name: str) -> Any:
-    """What rclpy itself loads at once is loaded here when it is first asked for: sub-modules and the class Future."""
-    if name == 'Future':
-        from rclpy.task import Future
-
-        return Future
-    if name in (
-        'node',
-        'executors',
-        'qos',
-        'task',
-        'time',
-        'duration',
-        'clock',
-        'timer',
-        'logging',
-        'exceptions',
-        'action',
-        'callback_groups',
-        'subscription',
-        'publisher',
-        'client',
-        'service',
-        'utilities',
-        'parameter',
-        'constants',
-        'context',
-        'event_handler',
-        'waitable',
-        'guard_condition',
-        'topic_endpoint_info',
-        'time_source',
-    ):
-        from importlib import import_module
-
-        return import_module(f'rclpy.{name}')
-    raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+__getattr__ = passed_on(__name__)

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of, logger_name_of
+from rclpy.impl.graph_end import ServiceEnd
+from rclpy.impl.handle import check_alive, check_endpoint
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import CLIENT, Entity, ReadyList
 from rclpy.task import Future
@@ -15,20 +16,19 @@ from rclpy.type_support import wrong_class
 if TYPE_CHECKING:
     from edulaunch.graph.services import ServiceClient
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.clock import Clock
     from rclpy.context import Context
     from rclpy.executors import Executor
     from rclpy.qos import QoSProfile
-    from rclpy.service_introspection import ServiceIntrospectionState
 
 POLL_NS = 250_000_000
 """How often `wait_for_service` looks, as rclpy: each 0.25 s."""
 
 
-class Client(Entity):
+class Client(ServiceEnd, Entity):
     """Made by `Node.create_client`."""
 
     category = CLIENT
+    _impl: ServiceClient
 
     def __init__(
         self,
@@ -46,13 +46,8 @@ class Client(Entity):
         self.srv_name = srv_name
         self.qos_profile = qos_profile
         self._pending_requests: dict[int, Future] = {}
-        self._introspection: Any = None
         self._lost_noted = False
         self._waited_ns = 0
-        self._impl: ServiceClient
-
-    def _connect(self, impl: ServiceClient) -> None:
-        self._impl = impl
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
@@ -74,13 +69,13 @@ class Client(Entity):
         return future.result()
 
     def _note_deadlock(self) -> None:
-        executor = self._ready_list.executor
-        if executor is not None and executor._cannot_serve(self):
+        executor = self.ready_list.executor
+        if executor is not None and executor.cannot_serve(self):
             from rclpy.execution.deadlocks import note_call
 
             note_call('client.call', self, 'service')
 
-    def _awaited_words(self) -> str:
+    def awaited_words(self) -> str:
         return f"the reply of service '{self._impl.service_name}'"
 
     def call_async(self, request: Any) -> Future:
@@ -96,7 +91,7 @@ class Client(Entity):
         if impl.lost and not self._lost_noted:
             self._note_lost_request()
         future = Future()
-        future._source = self
+        future.source = self
         future._callbacks.append(self.remove_pending_request)
         self._pending_requests[sequence] = future
         if self._introspection is not None:
@@ -114,13 +109,13 @@ class Client(Entity):
             raise wrong_class(request, self.srv_type, 'Request')
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         queue = self._impl.queue
         if not queue:
             return None
         sequence, wire = queue.popleft()
         if queue:
-            self._signal()
+            self.signal()
         response = self.srv_type.Response.from_wire(wire)
         if self._introspection is not None:
             self._introspection.response_received(sequence, response)
@@ -152,7 +147,7 @@ class Client(Entity):
         check_alive(self._impl)
         left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
         task = current_task()
-        while self.context._ok and not self._impl.server_is_ready() and left > 0.0:
+        while self.context.alive and not self._impl.server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
             self._count_wait()
@@ -165,30 +160,6 @@ class Client(Entity):
         self._waited_ns += POLL_NS
         if self._waited_ns == LONG_NS and not self._impl.server_is_ready():
             note_long_wait(self._impl, self._impl.service_name, 'service')
-
-    @property
-    def service_name(self) -> str:
-        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        return self._impl.service_name
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger. Raises InvalidHandle when destroyed."""
-        return logger_name_of(self._impl)
-
-    @property
-    def handle(self) -> Handle:
-        """What holds the endpoint in the graph."""
-        return handle_of(self._impl)
-
-    def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
-    ) -> None:
-        """Publish what is sent and received on `<service>/_service_event`."""
-        from rclpy.service_introspection import Introspection
-
-        self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Leave the service. `Node.destroy_client` is the better way."""

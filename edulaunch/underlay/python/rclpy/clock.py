@@ -102,12 +102,12 @@ class JumpHandle:
         self.pre_callback = pre_callback
         self.post_callback = post_callback
         self._clock: Clock | None = clock
-        clock._jump_handles.append(self)
+        clock.jump_handles.append(self)
 
     def unregister(self) -> None:
         """Call the callbacks no more."""
         if self._clock is not None:
-            self._clock._jump_handles.remove(self)
+            self._clock.jump_handles.remove(self)
             self._clock = None
 
     def __enter__(self) -> JumpHandle:
@@ -128,16 +128,16 @@ class Clock:
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
         self._clock_type = clock_type
         self._sim = current_task().sim
-        self._override_ns = None
+        self.override_ns = None
         self._told_ns = 0
-        self._jump_handles = []
+        self.jump_handles = []
         self._timers = []
         return self
 
     _sim: Any
-    _override_ns: int | None
+    override_ns: int | None
     _told_ns: int
-    _jump_handles: list[JumpHandle]
+    jump_handles: list[JumpHandle]
     _timers: list[Timer]
 
     @property
@@ -156,11 +156,12 @@ class Clock:
     def now(self) -> Time:
         """The present time."""
         current_task().poll()
-        override = self._override_ns
+        override = self.override_ns
         return time_of_clock(self._sim.now_ns if override is None else override, self._clock_type)
 
-    def _now_ns(self) -> int:
-        override: int | None = self._override_ns
+    def now_ns(self) -> int:
+        """The present time in nanoseconds, without counting as a look at the clock."""
+        override: int | None = self.override_ns
         now: int = self._sim.now_ns if override is None else override
         return now
 
@@ -186,11 +187,11 @@ class Clock:
         from rclpy.utilities import get_default_context
 
         context = context or get_default_context()
-        if not context._ok:
+        if not context.alive:
             raise NotInitializedException()
         if until.clock_type != self._clock_type:
             raise ValueError("until's clock type does not match this clock's type")
-        active = self._override_ns is not None
+        active = self.override_ns is not None
         task = current_task()
         told: list[TimeJump] = []
 
@@ -203,12 +204,12 @@ class Clock:
         )
         with handle:
             while (
-                context._ok
-                and (self._override_ns is not None) is active
-                and (self._now_ns() < until.nanoseconds or (active and not told))
+                context.alive
+                and (self.override_ns is not None) is active
+                and (self.now_ns() < until.nanoseconds or (active and not told))
             ):
                 context.park(None if active else until.nanoseconds)
-        return context._ok and self._now_ns() >= until.nanoseconds and (self._override_ns is not None) is active
+        return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Wait for a length of time; as :meth:`sleep_until`."""
@@ -226,7 +227,7 @@ class ROSClock(Clock):
     @property
     def ros_time_is_active(self) -> bool:
         """Whether /clock rules."""
-        return self._override_ns is not None
+        return self.override_ns is not None
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
         """Let /clock rule, from the time told last on (0 at first), or not any more."""
@@ -244,16 +245,16 @@ class ROSClock(Clock):
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
 
     def _jump(self, change: ClockChange, override_ns: int | None) -> None:
-        before = self._now_ns()
+        before = self.now_ns()
         # As in rcl a change of the source is told without how far time jumped.
         delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
-        handles = [handle for handle in self._jump_handles if handle.threshold.reached(change, delta)]
+        handles = [handle for handle in self.jump_handles if handle.threshold.reached(change, delta)]
         for handle in handles:
             if handle.pre_callback is not None:
                 handle.pre_callback()
-        self._override_ns = override_ns
+        self.override_ns = override_ns
         for timer in list(self._timers):
-            timer._clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
+            timer.clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
         for handle in handles:
             if handle.post_callback is not None:
                 handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))

@@ -25,14 +25,14 @@ class Context:
     """
 
     def __init__(self) -> None:
-        self._ok = False
-        self._used = False
-        self._ended_by_signal = False
+        self.alive = False
+        self.used = False
+        self.ended_by_signal = False
         self._domain_id = 0
         self._arguments = RosArguments()
         self._callbacks: list[Callable[[], object]] = []
-        self._executors: list[Executor] = []
-        self._parked: list[Task] = []
+        self.executors: list[Executor] = []
+        self.parked: list[Task] = []
         self._nodes: list[Node] = []
 
     @property
@@ -46,14 +46,14 @@ class Context:
         :raises RuntimeError: when called a second time.
         :raises UnknownROSArgsError: for arguments after `--ros-args` that mean nothing.
         """
-        if self._used:
+        if self.used:
             raise RuntimeError('Context.init() must only be called once')
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
         state = process_state()
         self._arguments = _global_arguments(list(state.process.argv) if args is None else args)
         self._domain_id = _default_domain_id(state.process.env.get('ROS_DOMAIN_ID', '')) if domain_id is None else domain_id
-        self._ok = self._used = True
+        self.alive = self.used = True
         state.contexts.append(self)
         if initialize_logging:
             from rclpy.impl.logging_state import logging_state
@@ -63,7 +63,7 @@ class Context:
     def ok(self) -> bool:
         """Whether the context is between init and shutdown."""
         current_task().poll()
-        return self._ok
+        return self.alive
 
     def shutdown(self) -> None:
         """End: everything that waits is woken, and the `on_shutdown` callbacks run.
@@ -71,10 +71,10 @@ class Context:
         :raises RuntimeError: when the context was never initialised.
         :raises RCLError: when it was shut down already, for instance by Ctrl-C.
         """
-        if not self._used:
+        if not self.used:
             raise RuntimeError('Context must be initialized before it can be shutdown')
-        self._ended_by_signal = False
-        if not self._ok:
+        self.ended_by_signal = False
+        if not self.alive:
             raise hinted(
                 RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
                 'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead',
@@ -83,18 +83,18 @@ class Context:
 
     def try_shutdown(self) -> None:
         """End if not ended yet; never raises."""
-        self._ended_by_signal = False
-        if self._ok:
+        self.ended_by_signal = False
+        if self.alive:
             self._end()
 
     def end_by_signal(self) -> None:
         """End as Ctrl-C does it: what needs a context fails from now on with other words than after `shutdown()`."""
-        if self._ok:
-            self._ended_by_signal = True
+        if self.alive:
+            self.ended_by_signal = True
             self._end()
 
     def _end(self) -> None:
-        self._ok = False
+        self.alive = False
         contexts = process_state().contexts
         if self in contexts:
             contexts.remove(self)
@@ -105,23 +105,23 @@ class Context:
         callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
             callback()
-        for executor in self._executors:
+        for executor in self.executors:
             executor.wake()
-        for task in self._parked:
+        for task in self.parked:
             task.wake()
 
     def on_shutdown(self, callback: Callable[[], object]) -> None:
         """Call `callback()` when the context ends, at once when it has ended. Raises TypeError when it is not callable."""
         if not callable(callback):
             raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's text has its hole, too
-        if self._used and not self._ok:
+        if self.used and not self.alive:
             callback()
         else:
             self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
         """The domain. Raises RuntimeError before init."""
-        if not self._used:
+        if not self.used:
             raise RuntimeError('Context must be initialized before it can have a domain id')
         return self._domain_id
 
@@ -141,11 +141,11 @@ class Context:
     def park(self, deadline_ns: int | None = None) -> bool:
         """Park the running task until it is woken, the deadline comes, or this context ends."""
         task = current_task()
-        self._parked.append(task)
+        self.parked.append(task)
         try:
             return task.park(deadline_ns)
         finally:
-            self._parked.remove(task)
+            self.parked.remove(task)
 
     def __enter__(self) -> Context:
         self.init()

@@ -39,22 +39,22 @@ class Duration:
         return 'Infinite' if self._nanoseconds == _INT64[-1] else f'{self._nanoseconds} nanoseconds'
 
     def __eq__(self, other: object) -> bool:
-        return self._nanoseconds == other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds == other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __ne__(self, other: object) -> bool:
-        return self._nanoseconds != other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds != other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __lt__(self, other: object) -> bool:
-        return self._nanoseconds < other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds < other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __le__(self, other: object) -> bool:
-        return self._nanoseconds <= other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds <= other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __gt__(self, other: object) -> bool:
-        return self._nanoseconds > other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds > other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __ge__(self, other: object) -> bool:
-        return self._nanoseconds >= other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds >= other.nanoseconds if isinstance(other, Duration) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]
 

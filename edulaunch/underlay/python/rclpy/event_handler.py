@@ -40,25 +40,15 @@ class QoSSubscriptionEventType(IntEnum):
     RCL_SUBSCRIPTION_MATCHED = 5
 
 
-class QoSOfferedDeadlineMissedInfo(NamedTuple):
-    """A publisher did not publish within the deadline that it offers."""
+class CountInfo(NamedTuple):
+    """How often something has happened, in all and since the last call."""
 
     total_count: int
     total_count_change: int
 
 
-class QoSRequestedDeadlineMissedInfo(NamedTuple):
-    """A subscription heard nothing within the deadline that it requests."""
-
-    total_count: int
-    total_count_change: int
-
-
-class QoSLivelinessLostInfo(NamedTuple):
-    """A publisher did not show that it is alive within its lease."""
-
-    total_count: int
-    total_count_change: int
+QoSOfferedDeadlineMissedInfo = QoSRequestedDeadlineMissedInfo = QoSLivelinessLostInfo = CountInfo
+QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # of what does not happen here
 
 
 class QoSLivelinessChangedInfo(NamedTuple):
@@ -70,34 +60,15 @@ class QoSLivelinessChangedInfo(NamedTuple):
     not_alive_count_change: int
 
 
-class QoSMessageLostInfo(NamedTuple):
-    """Messages got lost on the way, which does not happen here."""
-
-    total_count: int
-    total_count_change: int
-
-
-class IncompatibleTypeInfo(NamedTuple):
-    """Endpoints of another type are on the topic."""
-
-    total_count: int
-    total_count_change: int
-
-
-class QoSOfferedIncompatibleQoSInfo(NamedTuple):
-    """A subscription wants more than this publisher offers."""
+class IncompatibleInfo(NamedTuple):
+    """How many partners want more than this publisher offers, or offer less than this subscription wants."""
 
     total_count: int
     total_count_change: int
     last_policy_kind: IntEnum
 
 
-class QoSRequestedIncompatibleQoSInfo(NamedTuple):
-    """A publisher offers less than this subscription wants."""
-
-    total_count: int
-    total_count_change: int
-    last_policy_kind: IntEnum
+QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo = IncompatibleInfo
 
 
 class MatchedInfo(NamedTuple):
@@ -122,7 +93,7 @@ class EventHandler(Waitable):
         self._take_info = take
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         info = self._take_info()
         if info is not None and not self._destroyed:
             self.callback(info)
@@ -133,7 +104,7 @@ class EventHandler(Waitable):
     def ready_changed(self) -> None:
         """Something happened: let the executor call back."""
         if not self._destroyed:
-            self._signal()
+            self.signal()
 
     def destroy(self) -> None:
         """Call back no more."""
@@ -146,10 +117,8 @@ QoSEventHandler = EventHandler
 class _IncompatibleCount:
     """Counts incompatible partners between two calls of the callback."""
 
-    def __init__(self, info_class: Any) -> None:
-        self._info_class = info_class
-        self.total = 0
-        self.change = 0
+    def __init__(self) -> None:
+        self.total = self.change = 0
         self.policy = 'INVALID'
 
     def add(self, policy: str) -> None:
@@ -162,7 +131,7 @@ class _IncompatibleCount:
             return None
         from rclpy.qos_presets import PolicyKindOfEvent
 
-        info = self._info_class(self.total, self.change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{self.policy}'])
+        info = IncompatibleInfo(self.total, self.change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{self.policy}'])
         self.change = 0
         return info
 
@@ -189,8 +158,6 @@ class _MatchCount:
 class _EventCallbacks:
     """What both kinds of callbacks share. `incompatible_qos` defaults to a warning in the log."""
 
-    _info_class: Any
-    _deadline_info: Any
     _warning: str
 
     def __init__(
@@ -213,7 +180,7 @@ class _EventCallbacks:
     def _attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
         """Watch an endpoint that was just made; partners that it found at once count too."""
         if self.deadline is not None:
-            watch_deadline(impl, _missed(node, entity, group, self.deadline, self._deadline_info).add)
+            watch_deadline(impl, _missed(node, entity, group, self.deadline).add)
         if self.liveliness is not None:
             self._watch_liveliness(node, entity, impl, group, self.liveliness)
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
@@ -242,7 +209,7 @@ class _EventCallbacks:
         raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        count = _IncompatibleCount(self._info_class)
+        count = _IncompatibleCount()
         handler = _added(node, entity, EventHandler(group, callback, count.take))
 
         def on_incompatible(policy: str) -> None:
@@ -270,9 +237,9 @@ def _never_called(info: Any) -> None:
     """The default callback for another type on the topic, of which Fast DDS does not tell."""
 
 
-def _missed(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, info_class: Any) -> Missed:
+def _missed(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback) -> Missed:
     """A count whose changes are told to the callback, on the executor's turn."""
-    count = Missed(info_class, lambda: handler.ready_changed())
+    count = Missed(CountInfo, lambda: handler.ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
 
@@ -306,15 +273,13 @@ class PublisherEventCallbacks(_EventCallbacks):
     :param matched: a subscription came or went.
     """
 
-    _info_class = QoSOfferedIncompatibleQoSInfo
-    _deadline_info = QoSOfferedDeadlineMissedInfo
     _warning = (
         "New subscription discovered on topic '{}', requesting incompatible QoS. No messages will be sent to it. "
         'Last incompatible policy: {}'
     )
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        watch_lease(impl, _missed(node, entity, group, callback, QoSLivelinessLostInfo).add)
+        watch_lease(impl, _missed(node, entity, group, callback).add)
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
@@ -327,8 +292,6 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     :param matched: a publisher came or went.
     """
 
-    _info_class = QoSRequestedIncompatibleQoSInfo
-    _deadline_info = QoSRequestedDeadlineMissedInfo
     _warning = (
         "New publisher discovered on topic '{}', offering incompatible QoS. No messages will be received from it. "
         'Last incompatible policy: {}'

@@ -44,10 +44,10 @@ class GuardCondition(Entity):
         """Let the callback be called. Triggering twice before that is triggering once. Raises InvalidHandle after destroy."""
         if self._destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
-        self._signal()
+        self.signal()
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         return self.callback() if self.callback is not None and not self._destroyed else None
 
     def destroy(self) -> None:

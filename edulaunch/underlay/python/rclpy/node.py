@@ -75,7 +75,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         enable_logger_service: bool = False,
     ) -> None:
         context = context or get_default_context()
-        if not context._ok:
+        if not context.alive:
             raise NotInitializedException('cannot create node')
         arguments = [parse_or_raise(cli_args)] if cli_args else []
         if use_global_arguments:
@@ -128,7 +128,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             return
         if current is not None:
             current.remove_node(self)
-            current._forget_work()
+            current.forget_work()
         core.executor = None
         if new_executor is not None:
             add_node = new_executor.add_node

@@ -64,7 +64,7 @@ class AsyncParameterClient:
         """Wait for the services, looking each 0.25 s; whether they are there."""
         left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
         task = current_task()
-        while self.node.context._ok and not self.services_are_ready() and left > 0.0:
+        while self.node.context.alive and not self.services_are_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
         return self.services_are_ready()

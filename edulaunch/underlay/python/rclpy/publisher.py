@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.duration import Duration
-from rclpy.impl.handle import Handle, check_alive, check_endpoint, handle_of, logger_name_of
+from rclpy.impl.graph_end import TopicEnd
+from rclpy.impl.handle import check_endpoint
 from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.impl.passed_on import passed_on
 
@@ -20,8 +21,10 @@ if TYPE_CHECKING:
 FOR_EVER = Duration(seconds=-1)
 
 
-class Publisher:
+class Publisher(TopicEnd):
     """Made by `Node.create_publisher`. Messages are copied when they are published."""
+
+    _impl: GraphPublisher
 
     def __init__(
         self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context
@@ -41,7 +44,7 @@ class Publisher:
         :raises TypeError: for a message of another class.
         :raises RCLError: after shutdown.
         """
-        if msg.__class__ is self.msg_type and self._context._ok:
+        if msg.__class__ is self.msg_type and self._context.alive:
             self._send(self._to_wire(msg))
         else:
             self._publish_other(msg)
@@ -51,7 +54,7 @@ class Publisher:
             raise TypeError(f'Expected {self.msg_type}, got {type(msg)}')
         if self._impl.destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
-        if not self._context._ok:
+        if not self._context.alive:
             raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
@@ -65,22 +68,6 @@ class Publisher:
         check_endpoint(self._impl, self._context, 'failed to get subscription count: publisher')
         current_task().poll()
         return self._impl.subscription_count
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        return self._impl.topic_name
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger. Raises InvalidHandle when destroyed."""
-        return logger_name_of(self._impl)
-
-    @property
-    def handle(self) -> Handle:
-        """What holds the endpoint in the graph."""
-        return handle_of(self._impl)
 
     def assert_liveliness(self) -> None:
         """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish.

@@ -35,9 +35,9 @@ class ReadyList:
         """Work out `due_ns` again."""
         timers = self.timers
         if len(timers) == 1:
-            self.due_ns = timers[0]._due_ns
+            self.due_ns = timers[0].due_ns
         else:
-            self.due_ns = min([timer._due_ns for timer in timers], default=NEVER_NS)
+            self.due_ns = min([timer.due_ns for timer in timers], default=NEVER_NS)
 
     def notify(self) -> None:
         """Something is ready, or a due time has changed: wake whoever waits."""
@@ -58,16 +58,16 @@ class Entity:
 
     def __init__(self, ready_list: ReadyList, callback_group: CallbackGroup, number: int) -> None:
         self.callback_group = callback_group
-        self._ready_list = ready_list
-        self._order = self.category << 32 | number
-        self._queued = False
+        self.ready_list = ready_list
+        self.order = self.category << 32 | number
+        self.queued = False
         self._destroyed = False
 
-    def _signal(self) -> None:
+    def signal(self) -> None:
         """Something came: stand on the ready list and wake the executor."""
-        if not self._queued:
-            self._queued = True
-            ready_list = self._ready_list
+        if not self.queued:
+            self.queued = True
+            ready_list = self.ready_list
             ready_list.entities.append(self)
             executor = ready_list.executor
             if executor is not None:

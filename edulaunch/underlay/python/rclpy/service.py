@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.handle import Handle, check_alive, handle_of, logger_name_of
+from rclpy.impl.graph_end import ServiceEnd
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SERVICE, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -13,16 +13,15 @@ from rclpy.task import is_coroutine_function
 if TYPE_CHECKING:
     from edulaunch.graph.services import RequestId, ServiceServer
     from rclpy.callback_groups import CallbackGroup
-    from rclpy.clock import Clock
     from rclpy.executors import Executor
     from rclpy.qos import QoSProfile
-    from rclpy.service_introspection import ServiceIntrospectionState
 
 
-class Service(Entity):
+class Service(ServiceEnd, Entity):
     """Made by `Node.create_service`. The callback gets (request, response) and returns the response."""
 
     category = SERVICE
+    _impl: ServiceServer
 
     def __init__(
         self,
@@ -40,20 +39,15 @@ class Service(Entity):
         self.callback = callback
         self.qos_profile = qos_profile
         self.is_async = is_coroutine_function(callback)
-        self._introspection: Any = None
-        self._impl: ServiceServer
-
-    def _connect(self, impl: ServiceServer) -> None:
-        self._impl = impl
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         queue = self._impl.queue
         if not queue:
             return None
         wire, request_id = queue.popleft()
         if queue:
-            self._signal()
+            self.signal()
         request = self.srv_type.Request.from_wire(wire)
         if self._introspection is not None:
             self._introspection.request_received(request_id, request)
@@ -83,30 +77,6 @@ class Service(Entity):
         self._impl.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)
-
-    @property
-    def service_name(self) -> str:
-        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        return self._impl.service_name
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger. Raises InvalidHandle when destroyed."""
-        return logger_name_of(self._impl)
-
-    @property
-    def handle(self) -> Handle:
-        """What holds the endpoint in the graph."""
-        return handle_of(self._impl)
-
-    def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
-    ) -> None:
-        """Publish what is received and answered on `<service>/_service_event`."""
-        from rclpy.service_introspection import Introspection
-
-        self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Stop answering. `Node.destroy_service` is the better way."""

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.handle import Handle, check_alive, handle_of, logger_name_of
+from rclpy.impl.graph_end import TopicEnd
+from rclpy.impl.handle import check_alive
 from rclpy.impl.passed_on import passed_on
 from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
 from rclpy.task import is_coroutine_function
@@ -19,10 +20,11 @@ if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
 
 
-class Subscription(Entity):
+class Subscription(TopicEnd, Entity):
     """Made by `Node.create_subscription`. Each message is a new object of its own."""
 
     category = SUBSCRIPTION
+    _impl: GraphSubscription
 
     class CallbackType(Enum):
         """What the callback takes."""
@@ -49,9 +51,9 @@ class Subscription(Entity):
         self.event_handlers: list[Any] = []
         self.callback = callback
         self._from_wire = self._to_bytes if raw else msg_type.from_wire
-        self._impl: GraphSubscription
 
-    def _connect(self, impl: GraphSubscription) -> None:
+    def connect(self, impl: GraphSubscription) -> None:
+        """Stand for this endpoint of the graph."""
         self._impl = impl
         self._queue = impl.queue
 
@@ -69,7 +71,7 @@ class Subscription(Entity):
         self.is_async = is_coroutine_function(value)
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         queue = self._queue
         if self._impl.may_expire:
             self._impl.drop_expired()
@@ -77,14 +79,14 @@ class Subscription(Entity):
             return None
         taken = queue.popleft()
         if queue:
-            self._signal()
+            self.signal()
         if self._simple:
             return self._callback(self._from_wire(taken[0]))
         if self._wire_callback is not None:
             return self._wire_callback(taken[0])
         return self._callback(self._from_wire(taken[0]), self._info(taken))
 
-    def _take_wires(self, callback: Callable[[Any], object]) -> None:
+    def take_wires(self, callback: Callable[[Any], object]) -> None:
         """Call `callback` with the wire of each message in place of the present callback, which must do the same with messages.
 
         For listeners of our own that only put the values elsewhere: no message is made. Another callback ends it.
@@ -109,22 +111,6 @@ class Subscription(Entity):
         """How many publishers are heard. Raises InvalidHandle when destroyed."""
         check_alive(self._impl)
         return self._impl.publisher_count
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        return self._impl.topic_name
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger. Raises InvalidHandle when destroyed."""
-        return logger_name_of(self._impl)
-
-    @property
-    def handle(self) -> Handle:
-        """What holds the endpoint in the graph."""
-        return handle_of(self._impl)
 
     def destroy(self) -> None:
         """Leave the topic. `Node.destroy_subscription` is the better way."""

@@ -37,19 +37,19 @@ class Future:
 
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
 
-    :ivar _source: the client whose answer it waits for, if any.
+    :ivar source: the client whose answer it waits for, if any.
     """
 
     # Futures and tasks are made by the thousand: what most of them never change stands here and not in __init__.
     _done = False
     _cancelled = False
-    _ended = False  # one of the two
+    ended = False  # one of the two
     _result: Any = None
     _exception: BaseException | None = None
     _unfetched: _UnfetchedException | None = None
     _executor: Executor | None = None
     _awaiting: tuple[Executor, ...] = ()
-    _source: Any = None
+    source: Any = None
     _looks: tuple[Any, int, int] = (None, 0, 0)
 
     def __init__(self, *, executor: Executor | None = None) -> None:
@@ -58,7 +58,7 @@ class Future:
             self._executor = executor
 
     def __await__(self) -> Generator[Any, None, Any]:
-        while not self._ended:
+        while not self.ended:
             self._asyncio_future_blocking = True
             yield self
         return self.result()
@@ -75,7 +75,7 @@ class Future:
     def cancel(self, msg: object = None) -> None:
         """Ask to stop, if it is not done. Does not make it done, but nobody waits for it any more: `await` gives None."""
         if not self._done:
-            self._cancelled = self._ended = True
+            self._cancelled = self.ended = True
             self._over()
 
     def cancelled(self) -> bool:
@@ -86,18 +86,18 @@ class Future:
         """Whether there is a result or an exception. Looking again and again lets simulated time pass."""
         if not self._done:
             current_task().poll()
-            if self._source is not None:
-                self._count_look(self._source)
+            if self.source is not None:
+                self._count_look(self.source)
         return self._done
 
     def _count_look(self, source: Any) -> None:
         """Note a deadlock when one callback keeps looking at a future that cannot be done before that callback ends."""
-        executor = source._ready_list.executor
-        if executor is None or not executor._cannot_serve(source):
+        executor = source.ready_list.executor
+        if executor is None or not executor.cannot_serve(source):
             return
         from rclpy.execution.deadlocks import POLLS, note_future_wait
 
-        turn, now = executor._turn_mark(), current_task().sim.now_ns
+        turn, now = executor.turn_mark(), current_task().sim.now_ns
         last_turn, looks, last_ns = self._looks
         looks = looks + (now > last_ns) if turn == last_turn else 0
         self._looks = turn, looks, now
@@ -134,7 +134,7 @@ class Future:
         self._end()
 
     def _end(self) -> None:
-        self._done = self._ended = True
+        self._done = self.ended = True
         self._cancelled = False
         if self._callbacks or self._awaiting:
             self._over()
@@ -147,7 +147,7 @@ class Future:
             for executor in awaiting:
                 executor.wake()
 
-    def _wake_when_done(self, executor: Executor) -> None:
+    def wake_when_done(self, executor: Executor) -> None:
         """Let an executor look again when this is done."""
         if executor not in self._awaiting:
             self._awaiting += (executor,)
@@ -179,7 +179,7 @@ class Future:
         if context is not None:
             loop, told = self.get_loop(), callback
             callback = lambda future: loop.call_soon_threadsafe(told, future, context=context)  # noqa: E731
-        if not self._ended:
+        if not self.ended:
             self._callbacks.append(callback)
         elif self._executor is not None:
             self._executor.create_task(callback, self)
@@ -217,7 +217,7 @@ class Task(Future):
 
     def __call__(self) -> None:
         """Run it, or run it on."""
-        if self._ended or self._executing:
+        if self.ended or self._executing:
             return
         self._executing = True
         try:
@@ -238,9 +238,9 @@ class Task(Future):
             self.set_result(end.value)
             return
         if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
-            awaited._wake_when_done(self._executor)
-            if self._entity is not None and awaited._source is not None:
-                self._note_deadlock(self._entity, awaited._source)
+            awaited.wake_when_done(self._executor)
+            if self._entity is not None and awaited.source is not None:
+                self._note_deadlock(self._entity, awaited.source)
 
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
         """A callback that waits keeps its group: a client of the same group gets no answer."""

@@ -65,7 +65,7 @@ class Time:
     def __add__(self, other: object) -> Time:
         if not isinstance(other, Duration):
             return NotImplemented
-        total = self._nanoseconds + other._nanoseconds
+        total = self._nanoseconds + other.nanoseconds
         if total >= _LIMIT:
             raise OverflowError('Addition leads to overflow in C storage.')
         return Time(nanoseconds=total, clock_type=self._clock_type)
@@ -76,10 +76,10 @@ class Time:
         if isinstance(other, Time):
             if self._clock_type != other._clock_type:
                 raise TypeError("Can't subtract times with different clock types")
-            return Duration(nanoseconds=self._nanoseconds - other._nanoseconds)
+            return Duration(nanoseconds=self._nanoseconds - other.nanoseconds)
         if not isinstance(other, Duration):
             return NotImplemented
-        total = self._nanoseconds - other._nanoseconds
+        total = self._nanoseconds - other.nanoseconds
         if total < 0:
             raise ValueError('Subtraction leads to negative time.')
         return Time(nanoseconds=total, clock_type=self._clock_type)
@@ -92,22 +92,22 @@ class Time:
         return True
 
     def __eq__(self, other: Any) -> bool:
-        return self._nanoseconds == other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds == other.nanoseconds if self._comparable(other) else NotImplemented
 
     def __ne__(self, other: Any) -> bool:
-        return self._nanoseconds != other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds != other.nanoseconds if self._comparable(other) else NotImplemented
 
     def __lt__(self, other: Any) -> bool:
-        return self._nanoseconds < other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds < other.nanoseconds if self._comparable(other) else NotImplemented
 
     def __le__(self, other: Any) -> bool:
-        return self._nanoseconds <= other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds <= other.nanoseconds if self._comparable(other) else NotImplemented
 
     def __gt__(self, other: Any) -> bool:
-        return self._nanoseconds > other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds > other.nanoseconds if self._comparable(other) else NotImplemented
 
     def __ge__(self, other: Any) -> bool:
-        return self._nanoseconds >= other._nanoseconds if self._comparable(other) else NotImplemented
+        return self._nanoseconds >= other.nanoseconds if self._comparable(other) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]
 

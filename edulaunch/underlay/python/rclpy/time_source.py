@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.clock import ROSClock
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import is_node
 from rclpy.parameter import Parameter, ParameterType
 from rclpy.time import Time
 
@@ -57,9 +58,7 @@ class TimeSource:
 
         :raises TypeError: when it is no node.
         """
-        from rclpy.node import Node
-
-        if not isinstance(node, Node):
+        if not is_node(node):
             raise TypeError('Node must be of type rclpy.node.Node')
         if self._node is not None:
             self.detach_node()

@@ -25,7 +25,7 @@ class Timer(Entity):
     A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
-    :ivar _due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock can tell.
+    :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock can tell.
     """
 
     category = TIMER
@@ -48,12 +48,12 @@ class Timer(Entity):
         self._clock = clock
         self._period_ns = timer_period_ns
         self._canceled = not autostart
-        self._last_ns = clock._now_ns()
+        self._last_ns = clock.now_ns()
         self._next_ns = self._last_ns + timer_period_ns
-        self._due_ns = NEVER_NS
+        self.due_ns = NEVER_NS
         self._credit_ns = 0
         clock._timers.append(self)
-        self._ready_list.timers.append(self)
+        self.ready_list.timers.append(self)
         self._plan()
 
     @property
@@ -79,20 +79,20 @@ class Timer(Entity):
     def _plan(self) -> None:
         """Work out when the timer is due in simulated time, and let the executor look again."""
         if self._canceled:
-            self._due_ns = NEVER_NS
-        elif self._clock._override_ns is None:
-            self._due_ns = self._next_ns
+            self.due_ns = NEVER_NS
+        elif self._clock.override_ns is None:
+            self.due_ns = self._next_ns
         else:
-            self._due_ns = 0 if self._next_ns <= self._clock._override_ns else NEVER_NS
-        self._ready_list.plan()
-        self._ready_list.notify()
+            self.due_ns = 0 if self._next_ns <= self._clock.override_ns else NEVER_NS
+        self.ready_list.plan()
+        self.ready_list.notify()
 
-    def _clock_jumped(self, before_ns: int, source_changed: bool) -> None:
+    def clock_jumped(self, before_ns: int, source_changed: bool) -> None:
         """As rcl: a forward jump past the grid point makes it ready once, a backward jump starts anew.
 
         A new source takes over what was left to wait as if it were what had passed (rcl's way); time 0 counts as unknown.
         """
-        now = self._clock._now_ns()
+        now = self._clock.now_ns()
         if source_changed:
             if before_ns:
                 self._credit_ns = self._next_ns - before_ns
@@ -106,11 +106,11 @@ class Timer(Entity):
         self._plan()
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         if self._canceled or self._destroyed:
             return None
         clock = self._clock
-        now = clock._sim.now_ns if clock._override_ns is None else clock._override_ns
+        now = clock._sim.now_ns if clock.override_ns is None else clock.override_ns
         period = self._period_ns
         next_ns = self._next_ns
         if next_ns > now:
@@ -120,9 +120,9 @@ class Timer(Entity):
             next_ns = now + period - (now - next_ns) % period if period else now
         self._last_ns = now
         self._next_ns = next_ns
-        self._due_ns = next_ns if clock._override_ns is None or next_ns <= now else NEVER_NS
-        self._ready_list.plan()
-        self._ready_list.notify()
+        self.due_ns = next_ns if clock.override_ns is None or next_ns <= now else NEVER_NS
+        self.ready_list.plan()
+        self.ready_list.notify()
         return self.callback() if self.callback is not None else None
 
     def cancel(self) -> None:
@@ -135,13 +135,13 @@ class Timer(Entity):
         """Begin anew: the next call is one period from now."""
         self._check()
         self._canceled = False
-        self._next_ns = self._clock._now_ns() + self._period_ns
+        self._next_ns = self._clock.now_ns() + self._period_ns
         self._plan()
 
     def is_ready(self) -> bool:
         """Whether the next call is due."""
         self._check()
-        return not self._canceled and self._next_ns <= self._clock._now_ns()
+        return not self._canceled and self._next_ns <= self._clock.now_ns()
 
     def is_canceled(self) -> bool:
         """Whether it was cancelled."""
@@ -151,12 +151,12 @@ class Timer(Entity):
     def time_until_next_call(self) -> int | None:
         """Nanoseconds until the next call is due, negative when it is overdue, None while cancelled."""
         self._check()
-        return None if self._canceled else self._next_ns - self._clock._now_ns()
+        return None if self._canceled else self._next_ns - self._clock.now_ns()
 
     def time_since_last_call(self) -> int:
         """Nanoseconds since the last call (since creation before the first)."""
         self._check()
-        return self._clock._now_ns() - self._last_ns
+        return self._clock.now_ns() - self._last_ns
 
     def _check(self) -> None:
         if self._destroyed:
@@ -166,10 +166,10 @@ class Timer(Entity):
         """End for good. `Node.destroy_timer` is the better way."""
         if not self._destroyed:
             self._destroyed = True
-            self._due_ns = NEVER_NS
+            self.due_ns = NEVER_NS
             self._clock._timers.remove(self)
-            self._ready_list.timers.remove(self)
-            self._ready_list.plan()
+            self.ready_list.timers.remove(self)
+            self.ready_list.plan()
 
 
 class Rate:
@@ -185,7 +185,7 @@ class Rate:
 
     def _on_call(self) -> None:
         self._called += 1
-        for task in self._context._parked:
+        for task in self._context.parked:
             task.wake()
 
     def destroy(self) -> None:
@@ -202,12 +202,12 @@ class Rate:
         """
         self._check()
         called = self._called
-        executor = self._timer._ready_list.executor
-        if executor is not None and executor._cannot_serve(self._timer):
+        executor = self._timer.ready_list.executor
+        if executor is not None and executor.cannot_serve(self._timer):
             from rclpy.execution.deadlocks import note_rate
 
             note_rate(self._timer)
-        while self._called == called and self._context._ok and not self._is_destroyed:
+        while self._called == called and self._context.alive and not self._is_destroyed:
             self._context.park()
         self._check_context()
 
@@ -217,7 +217,7 @@ class Rate:
             raise RuntimeError('Rate cannot sleep because it has been destroyed')
 
     def _check_context(self) -> None:
-        if not self._context._ok:
+        if not self._context.alive:
             raise ROSInterruptException()
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.exceptions import ParameterUninitializedException
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
 from rclpy.parameter import ParameterType
 from rclpy.qos import qos_profile_services_default
 
@@ -54,7 +55,7 @@ class TypeDescriptionService:
             response.failure_reason = 'Failed to parse type hash'
             return response
         registry = current_registry()
-        known = {end.type_name for end in self._node._rclpy.entry.endpoints}
+        known = {end.type_name for end in core_of(self._node).entry.endpoints}
         if request.type_name not in known or request.type_hash != type_hash(request.type_name, registry.spec):
             response.failure_reason = 'Type not currently in use by this node'
             return response

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, validate_qos
 from rclpy.type_support import check_is_valid_msg_type
 
@@ -23,13 +24,13 @@ def wait_for_message(
     :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down meanwhile.
     :raises RCLError: when ROS 2 was shut down before.
     """
-    core = node._rclpy
+    core = core_of(node)
     check_is_valid_msg_type(msg_type)
     task = current_task()
     impl = core.graph.create_subscription(
         core.entry, core.resolve(topic, 'topic'), msg_type, engine_qos(validate_qos(qos_profile), 'subscription'), task.wake
     )
-    if not core.context._ok:
+    if not core.context.alive:
         impl.destroy()
         raise RCLError(
             'failed to initialize wait set: the given context is not valid, '
@@ -37,7 +38,7 @@ def wait_for_message(
         )
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
-        while not impl.queue and core.context._ok and (deadline is None or task.sim.now_ns < deadline):
+        while not impl.queue and core.context.alive and (deadline is None or task.sim.now_ns < deadline):
             core.context.park(deadline)
         taken = impl.take()
     finally:

@@ -97,16 +97,16 @@ class Waitable(Entity):
         self._futures.remove(future)
 
     def _run(self, executor: Executor) -> Any:
-        self._queued = False
+        self.queued = False
         return self.execute(self.take_data())
 
     def ask(self) -> bool:
         """Ask in a wait whether there is something to do; it is not asked again while its callback waits for its turn."""
-        if not self._queued:
+        if not self.queued:
             self.get_num_entities()
             self.add_to_wait_set(WAIT_SET)
-            self._queued = bool(self.is_ready(WAIT_SET))
-        return self._queued
+            self.queued = bool(self.is_ready(WAIT_SET))
+        return self.queued
 
 
 WAIT_SET = WaitSet()

@@ -32,7 +32,7 @@ class TransformBroadcaster:
         transforms' wires.
         """
         publisher = self.pub_tf
-        if transform.__class__ is TransformStamped and publisher._context._ok:
+        if transform.__class__ is TransformStamped and publisher._context.alive:
             publisher._send(((_to_wire(transform),),))
         else:
             publisher.publish(TFMessage(transforms=as_list(transform)))

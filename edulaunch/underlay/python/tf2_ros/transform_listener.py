@@ -69,7 +69,7 @@ class TransformListener:
         self.tf_sub.callback = self.callback if own else _receiver(buffer.set_transform)
         self.tf_static_sub.callback = self.static_callback if own_static else _receiver(buffer.set_transform_static)
         if fills_directly(buffer) and not own:
-            self.tf_sub._take_wires(_wire_receiver(buffer))
+            self.tf_sub.take_wires(_wire_receiver(buffer))
 
     def callback(self, data: TFMessage) -> None:
         """Put a message of /tf into the buffer. A subclass may do something else with it."""

@@ -31,7 +31,7 @@ class FramePublisher(Node):
 
     def _on_pose(self, pose: Pose) -> None:
         stamp, translation, rotation = self._stamp, self._translation, self._rotation
-        stamp._sec, stamp._nanosec = divmod(self._clock._now_ns(), S_TO_NS)
+        stamp._sec, stamp._nanosec = divmod(self._clock.now_ns(), S_TO_NS)
         translation._x = pose._x
         translation._y = pose._y
         half = pose._theta / 2.0

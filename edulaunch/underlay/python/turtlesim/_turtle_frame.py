@@ -49,7 +49,7 @@ class TurtleFrame:
 
     def update(self) -> None:
         """One tick of all turtles. The first only notes that time has begun: not while the clock reads 0."""
-        now_ns = self._clock._now_ns()
+        now_ns = self._clock.now_ns()
         if not self._started:
             self._started = now_ns != 0
             return

@@ -31,7 +31,7 @@ class TurtlePorts:
         self._debug = self._log.is_enabled_for(LoggingSeverity.DEBUG)
         name = turtle.name
         self._commands = node.create_subscription(Twist, f'{name}/cmd_vel', self._on_command, DEPTH)
-        self._commands._take_wires(self._on_command)
+        self._commands.take_wires(self._on_command)
         self._poses = node.create_publisher(Pose, f'{name}/pose', DEPTH)
         self._colors = node.create_publisher(Color, f'{name}/color_sensor', DEPTH)
         self._services = [
@@ -84,7 +84,7 @@ class TurtlePorts:
         forward, left, _, _, _, turning = twist
         turtle = self.turtle
         holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value
-        turtle.command(forward, turning, self._clock._now_ns(), left if holonomic else None)
+        turtle.command(forward, turning, self._clock.now_ns(), left if holonomic else None)
         if self._rotation.goal is not None:
             self._log.warning('Velocity command received during rotation goal. Aborting goal')
             self._rotation.abort()

@@ -25,7 +25,7 @@ def run() -> None:
     while True:
         tick_ns += TICK_NS
         task.sleep_until(tick_ns)
-        if not context._ok:
+        if not context.alive:
             return
         executor.spin_ready()
         frame.update()

@@ -13,6 +13,7 @@ from rclpy.client import POLL_NS
 from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.handle import check_endpoint
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future
@@ -100,7 +101,7 @@ class ActionClient(Waitable):
     ) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
-        self._name = checked_action_name(node._rclpy, action_name, 'client')
+        self._name = checked_action_name(core_of(node), action_name, 'client')
         self._node = node
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_client')
@@ -120,21 +121,21 @@ class ActionClient(Waitable):
         self._status = self._subscribe('status', impl.GoalStatusMessage, status_sub_qos_profile)
 
     def _client(self, part: str, srv_type: Any, qos: QoSProfile) -> Any:
-        core = self._node._rclpy
+        core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'service')
-        return core.graph.create_client(core.entry, name, srv_type, engine_qos(qos), self._signal)
+        return core.graph.create_client(core.entry, name, srv_type, engine_qos(qos), self.signal)
 
     def _subscribe(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
-        core = self._node._rclpy
+        core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
-        return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self._signal)
+        return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.signal)
 
     def _run(self, executor: Executor) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
         The answer to a goal and its status come before the goal's first feedback, as over a real network.
         """
-        self._queued = False
+        self.queued = False
         sources = [
             ('goal', self._goal_client),
             ('cancel', self._cancel_client),
@@ -145,7 +146,7 @@ class ActionClient(Waitable):
         now = (sources[0], sources[-1]) if self._goal_client.queue else sources
         taken = [(kind, source.take()) for kind, source in now]
         if any(source.queue for _, source in sources):
-            self._signal()
+            self.signal()
         return self._handle_all(taken, executor)
 
     async def _handle_all(self, taken: list[tuple[str, Any]], executor: Executor) -> None:
@@ -195,8 +196,8 @@ class ActionClient(Waitable):
         return self._wait_for(self._get_result_async(goal_handle), 'get_result')
 
     def _wait_for(self, future: Future, what: str) -> Any:
-        executor = self._ready_list.executor
-        if executor is not None and executor._cannot_serve(self):
+        executor = self.ready_list.executor
+        if executor is not None and executor.cannot_serve(self):
             from rclpy.execution.deadlocks import note_call
 
             note_call(what, self, 'action')
@@ -245,12 +246,12 @@ class ActionClient(Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
-    def _awaited_words(self) -> str:
+    def awaited_words(self) -> str:
         return f"the answer of action '{self._name}'"
 
     def _remember(self, kind: str, sequence: int) -> Future:
         future = Future()
-        future._source = self
+        future.source = self
         self._pending[kind, sequence] = future
         return future
 
@@ -267,7 +268,7 @@ class ActionClient(Waitable):
         """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
         left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
         task = current_task()
-        while self._node.context._ok and not self._server_is_ready() and left > 0.0:
+        while self._node.context.alive and not self._server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
             self._count_wait()

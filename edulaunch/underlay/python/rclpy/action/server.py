@@ -12,6 +12,7 @@ from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState
 from rclpy.action.server_goal_handle import ServerGoalHandle
 from rclpy.impl.action_name import checked_action_name
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, is_coroutine_function
 from rclpy.type_support import check_is_valid_action_type
@@ -85,7 +86,7 @@ class ActionServer(Waitable):
     ) -> None:
         super().__init__(callback_group or node.default_callback_group)
         check_is_valid_action_type(action_type)
-        self._name = checked_action_name(node._rclpy, action_name, 'server')
+        self._name = checked_action_name(core_of(node), action_name, 'server')
         self._node = node
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_server')
@@ -106,12 +107,12 @@ class ActionServer(Waitable):
         self._status = self._advertise('status', impl.GoalStatusMessage, status_pub_qos_profile)
 
     def _serve(self, part: str, srv_type: Any, qos: QoSProfile) -> ServiceServer:
-        core = self._node._rclpy
+        core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'service')
-        return core.graph.create_service(core.entry, name, srv_type, engine_qos(qos), self._signal)
+        return core.graph.create_service(core.entry, name, srv_type, engine_qos(qos), self.signal)
 
     def _advertise(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
-        core = self._node._rclpy
+        core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
         return core.graph.create_publisher(core.entry, name, msg_type, engine_qos(qos))
 
@@ -146,7 +147,7 @@ class ActionServer(Waitable):
 
     def _run(self, executor: Executor) -> Any:
         """At most one goal, one cancel request and one result request in a turn, as rclpy."""
-        self._queued = False
+        self.queued = False
         taken = [
             (answer, service.take())
             for service, answer in (
@@ -156,7 +157,7 @@ class ActionServer(Waitable):
             )
         ]
         if self._goal_service.queue or self._cancel_service.queue or self._result_service.queue:
-            self._signal()
+            self.signal()
         self._forget_old_goals()
         return self._answer_all(taken)
 
@@ -282,7 +283,7 @@ class ActionServer(Waitable):
 
     def _forget_old_goals(self) -> None:
         """Drop ended goals whose result was kept for `result_timeout`."""
-        limit = self._node.get_clock()._now_ns() - self._result_timeout_ns
+        limit = self._node.get_clock().now_ns() - self._result_timeout_ns
         for goal_uuid, goal in list(self._goals.items()):
             if goal._state not in ACTIVE and goal._ended_ns <= limit:
                 del self._goals[goal_uuid]

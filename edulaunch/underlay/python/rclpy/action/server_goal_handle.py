@@ -69,7 +69,7 @@ class ServerGoalHandle:
             return
         self._state = state_after(self._state, event)
         if self._state not in ACTIVE:
-            self._ended_ns = self._action_server._node.get_clock()._now_ns()
+            self._ended_ns = self._action_server._node.get_clock().now_ns()
         self._action_server._publish_status()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
 from rclpy.impl.student_place import student_place
+from rclpy.node_parts.core import core_of
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
@@ -33,20 +34,20 @@ def note_wait(waiting: str, entity: Entity, awaited: str, advice: str, place: st
 
 def note_call(call: str, entity: Any, kind: str) -> None:
     """Note a blocking call of a service or action client."""
-    note_wait(f'{call}()', entity, entity._awaited_words(), LATER.format(call.rpartition('.')[2], f'{kind} client'))
+    note_wait(f'{call}()', entity, entity.awaited_words(), LATER.format(call.rpartition('.')[2], f'{kind} client'))
 
 
 def note_future_wait(waiting: str, entity: Any, place: str = '') -> None:
     """Note that a callback waits for a future of a service or action client: by spinning, looking in a loop, or await."""
-    note_wait(waiting, entity, entity._awaited_words(), INSTEAD, place)
+    note_wait(waiting, entity, entity.awaited_words(), INSTEAD, place)
 
 
 def note_spin(function: str, node: Node, executor: Executor) -> None:
     """Note that a node is spun inside one of its callbacks; that brings nothing when all that could come is shut out by it."""
-    core = node._rclpy
+    core = core_of(node)
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
-    callback = _name_of(executor._running_entity())
-    start = f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()}"
+    callback = _name_of(executor.running_entity())
+    start = f"{function}() in {callback} of node '{core_of(node).full_name}'{student_place()}"
     if any(entity.callback_group.can_execute(entity) for entity in others):
         current_process().note(
             'nested spin',
@@ -67,11 +68,11 @@ def note_spin(function: str, node: Node, executor: Executor) -> None:
 
 def note_lost_node(function: str, node: Node, executor: Executor) -> None:
     """Note that a callback gives its node to another executor: the one that runs the callback will not spin it any more."""
-    callback = _name_of(executor._running_entity())
+    callback = _name_of(executor.running_entity())
     current_process().note(
         'nested spin',
         (
-            f"{function}() in {callback} of node '{node._rclpy.full_name}'{student_place()} takes the node out of the executor "
+            f"{function}() in {callback} of node '{core_of(node).full_name}'{student_place()} takes the node out of the executor "
             'that '
             f'runs {callback}, which does not spin it any more afterwards. Use add_done_callback(), or async and await.'
         ),
@@ -83,8 +84,8 @@ def note_foreign_future(node: Node, entity: Any) -> None:
     current_process().note(
         'deadlock',
         (
-            f"rclpy.spin_until_future_complete() of node '{node._rclpy.full_name}'{student_place()} waits for ever: "
-            f"{entity._awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."
+            f"rclpy.spin_until_future_complete() of node '{core_of(node).full_name}'{student_place()} waits for ever: "
+            f"{entity.awaited_words()} comes to a client of another node, which nobody spins. Spin the client's node."
         ),
     )
 
@@ -103,9 +104,9 @@ def note_rate(entity: Entity) -> None:
 
 
 def _running_entity(entity: Entity) -> Any:
-    executor = entity._ready_list.executor
+    executor = entity.ready_list.executor
     busy = entity.callback_group.busy_with
-    return busy if busy is not None or executor is None else executor._running_entity()
+    return busy if busy is not None or executor is None else executor.running_entity()
 
 
 def _name_of(entity: Any) -> str:
@@ -118,6 +119,6 @@ def _name_of(entity: Any) -> str:
 
 
 def _node_of(entity: Entity) -> str:
-    executor = entity._ready_list.executor
+    executor = entity.ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
-    return next((f"'{node._rclpy.full_name}'" for node in nodes if node._rclpy.ready_list is entity._ready_list), '?')
+    return next((f"'{core_of(node).full_name}'" for node in nodes if core_of(node).ready_list is entity.ready_list), '?')

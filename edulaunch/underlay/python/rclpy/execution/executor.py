@@ -11,6 +11,7 @@ from rclpy.execution.exceptions import ConditionReachedException, ShutdownExcept
 from rclpy.execution.unfit import check_future, check_node, stopped
 from rclpy.execution.waiting import Item, Waiting, never
 from rclpy.impl.hints import hinted
+from rclpy.node_parts.core import core_of
 from rclpy.readiness import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.task import Future, Task
 from rclpy.utilities import timeout_sec_to_nsec
@@ -47,7 +48,7 @@ class Executor(Waiting):
         super().__init__(context=context)
         self._nodes: list[Node] = []
         self._nested_noted = False
-        self._context._executors.append(self)
+        self._context.executors.append(self)
 
     @property
     def context(self) -> Context:
@@ -65,7 +66,7 @@ class Executor(Waiting):
         if self._is_shutdown:
             self._check_open()
         try:
-            core = node._rclpy
+            core = core_of(node)
         except AttributeError:
             check_node(node)
             raise
@@ -84,7 +85,7 @@ class Executor(Waiting):
         """Execute this node's callbacks no more."""
         if node in self._nodes:
             self._nodes.remove(node)
-            ready_list = node._rclpy.ready_list
+            ready_list = core_of(node).ready_list
             self._lists.remove(ready_list)
             if ready_list.executor is self:
                 ready_list.executor = None
@@ -92,7 +93,7 @@ class Executor(Waiting):
 
     def _nodes_changed(self) -> None:
         """Whoever waits looks again; who executes a callback now does so when that has ended."""
-        if self._spinner is not None:
+        if self.spinner is not None:
             self._woken = True
         if self._waiting:
             self._look_again()
@@ -124,8 +125,8 @@ class Executor(Waiting):
         self.wake()
         for node in self.get_nodes():
             self.remove_node(node)
-        if self in self._context._executors:
-            self._context._executors.remove(self)
+        if self in self._context.executors:
+            self._context.executors.remove(self)
         return True
 
     def wait_for_ready_callbacks(
@@ -143,7 +144,7 @@ class Executor(Waiting):
         item = self._next_item((timeout_ns, condition), deadline_ns, timeout_ns == 0, condition)
         if isinstance(item, Task):
             return item, None, None
-        node = next((node for node in self._nodes if node._rclpy.ready_list is item._ready_list), None)
+        node = next((node for node in self._nodes if core_of(node).ready_list is item.ready_list), None)
         return Task(lambda: self._run_entity(item), executor=self), item, node
 
     def can_execute(self, entity: Entity) -> bool:
@@ -208,20 +209,20 @@ class Executor(Waiting):
         else:
             self._tasks.append(task)
 
-    def _note_nested_spin(self) -> bool:
+    def note_nested_spin(self) -> bool:
         """Whether this thread executes a callback here and nobody has heard of that yet."""
-        if self._nested_noted or self._spinner is not current_task():
+        if self._nested_noted or self.spinner is not current_task():
             return False
         self._nested_noted = True
         return True
 
-    def _cannot_serve(self, entity: Entity) -> bool:
+    def cannot_serve(self, entity: Entity) -> bool:
         """Whether the code that runs now, by waiting, keeps this entity from ever being executed."""
-        return self._spinner is current_task()
+        return self.spinner is current_task()
 
-    def _running_entity(self) -> Entity | None:
+    def running_entity(self) -> Entity | None:
         """The entity whose callback the running thread executes, where its group tells."""
-        cores = [node._rclpy for node in self._nodes]
+        cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
             entity
             for core in cores
@@ -230,7 +231,7 @@ class Executor(Waiting):
         ]
         return next((entity for entity in entities if entity.callback_group.busy_with is entity), None)
 
-    def _turn_mark(self) -> Any:
+    def turn_mark(self) -> Any:
         """Something that stays equal while one callback of the running thread goes on."""
         return self._seen_ns
 
@@ -240,7 +241,7 @@ class Executor(Waiting):
         :raises ExternalShutdownException: when ROS 2 is shut down from outside while nothing is executed.
         :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
         """
-        while self._context._ok and not self._is_shutdown:
+        while self._context.alive and not self._is_shutdown:
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
@@ -263,15 +264,15 @@ class Executor(Waiting):
     def _is_over(self, future: Future) -> Callable[[], bool]:
         """The condition of a wait for a future, which wakes this executor when it is done."""
         check_future(future)
-        future._wake_when_done(self)
+        future.wake_when_done(self)
         context = self._context
-        return lambda: future._ended or not context._ok
+        return lambda: future.ended or not context.alive
 
     def _spin(self, timeout_ns: int, over: Callable[[], bool], key: Any, once: bool) -> None:
         """Execute items of the wait with that key: one, or until `over()` holds or the timeout has passed."""
         sim, poll = self._sim, timeout_ns == 0
         deadline_ns = None if timeout_ns < 0 else sim.now_ns + timeout_ns
-        outer, self._spinner = self._spinner, current_task()
+        outer, self.spinner = self.spinner, current_task()
         try:
             while not (over() or self._is_shutdown):
                 self._execute(self._next_item(key, deadline_ns, poll, over))
@@ -282,7 +283,7 @@ class Executor(Waiting):
         except StopIteration as stop:
             raise stopped(stop) from stop
         finally:
-            self._spinner = outer
+            self.spinner = outer
 
     def spin_ready(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""

@@ -53,7 +53,7 @@ class MultiThreadedExecutor(Executor):
         if isinstance(item, Task):
             self._submit(item)
         elif item.callback_group.beginning_execution(item):
-            item._queued = True
+            item.queued = True
             self._submit(lambda: self._run_in_thread(item))
         else:
             self._put_back([item])
@@ -105,15 +105,15 @@ class MultiThreadedExecutor(Executor):
             while thread in self._idle:
                 thread.park()
 
-    def _running_entity(self) -> Entity | None:
+    def running_entity(self) -> Entity | None:
         running = self._running.get(current_task())
         return None if running is None else running[0]
 
-    def _turn_mark(self) -> Any:
+    def turn_mark(self) -> Any:
         return self._running.get(current_task())
 
-    def _cannot_serve(self, entity: Entity) -> bool:
-        running = self._running_entity()
+    def cannot_serve(self, entity: Entity) -> bool:
+        running = self.running_entity()
         return (
             running is not None
             and running.callback_group is entity.callback_group

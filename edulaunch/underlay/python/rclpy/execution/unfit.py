@@ -52,11 +52,11 @@ def two_spinners(error: ValueError) -> ValueError:
 
 def no_context(context: Context) -> Exception:
     """What rclpy raises when an executor is made before init or after the end."""
-    if context._ended_by_signal:
+    if context.ended_by_signal:
         return without_context('create guard_condition')
     return hinted(
         TypeError("'NoneType' object does not support the context manager protocol"),
-        f'{SHUT_DOWN}; spin before that' if context._used else 'call rclpy.init() first',
+        f'{SHUT_DOWN}; spin before that' if context.used else 'call rclpy.init() first',
     )
 
 

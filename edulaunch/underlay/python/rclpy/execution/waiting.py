@@ -23,7 +23,7 @@ Item = Any
 
 TURNS_BEFORE_TIME_PASSES = 200
 PAUSE_NS = 1_000_000
-_order_of = attrgetter('_order')
+_order_of = attrgetter('order')
 
 
 def never() -> bool:
@@ -32,7 +32,7 @@ def never() -> bool:
 
 
 def _may_begin(timer: Timer) -> bool:
-    return not timer._queued and timer.callback_group.can_execute(timer)
+    return not timer.queued and timer.callback_group.can_execute(timer)
 
 
 class Waiting:
@@ -40,12 +40,12 @@ class Waiting:
 
     :ivar _lists: the ready lists of the executor's nodes, in the order in which they came.
     :ivar _waiting: the simulated threads that are parked here.
-    :ivar _spinner: the simulated thread that executes callbacks now.
+    :ivar spinner: the simulated thread that executes callbacks now.
     """
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
-        if not self._context._ok:
+        if not self._context.alive:
             raise no_context(self._context)
         self._sim = current_task().sim
         self._lists: list[ReadyList] = []
@@ -53,7 +53,7 @@ class Waiting:
         self._new_tasks = False
         self._woken = False
         self._waiting: list[SimTask] = []
-        self._spinner: SimTask | None = None
+        self.spinner: SimTask | None = None
         self._is_shutdown = False
         self._work: Any = None  # the wait that goes on: a generator
         self._key: Any = None
@@ -77,7 +77,7 @@ class Waiting:
         for ready_list in self._lists:
             start = len(batch)
             if ready_list.due_ns <= now:
-                batch += [timer for timer in ready_list.timers if timer._due_ns <= now and _may_begin(timer)]
+                batch += [timer for timer in ready_list.timers if timer.due_ns <= now and _may_begin(timer)]
             if ready_list.asked:
                 batch += [one for one in ready_list.asked if one.ask() and one.callback_group.can_execute(one)]
             if ready_list.entities:
@@ -94,8 +94,8 @@ class Waiting:
     def _put_back(entities: Iterable[Entity]) -> None:
         """Let entities that were collected but not executed stand on their lists again."""
         for entity in entities:
-            if entity.category != TIMER and entity._queued and entity not in entity._ready_list.asked:
-                entity._ready_list.entities.append(entity)
+            if entity.category != TIMER and entity.queued and entity not in entity.ready_list.asked:
+                entity.ready_list.entities.append(entity)
 
     def _wait(self, deadline_ns: int | None) -> None:
         """Park until something may be ready, a timer is due, or the deadline.
@@ -107,9 +107,9 @@ class Waiting:
         for ready_list in self._lists:
             if ready_list.due_ns < due:
                 for timer in ready_list.timers:
-                    if timer._due_ns < due and _may_begin(timer):
-                        due = timer._due_ns
-        if not self._woken and self._context._ok and not self._is_shutdown:
+                    if timer.due_ns < due and _may_begin(timer):
+                        due = timer.due_ns
+        if not self._woken and self._context.alive and not self._is_shutdown:
             task = current_task()
             self._waiting.append(task)
             try:
@@ -122,7 +122,7 @@ class Waiting:
     def _raise_if_over(self) -> None:
         if self._is_shutdown:
             raise ShutdownException()
-        if not self._context._ok:
+        if not self._context.alive:
             raise ExternalShutdownException()
 
     def _let_time_pass(self) -> None:
@@ -139,11 +139,11 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """The tasks that can go on, newest first."""
         self._new_tasks = False
-        return [task for task in reversed(self._tasks) if not (task._ended or task._executing)]
+        return [task for task in reversed(self._tasks) if not (task.ended or task._executing)]
 
     def _forget_tasks(self) -> None:
         """Keep only the tasks that are neither done nor cancelled."""
-        self._tasks = [task for task in self._tasks if not task._ended]
+        self._tasks = [task for task in self._tasks if not task.ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """One wait, item by item: tasks first, then what is ready. With `poll` it does not wait, but gives out what is ready now.
@@ -153,7 +153,7 @@ class Waiting:
         :raises RCLError: when ROS 2 was shut down before.
         """
         timed = deadline_ns is not None and not poll
-        if not self._context._ok and (timed or not self._is_shutdown):
+        if not self._context.alive and (timed or not self._is_shutdown):
             raise without_context('create timer' if timed else 'initialize wait set')
         given_out = False
         while not given_out and not self._is_shutdown and not condition():
@@ -166,7 +166,7 @@ class Waiting:
             if not (batch or self._new_tasks or poll):
                 self._wait(deadline_ns)
                 batch = self._collect()
-            elif not self._context._ok:
+            elif not self._context.alive:
                 raise ExternalShutdownException()
             given_out = (yield from self._give_out(batch)) or given_out
             if given_out:
@@ -205,7 +205,7 @@ class Waiting:
         :raises ValueError: when another thread waits here with the same key, as rclpy's threads do with equal arguments.
         """
         if self._key != key:
-            self._forget_work()
+            self.forget_work()
             self._key = key
         while True:
             if self._work is None:
@@ -219,7 +219,7 @@ class Waiting:
                     raise
                 raise two_spinners(error) from None
 
-    def _forget_work(self) -> None:
+    def forget_work(self) -> None:
         """Begin the next wait anew; another thread that waits with other arguments goes on with what it has."""
         work, self._work = self._work, None
         if work is not None and not work.gi_running:

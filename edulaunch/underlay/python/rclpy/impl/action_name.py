@@ -20,7 +20,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
     """
     core.check_alive()
     failed = f'Failed to create action {kind}'
-    if not core.context._ok:
+    if not core.context.alive:
         raise hinted(ValueError(f"{failed}: rcl node's context is invalid"), SHUT_DOWN)
     if name is None:
         raise ValueError(f'{failed}: action_name argument is null')

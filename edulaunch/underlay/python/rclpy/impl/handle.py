@@ -47,17 +47,5 @@ def check_endpoint(endpoint: Any, context: Context, what: str) -> None:
     :raises RCLError: ROS 2 was shut down.
     """
     check_alive(endpoint)
-    if not context._ok:
+    if not context.alive:
         raise hinted(RCLError(f"{what}'s context is invalid"), SHUT_DOWN)
-
-
-def logger_name_of(endpoint: Any) -> str:
-    """The name of the logger of an endpoint's node. Raises InvalidHandle when the endpoint was destroyed."""
-    check_alive(endpoint)
-    name: str = endpoint.node.logger_name
-    return name
-
-
-def handle_of(endpoint: Any) -> Handle:
-    """The handle of an endpoint in the graph."""
-    return Handle(endpoint, lambda: endpoint.destroyed)

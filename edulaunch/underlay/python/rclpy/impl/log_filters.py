@@ -68,7 +68,7 @@ class CallSite:
             return before
         source = options.get('throttle_time_source_type')
         if isinstance(source, Clock):
-            now_ns = source._now_ns()
+            now_ns = source.now_ns()
         if self.next_ns and now_ns < self.next_ns:
             return False
         self.next_ns = now_ns + int(options['throttle_duration_sec'] * 1e9)

@@ -19,23 +19,23 @@ class Countdown:
         self._period_ns = period_ns
         self._expired = expired
         self._repeat = repeat
-        self._due_ns = 0
+        self.due_ns = 0
         self._item: Any = None
 
     def seen(self) -> None:
         """A sign came: count from now."""
         sim = self._endpoint.graph.sim
-        self._due_ns = sim.now_ns + self._period_ns
+        self.due_ns = sim.now_ns + self._period_ns
         if self._item is None:
-            self._item = sim.schedule(self._due_ns, self._check)
+            self._item = sim.schedule(self.due_ns, self._check)
 
     def _check(self) -> None:
         self._item = None
         if self._endpoint.destroyed:
             return
         sim = self._endpoint.graph.sim
-        if sim.now_ns < self._due_ns:
-            self._item = sim.schedule(self._due_ns, self._check)
+        if sim.now_ns < self.due_ns:
+            self._item = sim.schedule(self.due_ns, self._check)
             return
         self._expired()
         if self._repeat:

@@ -9,6 +9,7 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.impl.hints import hinted
 from rclpy.lifecycle.state_machine import OUTCOMES, STATES, TRANSITIONS, LifecycleState, TransitionCallbackReturn, transition_from
 from rclpy.logging import get_logger
+from rclpy.node_parts.core import core_of
 
 if TYPE_CHECKING:
     from rclpy.lifecycle.managed_entity import ManagedEntity
@@ -81,7 +82,7 @@ class Life:
 
     def _mistaken(self, callback: str, what: str) -> TransitionCallbackReturn:
         """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing, so we do."""
-        core = self.node._rclpy
+        core = core_of(self.node)
         core.process.note('mistake', f"{callback}() of node '{core.full_name}' {what}; rclpy takes that for ERROR")
         return TransitionCallbackReturn.ERROR
 

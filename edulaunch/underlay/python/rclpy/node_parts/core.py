@@ -110,12 +110,12 @@ class NodeCore:
     def check_usable(self, what: str) -> None:
         """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
         self.check_alive()
-        if not self.context._ok:
+        if not self.context.alive:
             raise hinted(RCLError(f"{what}: rcl node's context is invalid"), SHUT_DOWN)
 
     def check_context(self, what: str) -> None:
         """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
-        if not self.context._ok:
+        if not self.context.alive:
             raise hinted(
                 RCLError(
                     f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
@@ -146,6 +146,17 @@ class NodeCore:
             for name, override in parsed.overrides_for(self.full_name).items():
                 found[name] = Override(override.value, origins.get(name, override.origin))
         return found
+
+
+def core_of(node: Any) -> NodeCore:
+    """The state of a node: the way in for everything of rclpy that is not the node itself."""
+    core: NodeCore = node._rclpy
+    return core
+
+
+def is_node(thing: Any) -> bool:
+    """Whether it is a node whose constructor has run."""
+    return isinstance(getattr(thing, '_rclpy', None), NodeCore)
 
 
 def _check(problem_of: Any, name: str, error: Any) -> None:

@@ -11,7 +11,7 @@ from rclpy.client import Client
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
 from rclpy.impl.one_type import check_new_service_end, check_new_topic_end
-from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.core import NodeCore, core_of
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_services_default, validate_qos
 from rclpy.service import Service
@@ -70,15 +70,15 @@ class NodeEntities:
     def add_waitable(self, waitable: Waitable) -> None:
         """Let the node's executor wait for this too."""
         core = self._rclpy
-        waitable._ready_list = core.ready_list
-        waitable._order = core.next_number()
+        waitable.ready_list = core.ready_list
+        waitable.order = core.next_number()
         core.waitables.append(waitable)
         if type(waitable).is_ready is not Waitable.is_ready:
             core.ready_list.asked.append(waitable)
             core.ready_list.notify()
-        elif waitable._queued:
-            waitable._queued = False
-            waitable._signal()
+        elif waitable.queued:
+            waitable.queued = False
+            waitable.signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
         """Wait for it no more."""
@@ -148,8 +148,8 @@ class NodeEntities:
         subscription = Subscription(core.ready_list, msg_type, topic, callback, group, profile, raw, core.next_number())
         group.add_entity(subscription)
         qos = engine_qos(profile, 'subscription')
-        impl = core.graph.create_subscription(core.entry, name, msg_type, qos, subscription._signal)
-        subscription._connect(impl)
+        impl = core.graph.create_subscription(core.entry, name, msg_type, qos, subscription.signal)
+        subscription.connect(impl)
         core.subscriptions.append(subscription)
         _watch_events(self, subscription, impl, event_callbacks, callback_group, 'subscription')
         return subscription
@@ -173,7 +173,7 @@ class NodeEntities:
         group = callback_group or core.default_callback_group
         check_new_service_end(core, name, srv_type, 'client')
         client = Client(core.context, core.ready_list, srv_type, srv_name, qos_profile, group, core.next_number())
-        client._connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client._signal))
+        client.connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client.signal))
         group.add_entity(client)
         core.clients.append(client)
         return client
@@ -199,7 +199,7 @@ class NodeEntities:
         group = callback_group or core.default_callback_group
         check_new_service_end(core, name, srv_type, 'service')
         service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
-        service._connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service._signal))
+        service.connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service.signal))
         group.add_entity(service)
         core.services.append(service)
         return service
@@ -371,7 +371,7 @@ def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: Call
 
     if callbacks is None:
         callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
-    callbacks._attach(node, entity, impl, group or node._rclpy.default_callback_group)
+    callbacks._attach(node, entity, impl, group or core_of(node).default_callback_group)
 
 
 def _overridden(node: Any, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:

@@ -9,6 +9,7 @@ from edulaunch.graph.ros_arguments import Override
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.constants import S_TO_NS
 from rclpy.impl.hints import SHUT_DOWN, hinted
+from rclpy.node_parts.core import core_of
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 
@@ -23,7 +24,7 @@ class ParameterEvents:
         from rcl_interfaces.msg import Parameter as ParameterMsg
         from rcl_interfaces.msg import ParameterEvent
 
-        self._core = node._rclpy
+        self._core = core_of(node)
         self._to_wire = ParameterMsg.to_wire
         self._publisher = node.create_publisher(ParameterEvent, '/parameter_events', qos_profile_parameter_events)
         self._declared: set[str] = set()
@@ -43,9 +44,9 @@ class ParameterEvents:
             core.graph.tracer.parameter(core.entry, parameter.name, parameter.value, self._origin(parameter))
         for parameter in deleted:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
-        if not core.context._ok:
+        if not core.context.alive:
             raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
-        stamp = divmod(core.clock._now_ns(), S_TO_NS)
+        stamp = divmod(core.clock.now_ns(), S_TO_NS)
         self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _wires(self, parameters: list[Parameter]) -> tuple[Any, ...]:
