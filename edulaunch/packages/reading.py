@@ -30,6 +30,7 @@ class Contents:
     :param native: executables built from C++ or C: name -> line of the build file; they cannot run here.
     :param announced: group of entry points -> lines `name = package.module:attribute`.
     :param version: what setup() says, '' when it says nothing.
+    :param broken: why a build stops before anything is installed; it stands in `warnings`, too.
     :param interfaces: there are .msg, .srv or .action files among `files`.
     """
 
@@ -41,5 +42,6 @@ class Contents:
         self.native: dict[str, int] = {}
         self.announced: dict[str, list[str]] = {}
         self.version = ''
+        self.broken: PackageWarning | None = None
         self.interfaces = False
         self.warnings: list[PackageWarning] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -11,6 +12,7 @@ from edulaunch.packages.manifest import Manifest
 from edulaunch.packages.reading import Contents, PackageWarning
 from edulaunch.packages.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
 from edulaunch.packages.static_values import Unknown, first_unknown
+from edulaunch.packages.undefined_names import first_undefined_name
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
 _ENTRY = re.compile(r'\s*([^=\s]+)\s*=\s*([\w.-]+)\s*(?::\s*([\w.]*))?\s*(?:\[.*\])?\s*')
@@ -52,6 +54,10 @@ class _SetupScript:
     def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
         self.contents.warnings.append(PackageWarning(file or self.file, self.line if line is None else line, sentence))
 
+    def _stop(self, sentence: str, line: int) -> None:
+        self.warn(sentence, line)
+        self.contents.broken = self.contents.warnings[-1]
+
     def _options(self) -> dict[str, Any] | None:
         """The keywords of the setup() call."""
         import ast
@@ -69,7 +75,13 @@ class _SetupScript:
             )
             return None
         except (SyntaxError, ValueError) as error:
-            self.warn(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
+            self._stop(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
+            return None
+        undefined = first_undefined_name(tree)
+        if undefined is not None:
+            name, line = undefined
+            forgotten = f'; write import {name} at the top' if name in sys.stdlib_module_names else ''
+            self._stop(f"a build stops with NameError: name '{name}' is not defined{forgotten}", line)
             return None
         module = StaticPython(self.file, self.folder, _SETUP)
         module.run(tree.body)

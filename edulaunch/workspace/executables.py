@@ -12,7 +12,9 @@ from edulaunch.workspace.sources import SourcePackage, parsed, read_text
 
 
 def of_package(package: SourcePackage) -> Iterator[Mistake]:
-    """Mistakes of one package."""
+    """Mistakes of one package; of one that cannot be built nothing else is certain."""
+    if package.contents.broken is not None:
+        return
     yield from _wrong_entry_points(package)
     if package.is_python:
         yield from _nodes_without_entry_point(package)

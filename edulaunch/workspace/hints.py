@@ -85,6 +85,8 @@ def launch_file_hint(index: Index, package: str, file: str | None) -> str | None
     found = source_package(index, package)
     if found is None:
         return _built(index, package)
+    if found.contents.broken is not None:
+        return str(found.contents.broken)
     installed = {os.path.realpath(path) for path in found.contents.files.values()}
     missing = [
         path
@@ -99,9 +101,8 @@ def executable_hint(index: Index, package: str, executable: str) -> str | None:
     found = source_package(index, package)
     if found is None:
         return None
-    broken = [warning for warning in found.contents.warnings if warning.sentence.startswith('cannot be read')]
-    if broken:
-        return f'{broken[0].file}:{broken[0].line}: {broken[0].sentence}'
+    if found.contents.broken is not None:
+        return str(found.contents.broken)
     if found.is_python and any(not place.startswith(f'lib/{package}/') for place in found.contents.entry_points):
         return (
             f'setup.cfg does not put executables into lib/{package}; it must have '
@@ -134,6 +135,8 @@ def installed_file_hint(index: Index, path: str) -> str | None:
     source = None if found is None else os.path.join(found.folder, name)
     if found is None or source is None or not os.path.isfile(source):
         return _built(index, package)
+    if found.contents.broken is not None:
+        return str(found.contents.broken)
     return f'{source} is there but not installed: {install_help(found, source)}'
 
 

@@ -20,7 +20,8 @@ BUILD_SIGNS = {
 
 def of_package(package: SourcePackage) -> Iterator[Mistake]:
     """Mistakes of one package."""
-    yield from _not_installed(package)
+    if package.contents.broken is None:
+        yield from _not_installed(package)
     for path in package.python_files:
         yield from _no_python(path)
 

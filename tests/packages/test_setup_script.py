@@ -95,12 +95,12 @@ def test_nothing_of_the_file_is_executed(workspace: Any) -> None:
 
 
 def test_what_cannot_be_known_costs_only_its_own_entry_and_names_the_line(workspace: Any) -> None:
-    entries = "[('share/robo/launch', glob('launch/*.xml')),\n  ('share/robo/config', download('x')),\n]"
-    workspace.python_package('robo', setup_with(data_files=entries)).files(LAUNCH)
+    entries = "[('share/robo/launch', glob('launch/*.xml')),\n  ('share/robo/config', shared.download('x')),\n]"
+    workspace.python_package('robo', 'import shared\n' + setup_with(data_files=entries)).files(LAUNCH)
     assert workspace.installed('robo') == ['launch/c.launch.xml', 'package.xml']
     assert workspace.warnings('robo') == [
         (
-            "robo/setup.py:7: data_files= contains download('x'), which is not followed without running "
+            "robo/setup.py:8: data_files= contains shared.download('x'), which is not followed without running "
             'the file; '
             'write the value out'
         )
@@ -260,3 +260,52 @@ def test_a_package_without_setup_py_is_told_what_it_must_contain(workspace: Any)
     workspace.python_package('robo', BARE).files({'robo/setup.cfg': IN_SETUP_CFG})
     (workspace.path / 'robo' / 'setup.py').unlink()
     assert 'from setuptools import setup; setup()' in workspace.warnings('robo')[0]
+
+
+UNDEFINED = (
+    HEAD
+    + """setup(
+    packages=['robo'],
+    data_files=[({expression}, ['package.xml'])],
+)
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ('expression', 'name', 'rest'),
+    [
+        ("oss.path.join('share', 'robo')", 'oss', ''),
+        ("json.loads('1')", 'json', '; write import json at the top'),
+        ("'share/' + package_nam", 'package_nam', ''),
+        ("[f'{x}{y}' for x in nothing]", 'nothing', ''),
+    ],
+)
+def test_a_name_that_nobody_defines_stops_the_build_and_is_told_as_python_does(
+    workspace: Any, expression: str, name: str, rest: str
+) -> None:
+    setup = UNDEFINED.format(expression=expression)
+    workspace.python_package('robo', setup)
+    line = next(number for number, text in enumerate(setup.splitlines(), 1) if expression in text)
+    assert workspace.warnings('robo') == [
+        f"robo/setup.py:{line}: a build stops with NameError: name '{name}' is not defined{rest}"
+    ]
+    assert workspace.installed('robo') == ['package.xml']
+
+
+@pytest.mark.parametrize(
+    'before',
+    [
+        'from os.path import *\n',
+        'if True:\n    nothing = []\n',
+        'try:\n    nothing\nexcept NameError:\n    nothing = []\n',
+        "exec('nothing = []')\n",
+        'for nothing in ([],):\n    pass\n',
+        'nothing = [] or also_nothing\n',
+        'def later():\n    return never_called\nnothing = []\n',
+        'nothing = [(lambda: later), *(two if False else ()) or two] if False else []\n',
+    ],
+)
+def test_names_that_may_be_defined_are_left_alone(workspace: Any, before: str) -> None:
+    workspace.python_package('robo', HEAD + before + "setup(packages=['robo'], data_files=[('share/robo', nothing)])\n")
+    assert not [line for line in workspace.warnings('robo') if 'NameError' in line]

@@ -10,6 +10,7 @@ import pytest
 import edulaunch
 from edulaunch.packages import Index
 from edulaunch.workspace.hints import executable_hint, installed_file_hint, launch_file_hint, package_hint
+from edulaunch.workspace.mistakes import find_mistakes
 
 
 @pytest.fixture
@@ -156,3 +157,13 @@ def test_what_is_advised_finds_the_launch_file(workspace: Any, file: str, data: 
     said = launch_file_hint(Index([], [workspace.folder]), 'robo', file.rpartition('/')[2])
     assert said is not None
     assert said.partition('not installed: ')[2].removesuffix(' to data_files of setup.py') == help
+
+
+def test_a_package_whose_build_stops_says_so_instead_of_what_is_missing(robo: Any) -> None:
+    setup = (robo.folder / 'robo' / 'setup.py').read_text()
+    robo.write('robo/setup.py', setup.replace("name='robo'", 'name=package_name'))
+    index = Index([], [robo.folder])
+    said = f"{robo.folder}/robo/setup.py:3: a build stops with NameError: name 'package_name' is not defined"
+    assert launch_file_hint(index, 'robo', 'go.launch.py') == said
+    assert executable_hint(index, 'robo', 'drive') == said
+    assert [mistake.sentence for mistake in find_mistakes(str(robo.folder)).mistakes] == [said.partition(': ')[2]]
