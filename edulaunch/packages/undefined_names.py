@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import builtins
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
 """With one of these a script may define names that do not stand in it."""
@@ -48,7 +48,7 @@ def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
         yield from _evaluated(child)
 
 
-def _surely(node: ast.AST) -> list[ast.AST]:
+def _surely(node: ast.AST) -> Sequence[ast.AST]:
     """Those parts of a node that are evaluated in any case."""
     if isinstance(node, (ast.If, ast.While, ast.IfExp)):
         return [node.test]
