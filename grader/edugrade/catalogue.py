@@ -32,12 +32,13 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
     :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
     :raises UnusableInput: when there is none, naming those there are.
     """
-    if given is not None and (given.endswith('.py') or os.sep in given):
-        return os.path.splitext(os.path.basename(given))[0], _load(given)
-    name = exercise if given is None else given
+    path = rubric_file(exercise, given)
+    name = os.path.splitext(os.path.basename(path))[0]
+    if _is_file(given):
+        return name, _load(path)
     known = exercises()
     if name in known:
-        return name, _load(os.path.join(rubrics_folder(), f'{name}.py'))
+        return name, _load(path)
     from edulaunch.nearest import nearest
 
     close = nearest(name, known)
@@ -46,6 +47,15 @@ def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
         f'there is no rubric for "{name}"; there are: {", ".join(known) or "none"}',
         help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
     )
+
+
+def rubric_file(exercise: str, given: str | None = None) -> str:
+    """The file of the rubric that `find_rubric` finds for these, or would find."""
+    return given if given is not None and _is_file(given) else os.path.join(rubrics_folder(), f'{given or exercise}.py')
+
+
+def _is_file(given: str | None) -> bool:
+    return given is not None and (given.endswith('.py') or os.sep in given)
 
 
 def _load(path: str) -> Rubric:

@@ -71,6 +71,13 @@ class ChildRun:
         """Whether the child has answered, has ended, or must be ended."""
         return self.complete or self.cut is not None or (self.is_over and not self._more_to_read())
 
+    @property
+    def was_killed(self) -> bool:
+        """Whether it, its guard or the starter was killed by somebody else, or Python crashed (it may, when memory runs out)."""
+        if self.complete or self.cut is not None:
+            return False
+        return self.returncode is None or -self.returncode in (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
+
     def read_channel(self) -> bool:
         """Take in what the child sent; False when it has let go of the channel."""
         data = os.read(self.channel, CHUNK_BYTES)

@@ -23,13 +23,8 @@ if TYPE_CHECKING:
 def main(argv: Sequence[str] | None = None) -> int:
     """Grade launch files and print the reports. Returns the exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
-    if words == ['doctor'] and not os.path.exists('doctor'):
-        from .doctor import main as examine
-
-        return examine()
-    options = read_options(words)
     try:
-        return _hints(options) if options.hint else _grade(options)
+        return _command(words)
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
@@ -37,8 +32,21 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
         return 3
     except KeyboardInterrupt:
-        print('edugrade: stopped; nothing was written', file=sys.stderr)
+        print('edugrade: stopped', file=sys.stderr)
         return 130
+
+
+def _command(words: list[str]) -> int:
+    if words == ['doctor'] and not os.path.exists('doctor'):
+        from .doctor import main as examine
+
+        return examine()
+    if words[:1] == ['batch'] and not os.path.isfile('batch'):
+        from .batch import main as grade_class
+
+        return grade_class(words[1:])
+    options = read_options(words)
+    return _hints(options) if options.hint else _grade(options)
 
 
 def _hints(options: argparse.Namespace) -> int:

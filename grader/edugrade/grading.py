@@ -40,18 +40,21 @@ def grade(
     limits: Limits | None = None,
     workspaces: Sequence[str] = (),
     on_outcome: Callable[[], object] | None = None,
+    processors: int | None = None,
 ) -> Iterator[Report]:
     """The report of each piece of work, in order, as soon as it is ready.
 
     :param workspaces: folders with the student's packages, besides those that are found.
     :param on_outcome: called after each run.
+    :param processors: how many runs go at once; default: as many as there are processors.
     """
-    with Runner(limits, on_outcome) as runner:
+    with Runner(limits, on_outcome, processors) as runner:
         tickets = [runner.add(item.submission, item.rubric.scenarios(item.seed), workspaces) for item in work]
         from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
 
-        for item, ticket in zip(work, tickets, strict=True):
-            yield _report(item, runner, ticket)
+        tickets.reverse()
+        for item in work:
+            yield _report(item, runner, tickets.pop())  # nothing is kept of it here: recordings are large
 
 
 def _report(work: Work, runner: Runner, ticket: Ticket) -> Report:

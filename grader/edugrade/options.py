@@ -15,6 +15,7 @@ examples:
   edugrade circle.launch.py --json report.json         write the report as data too
   edugrade my_try.launch.py --rubric circle            a file of another name
   edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
+  edugrade batch submissions/ --csv marks.csv          a class; --resume goes on where it was stopped
   edugrade doctor                                      what a submission on this machine is kept from
 
 exit codes (the worst one, of several):
@@ -37,6 +38,31 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
     parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
     parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
+    _add_common(parser)
+    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
+    return parser.parse_args(argv)
+
+
+def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
+    """Parse what follows ``edugrade batch``."""
+    parser = argparse.ArgumentParser(
+        prog='edugrade batch',
+        description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own.',
+    )
+    parser.add_argument(
+        'folder', metavar='SUBMISSIONS', help='its first level names the students; packages and launch files below'
+    )
+    parser.add_argument('--out', metavar='DIR', help='where the results go (default: SUBMISSIONS.results)')
+    parser.add_argument('--resume', action='store_true', help='keep results of the same text, rubric, engine and seed')
+    parser.add_argument('--jobs', type=int, metavar='N', help='how many runs go at once (default: as many as processors)')
+    parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
+    parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
+    _add_common(parser)
+    return parser.parse_args(words)
+
+
+def _add_common(parser: argparse.ArgumentParser) -> None:
+    """The options that every way of grading has."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
         '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)"
@@ -51,8 +77,6 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
         default='auto',
         help='confine runs as far as this system can (default), run nothing that is not confined, or do not confine',
     )
-    parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
-    return parser.parse_args(argv)
 
 
 def _seconds(text: str) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import selectors
+from collections import Counter
 from collections.abc import Callable, Sequence
 from time import monotonic
 from typing import Any
@@ -12,14 +13,14 @@ from .child_run import ChildRun
 from .job import Job
 from .limits import Limits
 from .outcome import Outcome
-from .remove_tree import remove_tree
+from .sandbox.remove_tree import remove_tree
 from .scenario import Scenario
 from .starter_link import StarterLink
 from .submission import Submission
 from .verdicts import verdict
 
 LONGEST_NAP_S = 0.05
-MOST_LOST = 20  # runs that are begun again because the starter was gone
+MOST_TIMES_AGAIN = 2  # a run that was killed is begun again: it may have been somebody else
 
 
 class Ticket:
@@ -28,6 +29,7 @@ class Ticket:
     def __init__(self, scenarios: Sequence[Scenario]) -> None:
         self.scenarios = list(scenarios)
         self.outcomes: dict[str, Outcome] = {}
+        self.again: Counter[str] = Counter()  # how often a run was begun again, by the scenario's name
 
     @property
     def is_done(self) -> bool:
@@ -52,7 +54,7 @@ class Runner:
         self._home = _private_folder()
         self._waiting: list[tuple[Ticket, Scenario, Submission, Sequence[str]]] = []
         self._running: dict[ChildRun, Ticket] = {}
-        self._started = self._lost = 0
+        self._started = 0
         self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
         self._starter: StarterLink | None = None
@@ -135,9 +137,10 @@ class Runner:
             self._forget(end)
         run.end()
         remove_tree(run.home)
-        if not run.has_begun and run.cut is None and self._lost < MOST_LOST and self._starter is not None:
-            self._lost += 1  # somebody ended the starter: no fault of this run
-            self._starter.is_alive = False
+        if run.was_killed and ticket.again[run.scenario.name] < MOST_TIMES_AGAIN:
+            ticket.again[run.scenario.name] += 1
+            if self._starter is not None and not run.has_begun:
+                self._starter.is_alive = False
             self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return

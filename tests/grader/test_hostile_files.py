@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from edugrade.cli import main
 from edugrade.grading import plan_work
-from edugrade.remove_tree import remove_tree
+from edugrade.sandbox.remove_tree import remove_tree
 from edugrade.short_paths import LONGEST_TEXT, ShortPaths
 from edugrade.submission import Submission
 

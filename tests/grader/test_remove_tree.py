@@ -6,7 +6,7 @@ import os
 import socket
 from pathlib import Path
 
-from edugrade.remove_tree import remove_tree
+from edugrade.sandbox.remove_tree import remove_tree
 
 
 def test_odd_things_are_removed_and_links_are_not_followed(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import NoReturn
 
+from .remove_tree import remove_tree
 from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, prctl
 
 LOOK_S = 0.05
@@ -22,12 +23,13 @@ MOST_PROCESSES = 64
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
 
 
-def guard(link: socket.socket, memory_bytes: int, begin: Callable[[], NoReturn]) -> NoReturn:
+def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[], NoReturn]) -> NoReturn:
     """Begin a run in a process of its own, tell its pid and how it ended; end all it started, then this process.
 
     :param link: to the runner. It gets lines of JSON: ``{"pid": 77, "guard": 76}``, then ``{"status": -9}``, or ``"cut"``:
         ``"processes"`` or ``"memory"`` for a run that used too much. When its other end is closed, the run is ended; when this
         end is, all is over.
+    :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
     :param memory_bytes: for all processes of the run together.
     :param begin: what the run does.
     """
@@ -47,6 +49,7 @@ def guard(link: socket.socket, memory_bytes: int, begin: Callable[[], NoReturn])
         pass
     finally:
         end_all(pid)
+        remove_tree(home)
     with suppress(OSError):
         link.sendall(json.dumps(told).encode() + b'\n')
     os._exit(0)
