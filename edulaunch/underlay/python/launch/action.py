@@ -54,7 +54,7 @@ class Action(LaunchDescriptionEntity):
     condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 
     def describe(self) -> str:
-        """What people read."""
+        """Python's `repr`, for people who read a plan or an error."""
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -101,5 +101,5 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Do it. For subclasses to override; called by :meth:`visit`."""
+        """What the action does; here nothing. For subclasses to override; called by :meth:`visit`."""
         return None

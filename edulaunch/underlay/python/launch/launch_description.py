@@ -46,7 +46,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.add_entity(action)
 
     def describe(self) -> str:
-        """What people read."""
+        """Python's `repr`, for people who read a plan or an error."""
         return repr(self)
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -14,5 +14,5 @@ class PushEnvironment(Action):
     """Save all environment variables until the matching `PopEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Do it."""
+        """Keep what there is now, for a later PopEnvironment."""
         context._push_environment()

@@ -14,5 +14,5 @@ class ResetEnvironment(Action):
     """Give all environment variables the values they had when the launch began."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Do it."""
+        """Set the variables to what they were when the launch began."""
         context._reset_environment()

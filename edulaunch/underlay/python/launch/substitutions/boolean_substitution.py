@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, ClassVar
 
 from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -33,81 +33,74 @@ class NotSubstitution(Substitution):
         return _text(not truth(context, self.__value))
 
 
-class AndSubstitution(Substitution):
-    """Whether both are true."""
+class _Combined(Substitution):
+    """Several operands, of which `_combine` makes one answer."""
 
-    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
-        self.__left = normalize_to_list_of_substitutions(left)
-        self.__right = normalize_to_list_of_substitutions(right)
+    _combine: ClassVar[Callable[[Iterable[bool]], bool]]
 
-    left: ReadOnly[list[Substitution]] = ReadOnly('The left operand.')
-    right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
+    def __init__(self, *args: SomeSubstitutionsType) -> None:
+        self._operands = [normalize_to_list_of_substitutions(arg) for arg in args]
 
     def describe(self) -> str:
         """`AndSubstitution(left right)`."""
-        return f'AndSubstitution({describe_all(self.__left)} {describe_all(self.__right)})'
+        return f'{type(self).__name__}({" ".join(describe_all(operand) for operand in self._operands)})'
 
     def perform(self, context: LaunchContext) -> str:
         """'true' or 'false'."""
-        return _text(all(_truths(context, (self.__left, self.__right))))
+        # A list, so that every operand is evaluated and checked.
+        return _text(type(self)._combine([truth(context, operand) for operand in self._operands]))
 
 
-class OrSubstitution(Substitution):
+class _CombinedPair(_Combined):
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
+        super().__init__(left, right)
+
+    @property
+    def left(self) -> list[Substitution]:
+        """The left operand."""
+        return self._operands[0]
+
+    @property
+    def right(self) -> list[Substitution]:
+        """The right operand."""
+        return self._operands[1]
+
+
+class AndSubstitution(_CombinedPair):
+    """Whether both are true."""
+
+    _combine = all
+
+
+class OrSubstitution(_CombinedPair):
     """Whether at least one of two is true."""
 
-    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
-        self.__left = normalize_to_list_of_substitutions(left)
-        self.__right = normalize_to_list_of_substitutions(right)
-
-    left: ReadOnly[list[Substitution]] = ReadOnly('The left operand.')
-    right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
-
-    def describe(self) -> str:
-        """`OrSubstitution(left right)`."""
-        return f'OrSubstitution({describe_all(self.__left)} {describe_all(self.__right)})'
-
-    def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
-        return _text(any(_truths(context, (self.__left, self.__right))))
+    _combine = any
 
 
-class AnySubstitution(Substitution):
+class _CombinedMany(_Combined):
+    @property
+    def args(self) -> list[list[Substitution]]:
+        """The operands."""
+        return self._operands
+
+
+class AnySubstitution(_CombinedMany):
     """Whether at least one is true; false for none."""
 
-    def __init__(self, *args: SomeSubstitutionsType) -> None:
-        self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
+    _combine = any
 
-    args: ReadOnly[list[list[Substitution]]] = ReadOnly('The operands.')
-
-    def describe(self) -> str:
-        """`AnySubstitution(a b)`."""
-        return f'AnySubstitution({" ".join(describe_all(arg) for arg in self.__args)})'
-
-    def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
-        return _text(any(_truths(context, self.__args)))
+    def __init__(self, *args: SomeSubstitutionsType) -> None:  # its own, because upstream's $(any ...) fails with its name
+        super().__init__(*args)
 
 
-class AllSubstitution(Substitution):
+class AllSubstitution(_CombinedMany):
     """Whether all are true; true for none."""
 
-    def __init__(self, *args: SomeSubstitutionsType) -> None:
-        self.__args = [normalize_to_list_of_substitutions(arg) for arg in args]
+    _combine = all
 
-    args: ReadOnly[list[list[Substitution]]] = ReadOnly('The operands.')
-
-    def describe(self) -> str:
-        """`AllSubstitution(a b)`."""
-        return f'AllSubstitution({" ".join(describe_all(arg) for arg in self.__args)})'
-
-    def perform(self, context: LaunchContext) -> str:
-        """'true' or 'false'."""
-        return _text(all(_truths(context, self.__args)))
-
-
-def _truths(context: LaunchContext, operands: Iterable[list[Substitution]]) -> list[bool]:
-    """A list, so that every operand is evaluated and checked."""
-    return [truth(context, operand) for operand in operands]
+    def __init__(self, *args: SomeSubstitutionsType) -> None:  # its own, because upstream's $(all ...) fails with its name
+        super().__init__(*args)
 
 
 def _text(value: bool) -> str:

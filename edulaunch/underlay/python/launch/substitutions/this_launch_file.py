@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from ..substitution import Substitution
 from .substitution_failure import SubstitutionFailure
@@ -19,14 +19,16 @@ class ThisLaunchFile(Substitution):
     :raises SubstitutionFailure: on evaluation, outside of launch files.
     """
 
+    _local: ClassVar[str] = 'current_launch_file_path'
+
     def describe(self) -> str:
         """`ThisLaunchFile()`."""
-        return 'ThisLaunchFile()'
+        return f'{type(self).__name__}()'
 
     def perform(self, context: LaunchContext) -> str:
         """The path."""
         known = context.get_locals_as_dict()
-        if 'current_launch_file_path' not in known:
-            raise SubstitutionFailure('ThisLaunchFile used outside of a launch file (in a script)')
-        path: str = known['current_launch_file_path']
+        if self._local not in known:
+            raise SubstitutionFailure(f'{type(self).__name__} used outside of a launch file (in a script)')
+        path: str = known[self._local]
         return path
