@@ -9,6 +9,7 @@ import sys
 from types import FrameType
 from typing import TextIO
 
+from edulaunch.cli import launch_options
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
 from edulaunch.packages.discovery import workspaces_of_command
@@ -20,16 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
-    parser.add_argument('-n', '--noninteractive', action='store_true', help='run as if no terminal were there')
-    parser.add_argument('-d', '--debug', action='store_true', help='put the launch system in debug mode')
-    look = parser.add_mutually_exclusive_group()
-    look.add_argument(
-        '-p', '--print', '--print-description', action='store_true', help='show the launch description, start nothing'
-    )
-    look.add_argument('-s', '--show-args', '--show-arguments', action='store_true', help='show the arguments that may be given')
-    parser.add_argument('-a', '--show-all-subprocesses-output', action='store_true', help='show everything that programs print')
-    parser.add_argument('--launch-prefix', metavar='PREFIX', help="put these words in front of each program, such as 'xterm -e'")
-    parser.add_argument('--launch-prefix-filter', metavar='REGEX', help='put them only in front of programs whose name matches')
+    launch_options.add_arguments(parser)
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument(
         '--stdin',
@@ -70,7 +62,7 @@ def main(arguments: argparse.Namespace) -> int:
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
             raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
-    given.update(_prefix_arguments(arguments))
+    given.update(launch_options.prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
     with Session(
@@ -113,17 +105,6 @@ def _stdin(word: str) -> tuple[str, str | TextIO]:
             return name, keys.read()
     except (OSError, UnicodeDecodeError) as error:
         raise argparse.ArgumentTypeError(f'{file} cannot be read: {error}') from None
-
-
-def _prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
-    """The launch configurations that hold the prefix.
-
-    :raises UnusableInput: for a filter without a prefix, with ROS 2's text.
-    """
-    if arguments.launch_prefix is None and arguments.launch_prefix_filter is not None:
-        raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
-    options = {'launch-prefix': arguments.launch_prefix, 'launch-prefix-filter': arguments.launch_prefix_filter}
-    return {name: value for name, value in options.items() if value is not None}
 
 
 def _look(session: Session, path: str, show_args: bool) -> int:

@@ -107,3 +107,35 @@ def test_a_parameter_file_is_found_from_the_folder_of_the_terminal(machine) -> N
     (machine.folder / 'blue.yaml').write_text('/**:\n  ros__parameters: {background_b: 7}\n')
     machine.run('ros2 run turtlesim turtlesim_node --ros-args -r __node:=other --params-file blue.yaml')
     assert machine.read('ros2 param get /other background_b') == 'Integer value is: 7\n'
+
+
+LAUNCH = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.substitutions import LaunchConfiguration
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('word', default_value='a'), LogInfo(msg=LaunchConfiguration('word')),
+                              LogInfo(msg=LaunchConfiguration('launch-prefix', default='none'))])
+"""
+
+
+@pytest.mark.parametrize(
+    ('words', 'said'),
+    [
+        ('my.launch.py word:=b -n', ['b', 'none']),
+        ('-n my.launch.py word:=b word:=c', ['c', 'none']),
+        ('my.launch.py --launch-prefix "xterm -e" word:=b -a', ['b', 'xterm -e']),
+        ('./my.launch.py', ['a', 'none']),
+    ],
+)
+def test_options_of_launch_stand_anywhere(machine, words: str, said: list[str]) -> None:
+    (machine.folder / 'my.launch.py').write_text(LAUNCH)
+    typed = machine.run(f'ros2 launch {words}', 1.0)
+    lines = [line.removeprefix('[INFO] [launch.user]: ') for line in typed.out.splitlines() if 'launch.user' in line]
+    assert (typed.code, lines) == (0, said)
+
+
+def test_a_launch_file_by_path_counts_from_the_folder_of_the_terminal(machine) -> None:
+    (machine.folder / 'my.launch.py').write_text(LAUNCH)
+    assert 'did you mean' in machine.fails('ros2 launch my.lunch.py word:=b')
+    assert 'name a launch file of turtlesim' in machine.fails('ros2 launch turtlesim word:=b')

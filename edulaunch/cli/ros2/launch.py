@@ -5,43 +5,17 @@ from __future__ import annotations
 import argparse
 import os
 
-from edulaunch.launching import find_launch_file
+from edulaunch.cli import launch_options
+from edulaunch.cli.ros2.output import say
+from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file
 from edulaunch.processes.current import current_process
+from edulaunch.processes.process import Process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
-    parser.add_argument(
-        '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
-    )
-    parser.add_argument(
-        '-d', '--debug', action='store_true', help='Put the launch system in debug mode, provides more verbose output.'
-    )
-    parser.add_argument(
-        '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
-    )
-    shown = parser.add_mutually_exclusive_group()
-    shown.add_argument(
-        '-p',
-        '--print',
-        '--print-description',
-        dest='print',
-        action='store_true',
-        help='Print the launch description to the console without launching it.',
-    )
-    shown.add_argument(
-        '-s',
-        '--show-args',
-        '--show-arguments',
-        dest='show_args',
-        action='store_true',
-        help='Show arguments that may be given to the launch file.',
-    )
-    _add_names(parser)
-
-
-def _add_names(parser: argparse.ArgumentParser) -> None:
-    """What to launch, and with which arguments."""
+    """What to launch, how, and with which arguments."""
+    launch_options.add_arguments(parser)
+    parser.add_argument('--view', action='store_true', help='say how to see what runs')
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
@@ -56,15 +30,15 @@ def main(arguments: argparse.Namespace) -> int:
     """
     from ros2launch import api
 
-    process, given = current_process(), list(arguments.launch_arguments)
-    path = os.path.join(process.cwd or '', arguments.package_name)
-    if os.path.isfile(path):
-        given = [word for word in (arguments.launch_file_name,) if word is not None] + given
-    else:
-        path = find_launch_file(process.index, arguments.package_name, arguments.launch_file_name)
+    process = current_process()
+    given = [f'{name}:={value}' for name, value in launch_options.prefix_arguments(arguments).items()]
+    path, first = _launch_file(process, arguments)
+    given += [*first, *arguments.launch_arguments]
     if arguments.show_args or arguments.print:
         (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
         return 0
+    if arguments.view:
+        say('to see what runs, type in another terminal: edulaunch view')
     if arguments.show_all_subprocesses_output:
         process.env['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
     return int(
@@ -75,3 +49,13 @@ def main(arguments: argparse.Namespace) -> int:
             debug=arguments.debug,
         )
     )
+
+
+def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
+    """The path of the launch file, from the folder of the terminal, and a launch argument that stands where its name could."""
+    word, name = arguments.package_name, arguments.launch_file_name
+    path = os.path.join(process.cwd or '', word)
+    is_argument = name is not None and ':=' in name
+    if os.path.isfile(path) or ((name is None or is_argument) and (os.sep in word or word.endswith(LAUNCH_SUFFIXES))):
+        return find_launch_file(process.index, path, None), [] if name is None else [name]
+    return find_launch_file(process.index, word, None if is_argument else name), [name] if is_argument else []

@@ -1,0 +1,40 @@
+"""The options of `ros2 launch`, which `edulaunch launch` has, too."""
+
+from __future__ import annotations
+
+import argparse
+
+from edulaunch.errors import UnusableInput
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """How to launch, or only to look."""
+    parser.add_argument(
+        '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
+    )
+    parser.add_argument(
+        '-d', '--debug', action='store_true', help='Put the launch system in debug mode, provides more verbose output.'
+    )
+    look = parser.add_mutually_exclusive_group()
+    look.add_argument(
+        '-p', '--print', '--print-description', action='store_true', help='Print the launch description, without launching it.'
+    )
+    look.add_argument(
+        '-s', '--show-args', '--show-arguments', action='store_true', help='Show arguments that may be given to the launch file.'
+    )
+    parser.add_argument(
+        '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
+    )
+    parser.add_argument('--launch-prefix', help="Words in front of each program, in quotes, such as 'xterm -e gdb --args'")
+    parser.add_argument('--launch-prefix-filter', help='Regular expression for the names of the programs that get the prefix')
+
+
+def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
+    """The launch configurations that hold the prefix.
+
+    :raises UnusableInput: for a filter without a prefix, with ROS 2's text.
+    """
+    if arguments.launch_prefix is None and arguments.launch_prefix_filter is not None:
+        raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
+    options = {'launch-prefix': arguments.launch_prefix, 'launch-prefix-filter': arguments.launch_prefix_filter}
+    return {name: value for name, value in options.items() if value is not None}
