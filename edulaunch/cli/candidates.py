@@ -26,7 +26,12 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
     """
     words = _split(line)
     typed = words.pop()
-    found = sorted({word for word in _possible(words[1:], typed) if word.startswith(typed)})
+    command = os.path.basename(words[0]) if words else ''
+    words = words[1:]
+    if command == 'edulaunch' and words[:1] == ['ros2']:
+        command, words = 'ros2', words[1:]
+    possible = _ros2(words, typed) if command == 'ros2' else _possible(words, typed)
+    found = sorted({word for word in possible if word.startswith(typed)})
     kept = max(typed.rfind(':'), typed.rfind('=')) + 1 if break_words else 0
     return [word[kept:] for word in found]
 
@@ -40,6 +45,22 @@ def _split(line: str) -> list[str]:
     if not words or line[-1:].isspace():
         words.append('')
     return words
+
+
+def _ros2(words: Sequence[str], typed: str) -> Iterable[str]:
+    """For `ros2 launch` as for `edulaunch launch`, with the options of ROS 2; for the other commands see `ros2_candidates`."""
+    from edulaunch.cli import ros2_candidates
+
+    if words[:1] == ['launch'] and not typed.startswith('-'):
+        return _possible(words, typed)
+    return ros2_candidates.candidates(words, typed, _index_here)
+
+
+def _index_here() -> Index:
+    from edulaunch.packages.discovery import find_workspaces
+    from edulaunch.session import index_for
+
+    return index_for(find_workspaces(os.getcwd(), os.environ))
 
 
 def _possible(words: Sequence[str], typed: str) -> Iterable[str]:

@@ -1,11 +1,11 @@
-"""`edulaunch completion bash|zsh`: the script that lets a shell complete our commands with the Tab key."""
+"""`edulaunch completion bash|zsh|fish`: the script that lets a shell complete `edulaunch` and `ros2` with the Tab key."""
 
 from __future__ import annotations
 
 import argparse
 
 SCRIPTS = {
-    'bash': """# Tab completion of edulaunch for bash: put  eval "$(edulaunch completion bash)"  into ~/.bashrc
+    'bash': """# Tab completion for bash: put  eval "$(edulaunch completion bash)"  into ~/.bashrc
 _edulaunch() {
     local IFS=$'\\n'
     COMPREPLY=($(edulaunch completion bash --line "${COMP_LINE:0:$COMP_POINT}" 2>/dev/null))
@@ -14,8 +14,16 @@ _edulaunch() {
     fi
 }
 complete -F _edulaunch edulaunch
+complete -p ros2 > /dev/null 2>&1 || complete -F _edulaunch ros2
 """,
-    'zsh': """# Tab completion of edulaunch for zsh: put  eval "$(edulaunch completion zsh)"  into ~/.zshrc, below compinit
+    'fish': """# Tab completion for fish: put  edulaunch completion fish | source  into ~/.config/fish/config.fish
+function __edulaunch
+    edulaunch completion fish --line (commandline --cut-at-cursor | string collect) 2>/dev/null
+end
+complete -c edulaunch -f -a '(__edulaunch)'
+complete -c ros2 -f -a '(__edulaunch)'
+""",
+    'zsh': """# Tab completion for zsh: put  eval "$(edulaunch completion zsh)"  into ~/.zshrc, below compinit
 _edulaunch() {
     local -a found open
     found=("${(@f)$(edulaunch completion zsh --line "$LBUFFER" 2>/dev/null)}")
@@ -24,7 +32,7 @@ _edulaunch() {
     (( $#open )) && compadd -S '' -- $open
     (( $#found )) && compadd -- $found
 }
-compdef _edulaunch edulaunch
+compdef _edulaunch edulaunch ros2
 """,
 }
 

@@ -84,3 +84,58 @@ def test_bash_completes_a_line_through_the_script(here: Path) -> None:
 def test_the_script_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['completion', 'zsh']) == 0
     assert capsys.readouterr().out == SCRIPTS['zsh']
+
+
+LISTS = {
+    'topic list': ['/chatter', '/turtle1/cmd_vel', '/turtle1/pose'],
+    'topic type /turtle1/cmd_vel': ['geometry_msgs/msg/Twist'],
+    'node list': ['/sim'],
+    'param list /sim': ['  background_b', '  background_g'],
+    'service list': ['/spawn'],
+    'interface list -m': ['Messages:', '    std_msgs/msg/String', '    std_msgs/msg/Empty'],
+}
+
+
+@pytest.mark.parametrize(
+    ('line', 'offered'),
+    [
+        ('', ['topic', 'run', 'wtf']),
+        ('topic ', ['echo', 'pub', 'list']),
+        ('topic echo /tu', ['/turtle1/cmd_vel', '/turtle1/pose']),
+        ('topic echo --once --qos-depth 3 /', ['/chatter']),
+        ('topic echo --qos-reliability ', ['reliable', 'best_effort']),
+        ('topic hz --w', ['--window', '--wall-time']),
+        ('topic pub /turtle1/cmd_vel ', ['geometry_msgs/msg/Twist']),
+        ('topic pub /new std', ['std_msgs/msg/String', 'std_msgs/msg/Empty']),
+        ('param get /', ['/sim']),
+        ('param set /sim ', ['background_b', 'background_g']),
+        ('service call ', ['/spawn']),
+        ('run turtles', ['turtlesim']),
+        ('run turtlesim ', ['draw_square', 'mimic', 'turtle_teleop_key', 'turtlesim_node']),
+        ('pkg xml ', ['turtlesim']),
+        ('daemon ', ['start', 'status', 'stop']),
+        ('nonsense ', []),
+        ('topic nonsense ', []),
+    ],
+)
+def test_ros2_offers_verbs_packages_and_what_is_on_the_machine(line: str, offered: list[str]) -> None:
+    from edulaunch.cli.ros2_candidates import candidates as ros2
+    from edulaunch.packages import Index
+
+    *words, typed = line.split(' ')
+    found = [word for word in ros2(words, typed, Index, lambda command: LISTS.get(command, [])) if word.startswith(typed)]
+    assert [word for word in offered if word not in found] == []
+    assert bool(found) == bool(offered)
+
+
+@pytest.mark.parametrize('start', ['ros2', 'edulaunch ros2', '/some/where/ros2'])
+def test_both_ways_to_type_ros2_are_completed(here: Path, start: str) -> None:
+    assert candidates(f'{start} topic ec', break_words=False) == ['echo']
+    assert candidates(f'{start} launch turtlesim mult', break_words=False) == ['multisim.launch.py']
+    assert candidates(f'{start} launch --show-arg', break_words=False) == ['--show-args', '--show-arguments']
+
+
+def test_without_a_machine_there_are_no_names_to_offer(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (here / 'run').mkdir(mode=0o700)
+    monkeypatch.setenv('XDG_RUNTIME_DIR', str(here / 'run'))
+    assert candidates('ros2 topic echo ', break_words=False) == []
