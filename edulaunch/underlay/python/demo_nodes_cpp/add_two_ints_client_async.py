@@ -10,7 +10,7 @@ from demo_nodes_cpp._asking import ask
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(ask))
 
 

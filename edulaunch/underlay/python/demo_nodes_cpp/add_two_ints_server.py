@@ -24,7 +24,7 @@ class AddTwoIntsServer(CppNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(AddTwoIntsServer())))
 
 

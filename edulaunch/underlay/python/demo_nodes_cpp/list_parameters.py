@@ -20,7 +20,7 @@ def work() -> None:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(work))
 
 

@@ -11,7 +11,7 @@ from demo_nodes_cpp._hearing import Listener
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(Listener('listener', 10))))
 
 

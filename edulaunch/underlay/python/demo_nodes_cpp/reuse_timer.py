@@ -11,7 +11,7 @@ from demo_nodes_cpp._two_timers import TwoTimers
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(TwoTimers('reuse_timer', reuse=True))))
 
 

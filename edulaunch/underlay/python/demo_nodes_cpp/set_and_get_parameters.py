@@ -29,7 +29,7 @@ def _described(name: str, value: Any) -> str:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(work))
 
 

@@ -27,7 +27,7 @@ class Talker(CppNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(Talker())))
 
 

@@ -23,7 +23,7 @@ def ask() -> None:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     run(ask)
 
 

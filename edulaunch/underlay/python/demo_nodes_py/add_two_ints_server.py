@@ -24,7 +24,7 @@ class AddTwoIntsServer(Node):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(AddTwoIntsServer)
 
 

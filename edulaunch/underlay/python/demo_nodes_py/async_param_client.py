@@ -58,7 +58,7 @@ def _say_results(node: Node, names: list[str], future: Any) -> None:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     run(work)
 
 

@@ -7,7 +7,7 @@ from demo_nodes_py._running import spin
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(Listener)
 
 

@@ -20,7 +20,7 @@ class SerializedListener(Node):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(SerializedListener)
 
 

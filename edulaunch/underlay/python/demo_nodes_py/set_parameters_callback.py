@@ -38,7 +38,7 @@ class SetParametersCallback(Node):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(SetParametersCallback)
 
 

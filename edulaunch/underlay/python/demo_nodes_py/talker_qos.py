@@ -9,7 +9,7 @@ from demo_nodes_py._quality import run_with_quality
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     run_with_quality(sys.argv, 'publish', 'talker', Talker)
 
 

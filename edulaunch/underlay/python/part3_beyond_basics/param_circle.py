@@ -34,7 +34,7 @@ class ParamCircle(Node):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     try:
         rclpy.init()
         rclpy.spin(ParamCircle())

@@ -44,7 +44,7 @@ class Rviz(CppNode):
 
 
 def main() -> None:
-    """Entry point. Options as rviz2's; those about the window are accepted and change nothing."""
+    """Run the program. Options as rviz2's; those about the window are accepted and change nothing."""
     import argparse
 
     parser = argparse.ArgumentParser(prog='rviz2')

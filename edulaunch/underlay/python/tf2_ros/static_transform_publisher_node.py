@@ -91,7 +91,7 @@ def run() -> int:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(run))
 
 

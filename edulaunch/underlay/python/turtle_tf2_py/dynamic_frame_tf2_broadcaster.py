@@ -17,7 +17,7 @@ class DynamicFramePublisher(CarrotPublisher):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(lambda: DynamicFramePublisher('dynamic_frame_tf2_broadcaster'))
 
 

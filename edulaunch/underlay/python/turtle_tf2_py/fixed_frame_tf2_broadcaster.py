@@ -7,7 +7,7 @@ from turtle_tf2_py._programs import spin
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(lambda: CarrotPublisher('fixed_frame_tf2_broadcaster'))
 
 

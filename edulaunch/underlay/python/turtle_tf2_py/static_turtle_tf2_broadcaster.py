@@ -36,7 +36,7 @@ class StaticFramePublisher(Node):
 
 
 def main() -> None:
-    """Entry point. Exits with 1 for a wrong number of arguments and 2 for the child name 'world'."""
+    """Run the program. Exits with 1 for a wrong number of arguments and 2 for the child name 'world'."""
     arguments = remove_ros_args(sys.argv)[1:]
     if len(arguments) != 7:
         get_logger('static_turtle_tf2_broadcaster').info(USAGE)

@@ -41,7 +41,7 @@ class FramePublisher(Node):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(FramePublisher)
 
 

@@ -41,7 +41,7 @@ class FrameListener(SpawningNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(FrameListener)
 
 

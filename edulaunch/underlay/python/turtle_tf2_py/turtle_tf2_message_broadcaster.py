@@ -42,7 +42,7 @@ class PointPublisher(SpawningNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program until Ctrl-C or a shutdown."""
     spin(PointPublisher)
 
 

@@ -87,7 +87,7 @@ class WaffleSimulator(CppNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(WaffleSimulator())))
 
 

@@ -98,7 +98,7 @@ def _ahead(pose: Any) -> tuple[float, float, float]:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(DrawSquare())))
 
 

@@ -28,7 +28,7 @@ class MimicNode(CppNode):
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(lambda: rclpy.spin(MimicNode())))
 
 

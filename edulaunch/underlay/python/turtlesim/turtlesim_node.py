@@ -32,7 +32,7 @@ def run() -> None:
 
 
 def main() -> None:
-    """Entry point."""
+    """Run the program; its exit code is that of the original."""
     sys.exit(run_program(run))
 
 
