@@ -14,6 +14,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from edulaunch import attached
+from edulaunch.version import __version__ as __version__
 
 TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from edulaunch.session import Session, run
     from edulaunch.sourcing import source
 
-__version__ = '0.1.0'
 __all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'run', 'source', 'start']
 
 _PLACES = {

@@ -6,9 +6,14 @@ import os
 from collections.abc import Sequence
 
 
+def engine_folder() -> str:
+    """The folder of the package edulaunch."""
+    return os.path.dirname(os.path.abspath(__file__))
+
+
 def underlay_prefix() -> str:
     """The prefix folder; below it `python/` (import packages) and `share/` (package data)."""
-    return os.path.join(os.path.dirname(os.path.abspath(__file__)), 'underlay')
+    return os.path.join(engine_folder(), 'underlay')
 
 
 def underlay_python() -> str:

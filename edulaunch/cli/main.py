@@ -7,9 +7,9 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 
-from edulaunch import __version__
 from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.nearest import did_you_mean
+from edulaunch.version import __version__
 
 VERBS = {
     'colcon': 'Say what of building is not needed here',

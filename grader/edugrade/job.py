@@ -7,6 +7,8 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
+from edulaunch.underlay_place import engine_folder
+
 from .limits import MEBI, Limits
 from .readable import readable_by_run
 from .scenario import Scenario
@@ -62,9 +64,7 @@ def environment(home: str) -> dict[str, str]:
 
 def import_path() -> list[str]:
     """Where the child finds modules: as this process does, but not in the current folder."""
-    import edulaunch
-
-    engine = os.path.dirname(os.path.dirname(os.path.abspath(edulaunch.__file__)))
+    engine = os.path.dirname(engine_folder())
     here = os.getcwd()
     known = [path for path in sys.path if path and os.path.abspath(path) != here]
     return known if engine in known else [engine, *known]

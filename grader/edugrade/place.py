@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from typing import NamedTuple
 
+from edulaunch.underlay_place import engine_folder
+
 
 class Place(NamedTuple):
     """A file and, where it is known, a line of it (counted from 1)."""
@@ -34,6 +36,4 @@ def comes_with_edulaunch(package: str) -> bool:
 
 
 def _engine() -> str:
-    import edulaunch
-
-    return os.path.dirname(os.path.abspath(edulaunch.__file__))
+    return engine_folder()

@@ -6,6 +6,8 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 
+from edulaunch.underlay_place import engine_folder
+
 from .catalogue import rubrics_folder
 from .submission import Submission
 
@@ -21,9 +23,7 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
     :param path: where Python looks for modules.
     """
-    import edulaunch
-
-    engine = os.path.dirname(os.path.realpath(edulaunch.__file__))
+    engine = os.path.realpath(engine_folder())
     own = os.path.dirname(os.path.abspath(__file__))
     hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]
     roots = [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))]

@@ -6,13 +6,13 @@ import os
 import re
 from dataclasses import replace
 
-import edulaunch
+from edulaunch.underlay_place import engine_folder
 
 from .place import Place
 from .results import CheckResult
 
 LONGEST_TEXT = 8000
-_ENGINE = os.path.join(os.path.dirname(os.path.abspath(edulaunch.__file__)), '')
+_ENGINE = os.path.join(engine_folder(), '')
 _WORD = re.compile(r'[^\s\'"]+')
 # Files of a source package are run from a generated prefix, where they are links under this path.
 _INSTALLED = re.compile(r'edulaunch-\w+/[^\s/]+-[0-9a-f]{8}/share/(?P<package>\w+)/')

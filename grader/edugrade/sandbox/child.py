@@ -35,9 +35,9 @@ RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory h
 def warm_up() -> None:
     """Load what nearly every run needs, by launching something small that came with edulaunch."""
     try:
-        import edulaunch
+        from edulaunch.session import Session
 
-        with edulaunch.Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
+        with Session(turn_limit_s=0) as session:  # no watchdog: a process with threads must not be forked
             session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
             session.run(WARM_UP_S)
             session.recording().to_bytes()
@@ -169,12 +169,12 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
 def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     """Run the scenario; what it came to, as a frame's letter and content."""
     try:
-        import edulaunch
         from edulaunch.errors import UnusableInput
+        from edulaunch.session import Session
     except ImportError as error:
         return _broke(error)
     try:
-        with edulaunch.Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=TURN_LIMIT_S) as session:
+        with Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=TURN_LIMIT_S) as session:
             session.launch(job['file'], None, job['arguments'])
             session.run(job['duration_s'])
             return b'R', session.recording().to_bytes()

@@ -6,9 +6,9 @@ import os
 import sys
 from typing import Any
 
-import edulaunch
+from edulaunch.underlay_place import engine_folder
 
-ENGINE = os.path.dirname(os.path.abspath(edulaunch.__file__)) + os.sep
+ENGINE = engine_folder() + os.sep
 
 
 def student_place() -> str:
