@@ -107,10 +107,10 @@ class Class:
 
 def made_from(work: Work, rubric: str | None) -> dict[str, Any]:
     """What a result depends on: with the same it would be the same."""
-    import edulaunch
+    from edulaunch.version import __version__
 
     rule = sha256(read_regular(rubric_file(work.submission.exercise, rubric), LARGEST_RESULT)).hexdigest()
-    return {'submission': work.submission.sha256, 'rubric': rule, 'edulaunch': edulaunch.__version__, 'seed': work.seed}
+    return {'submission': work.submission.sha256, 'rubric': rule, 'edulaunch': __version__, 'seed': work.seed}
 
 
 def _entry(path: str) -> Entry:
