@@ -132,13 +132,12 @@ class Server:
         self.last_seen_s = time.monotonic()
 
     def forget(self) -> None:
-        """Now and then let go of what is long over, unless a desk that shows it is open."""
+        """Now and then let go of what is long over."""
         if time.monotonic() - self._forgot_s < FORGET_EVERY_S:
             return
         self._forgot_s = time.monotonic()
         self.session.host.forget_overlays()
-        if all(isinstance(connection.terminal, Terminal) for connection in self._connections):
-            self.session.recorder.forget_before(self.session.sim.now_ns - round(REMEMBERED_S * 1e9), MESSAGES_KEPT)
+        self.session.recorder.forget_before(self.session.sim.now_ns - round(REMEMBERED_S * 1e9), MESSAGES_KEPT)
 
     def drop_the_silent(self) -> None:
         """Close connections that did not say who they are in time."""

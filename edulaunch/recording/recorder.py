@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 class Recorder(Tracer):
     """A tracer that keeps everything, in order, until :meth:`stop`. Times inside are integer ns since the start.
 
+    :ivar forgotten: how many messages of each (topic, type), and rows of each part, are no longer here.
     :ivar overlay: the student's workspaces, when there are any: their message types are recorded with the messages.
     """
 
@@ -37,6 +38,7 @@ class Recorder(Tracer):
         self.logs: list[list[Any]] = []
         self.output_lines: list[list[Any]] = []
         self.notes: list[list[Any]] = []
+        self.forgotten: dict[Any, int] = {}
         self._node_row: dict[NodeEntry, list[Any]] = {}
         self._process_row: dict[Any, dict[str, Any]] = {}
         self._call_row: dict[tuple[int, int], list[Any]] = {}
@@ -98,11 +100,16 @@ class Recorder(Tracer):
 
     def forget_before(self, at_ns: int, kept: int) -> None:
         """Forget what is older than a simulated time, but the last `kept` messages of each topic."""
-        for flat in self.columns.values():
-            del flat[: 3 * max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))]
+        for key, flat in self.columns.items():
+            count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
+            del flat[: 3 * count]
+            self.forgotten[key] = self.forgotten.get(key, 0) + count
         since = at_ns - self.sim.start_ns
-        for rows in (self.output_lines, self.logs, self.notes, self.calls):
-            del rows[: bisect_right([row[0] for row in rows], since)]
+        for name in ('output_lines', 'logs', 'notes', 'calls'):
+            rows = getattr(self, name)
+            count = bisect_right([row[0] for row in rows], since)
+            del rows[:count]
+            self.forgotten[name] = self.forgotten.get(name, 0) + count
         self._call_row = {key: row for key, row in self._call_row.items() if row[0] > since}
 
     def publication_count(self) -> int:

@@ -33,6 +33,9 @@ class Source(Protocol):
     def part(self, name: str) -> Sequence[Any]:
         """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output' or 'notes'."""
 
+    def forgotten(self, what: object) -> int:
+        """How many messages of a (topic, type), or rows of a part, a machine that runs for long no longer has."""
+
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
         """(dotted path, type) of each entry of a wire."""
 
@@ -76,7 +79,7 @@ class Film:
             'scans': [],
         }
         for topic, kind in source.topics():
-            first = self._told.get((topic, kind), 0)
+            first = max(self._told.get((topic, kind), 0), source.forgotten((topic, kind)))
             times, publishers, wires = source.rows(topic, kind, first)
             if len(times) or not first:
                 self._told[topic, kind] = first + len(times)
@@ -93,19 +96,20 @@ class Film:
         return {name: value for name, value in piece.items() if value != []}
 
     def _new(self, name: str) -> Sequence[Any]:
-        rows = self._source.part(name)
-        first, self._rows[name] = self._rows.get(name, 0), len(rows)
-        return rows[first:]
+        rows, gone = self._source.part(name), self._source.forgotten(name)
+        first, self._rows[name] = self._rows.get(name, 0), gone + len(rows)
+        return rows[max(0, first - gone) :]
 
     def _living(self, name: str, told: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
         """New rows, and old ones that have ended since; each begins with its number."""
-        rows = self._source.part(name)
-        first = self._rows.get(name, 0)
-        self._rows[name] = len(rows)
-        open_before = self._open.get(name, [])
-        numbers = [number for number in open_before if rows[number][end] is not None] + list(range(first, len(rows)))
-        self._open[name] = [number for number in [*open_before, *range(first, len(rows))] if rows[number][end] is None]
-        return [told(number, rows[number]) for number in numbers]
+        rows, gone = self._source.part(name), self._source.forgotten(name)
+        first = max(self._rows.get(name, 0), gone)
+        self._rows[name] = gone + len(rows)
+        new = range(first, gone + len(rows))
+        open_before = [number for number in self._open.get(name, ()) if number >= gone]
+        told_now = [number for number in open_before if rows[number - gone][end] is not None] + list(new)
+        self._open[name] = [number for number in [*open_before, *new] if rows[number - gone][end] is None]
+        return [told(number, rows[number - gone]) for number in told_now]
 
     def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
         """The messages of a topic: steps of the times, and of each leaf that is a number or a text."""

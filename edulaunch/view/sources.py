@@ -35,6 +35,10 @@ class OfRecording:
         rows: Sequence[Any] = self._content[name]
         return rows
 
+    def forgotten(self, what: object) -> int:
+        """A recording has everything."""
+        return 0
+
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
         """See `Source.wire_type`."""
         entries: Sequence[tuple[str, str]] = self._class(kind).wire_type()
@@ -64,8 +68,12 @@ class OfRecorder:
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
         """See `Source.rows`."""
         flat = self._recorder.columns[topic, kind]
-        start = self._recorder.sim.start_ns
-        return [time - start for time in flat[3 * first :: 3]], flat[3 * first + 1 :: 3], flat[3 * first + 2 :: 3]
+        start, at = self._recorder.sim.start_ns, 3 * (first - self.forgotten((topic, kind)))
+        return [time - start for time in flat[at::3]], flat[at + 1 :: 3], flat[at + 2 :: 3]
+
+    def forgotten(self, what: object) -> int:
+        """See `Source.forgotten`."""
+        return self._recorder.forgotten.get(_PARTS.get(what, what) if isinstance(what, str) else what, 0)
 
     def part(self, name: str) -> Sequence[Any]:
         """See `Source.part`."""

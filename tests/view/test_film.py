@@ -100,6 +100,9 @@ class Scanner:
     def part(self, name: str) -> list[Any]:
         return []
 
+    def forgotten(self, what: object) -> int:
+        return 0
+
     def wire_type(self, kind: str) -> list[tuple[str, str]]:
         names = ['angle_min', 'angle_max', 'angle_increment', 'time_increment', 'scan_time', 'range_min', 'range_max']
         stamp = [('header.stamp.sec', 'int32'), ('header.stamp.nanosec', 'uint32'), ('header.frame_id', 'string')]
@@ -124,3 +127,19 @@ def test_a_film_is_json_small_and_the_same_for_the_same_run(recording: Recording
     again = edulaunch.run('turtle_tf2_py', 'turtle_tf2_demo.launch.py', duration_s=3, seed=0)
     assert packed(whole(again)) == packed(piece)
     assert len(packed(piece)) < 20_000
+
+
+def test_a_film_goes_on_when_a_machine_has_forgotten_its_past() -> None:
+    with Session() as session:
+        session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+        film, pieces = Film(OfRecorder(session.recorder)), []
+        for _ in range(6):
+            session.run(0.5)
+            pieces.append(film.piece())
+            session.recorder.forget_before(session.sim.now_ns - 200_000_000, 3)
+        rows = Film(OfRecorder(session.recorder)).piece()
+    times, values = joined(pieces, '/turtle1/pose', 'x')
+    assert len(times) == 186 and times == sorted(set(times))
+    assert len(numbers(topic(rows, '/turtle1/pose')['t'], 1)) < 20
+    assert len(values) == len(times)
+    assert [row[7] for piece in pieces for row in piece.get('calls', ())] == [None, 1_008_000]

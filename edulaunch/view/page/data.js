@@ -1,6 +1,6 @@
 /* What the page knows: columns that only grow, fed by pieces of a film (edulaunch/view/film.py). Times are seconds. */
 
-const FINE = 10000;
+const FINE = 10000, KEPT_S = 600;
 
 class Grow {
   /* Numbers that are appended, in one typed array. */
@@ -25,6 +25,7 @@ class Grow {
       this.push(this.whole / scale);
     }
   }
+  drop(count) { this.a.copyWithin(0, count, this.n); this.n -= count; }
   /* Number of entries up to and with `value`; the column must ascend. */
   upTo(value) {
     let low = 0, high = this.n;
@@ -58,6 +59,11 @@ class Topic {
     const column = this.column(path);
     return column instanceof Grow ? column.a[number] : column?.[number];
   }
+  forgetBefore(time) {
+    const count = Math.max(0, Math.min(this.t.upTo(time), this.t.n - 1));
+    this.t.drop(count);
+    for (const column of this.columns) if (column instanceof Grow) column.drop(count); else column.splice(0, count);
+  }
   rate(time, over = 1) {
     const count = this.t.upTo(time) - this.t.upTo(time - over);
     return count / Math.min(over, Math.max(time, 1e-3));
@@ -74,6 +80,10 @@ class Track {
   }
   /* Number of the newest transform that was published by a time; -1 for none. */
   at(time) { return this.c[0].upTo(time + 1e-7) - 1; }
+  forgetBefore(time) {
+    const count = Math.max(0, Math.min(this.c[0].upTo(time), this.c[0].n - 1));
+    for (const column of this.c) column.drop(count);
+  }
   transform(number) {
     const [, , x, y, z, qx, qy, qz, qw] = this.c.map(column => column.a[number]);
     return { p: [x, y, z], q: [qx, qy, qz, qw] };
@@ -83,7 +93,7 @@ class Track {
 class Store {
   constructor() {
     Object.assign(this, {
-      start: 0, now: 0, topics: new Map(), tracks: new Map(), scans: new Map(), nodes: [], processes: [], endpoints: [],
+      start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), nodes: [], processes: [], endpoints: [],
       parameters: [], logs: [], output: [], notes: [], calls: [], version: 0, publisherNode: new Map(),
     });
   }
@@ -117,7 +127,20 @@ class Store {
     living('calls', ([, t, service, type, client, request, served, replied]) =>
       ({ t: t / 1e6, service, type, client, request, served, replied: seconds(replied) }));
     for (const end of piece.endpoints || []) this.publisherNode.set(end[5], end[4]);
-    this.derived = null;
+    if (!this.grows) return;
+    if (this.from === 0 && piece.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
+    if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);
+  }
+  /* When the oldest message is from that is here. */
+  first() { return Math.min(this.now, ...[...this.topics.values()].filter(topic => topic.t.n).map(topic => topic.t.a[0])); }
+  /* A desk that is open for hours keeps the last ten minutes; graph, processes and parameters are kept whole. */
+  forgetBefore(time) {
+    this.from = time;
+    for (const topic of this.topics.values()) topic.forgetBefore(time);
+    for (const track of this.tracks.values()) track.forgetBefore(time);
+    for (const [topic, scans] of this.scans) this.scans.set(topic, scans.filter(scan => scan.time >= time));
+    for (const name of ['logs', 'output']) this[name] = this[name].filter(row => row.t >= time);
+    this.version++;
   }
   nodeName(index) { return this.nodes.find(node => node?.index === index)?.name ?? '?'; }
   byName(name) { return [...this.topics.values()].filter(topic => topic.name === name); }

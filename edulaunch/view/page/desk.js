@@ -6,6 +6,7 @@ class Desk {
   /* `link` is null for a recording; else {send(words), on(handler)} to a machine that lives. */
   constructor(root, link, options = {}) {
     Object.assign(this, { root, link, live: Boolean(link), store: new Store(), time: 0, playing: false, follow: Boolean(link), speed: 1 });
+    this.store.grows = this.live;
     this.machine = { running: true, speed: 1 };
     this.options = { axes: false, colours: true };
     this.box = make('section', { class: 'desk', 'aria-label': link ? 'live view of the machine' : 'replay of a run' });
@@ -72,7 +73,7 @@ class Desk {
     this.pace.value = 1;
     this.pace.addEventListener('change', () => { this.speed = Number(this.pace.value); if (this.live) this.send({ op: 'speed', speed: this.speed }); });
     this.slider = make('input', { type: 'range', min: 0, max: 1000000, step: 1, value: 0, 'aria-label': 'time in the run' });
-    this.slider.addEventListener('input', () => this.seek(Number(this.slider.value) / 1e6 * this.store.now));
+    this.slider.addEventListener('input', () => this.seek(this.from + Number(this.slider.value) / 1e6 * (this.store.now - this.from)));
     this.clock = make('output', { class: 'clock mono' });
     this.now = button('● Live', 'show what happens now', () => { this.follow = true; this.redraw(); });
     this.again = button('Continue from here', 'run the launch again with the same seed and inputs up to this instant, and go on', () => this.send({ op: 'continue', time: this.time }));
@@ -101,6 +102,8 @@ class Desk {
     this.drivebar.append(make('label', {}, 'drive ', this.who), ...ways.map(([text, linear, angular, title]) => button(text, title, () => this.drive(linear, angular))), stick,
       make('span', { class: 'soft' }, 'or click the picture and use the arrow keys'));
   }
+  /* A recording is there from its start, a machine that ran for long only from where its memory begins. */
+  get from() { return this.live ? this.store.from : 0; }
   get shown() { return this.views[this.tab][0]; }
   open(name) {
     this.tab = name;
@@ -130,7 +133,7 @@ class Desk {
 
   /* What a machine says: a piece of film, its state, output of the terminal, or a sentence. */
   hear(message) {
-    if (message.reset) { this.store = new Store(); this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
+    if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
     if (message.piece) this.store.apply(message.piece);
     if (message.machine) Object.assign(this.machine, message.machine);
     if (message.text) this.views.terminal[0].write(message.text);
@@ -163,7 +166,7 @@ class Desk {
   }
   seek(time) {
     this.follow = false;
-    this.time = Math.max(0, Math.min(this.store.now, time));
+    this.time = Math.max(this.from, Math.min(this.store.now, time));
     if (!this.live || !this.playing) this.playing = false;
     this.redraw();
   }
@@ -178,7 +181,7 @@ class Desk {
     else if (event.key === 'ArrowLeft' || event.key === 'ArrowRight') {
       const way = event.key === 'ArrowRight' ? 1 : -1;
       if (event.shiftKey) this.seek(this.time + way); else this.step(way);
-    } else if (event.key === 'Home') this.seek(0);
+    } else if (event.key === 'Home') this.seek(this.from);
     else if (event.key === 'End') { this.seek(this.store.now); this.follow = this.live; }
     else return;
     event.preventDefault();
@@ -205,6 +208,7 @@ class Desk {
       if (this.time >= this.store.now) { this.playing = false; this.follow = this.live; }
     }
     if (!this.colours || !this.views) return;
+    this.time = Math.max(this.time, this.from);
     this.layout();
     for (const view of this.worldViews || []) view.draw(this.time);
     this.shown.draw(this.time);
@@ -239,13 +243,13 @@ class Desk {
     const { store } = this, running = this.live && this.follow ? this.machine.running : this.playing;
     this.play.textContent = running ? '❚❚ Pause' : '▶ Play';
     this.clock.textContent = `${this.time.toFixed(3)} s`;
-    this.slider.value = store.now ? Math.round(this.time / store.now * 1e6) : 0;
+    this.slider.value = store.now > this.from ? Math.round((this.time - this.from) / (store.now - this.from) * 1e6) : 0;
     this.slider.setAttribute('aria-valuetext', `${this.time.toFixed(2)} of ${store.now.toFixed(2)} seconds`);
     this.now.hidden = !this.live || this.follow;
     this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
     if (this.saidAt && performance.now() - this.saidAt < 6000) return;
     this.state.textContent = this.ended || (!this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
-      : this.machine.running ? 'running' : 'paused');
+      : (this.machine.running ? 'running' : 'paused') + (this.from ? `, shown from ${this.from.toFixed(0)} s on: what is older is let go` : ''));
   }
 }
 
