@@ -9,8 +9,9 @@ from __future__ import annotations
 import asyncio
 import atexit
 import socket
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.place import Address, UnsafePlace, domain, folder, locked, read_address, remove_address, write_address
@@ -18,6 +19,13 @@ from edulaunch.machine.server import LOOK_EVERY_S, Server
 from edulaunch.machine.starting import listen
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session
+from edulaunch.sim.pacing import RealTime
+
+if TYPE_CHECKING:
+    from edulaunch.machine.desk_widget import Page
+    from edulaunch.view.viewer import Viewer
+
+SHOWN_EVERY_S = 1 / 30
 
 
 class Hosting:
@@ -29,10 +37,48 @@ class Hosting:
         self._next: asyncio.TimerHandle | None = None
         self._door: tuple[str, str, Address] | None = None
         self._is_going = False
+        self.pages: list[Page] = []
 
     def has_terminals(self) -> bool:
-        """Whether anybody is connected."""
-        return self._server is not None and self._server.has_terminals()
+        """Whether anybody is connected, or looks at a desk."""
+        return self._server is not None and (self._server.has_terminals() or any(page.is_shown() for page in self.pages))
+
+    # What a desk in the notebook needs of its machine, see `edulaunch.view.viewer.Living` and `DeskWidget`.
+
+    can_continue = False
+
+    @property
+    def session(self) -> Session:
+        """What runs on the machine."""
+        assert self._server is not None
+        return self._server.session
+
+    @property
+    def time(self) -> RealTime:
+        """How its time passes while somebody looks."""
+        assert self._server is not None
+        return self._server.time
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this; cells cannot be repeated."""
+
+    def continue_at(self, time_s: float) -> None:
+        """A notebook's machine cannot: its cells are not known."""
+
+    def soon(self, action: Callable[[], object]) -> None:
+        """Do something where the machine runs, and look again at what is due; from any thread."""
+
+        def act() -> None:
+            action()
+            self._look_again(0.0)
+
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(act)
+
+    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
+        """What the page of a viewer asks for."""
+        with outer_loop_set_aside(), streams_of_programs():
+            viewer.take(words)
 
     def serve(self, session: Session) -> None:
         """From now on terminals find this session; the notebook that was used last is the one that they find."""
@@ -88,7 +134,7 @@ class Hosting:
         """Run what is due, for as long as anybody is connected."""
         server = self._server
         assert server is not None
-        if not server.has_terminals():
+        if not self.has_terminals():
             self._is_going = False
             return
         if not self._is_going:
@@ -102,6 +148,10 @@ class Hosting:
         finally:
             host.is_paced = False
         server.drop_the_silent()
+        for page in list(self.pages):
+            page.show()
+        if any(page.is_shown() for page in self.pages):
+            due_s = min(SHOWN_EVERY_S, SHOWN_EVERY_S if due_s is None else due_s)
         self._look_again(LOOK_EVERY_S if due_s is None else min(due_s, LOOK_EVERY_S))
 
     def _look_again(self, seconds: float) -> None:

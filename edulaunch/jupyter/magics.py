@@ -24,19 +24,19 @@ class RosMagics(Magics):
 
     @no_var_expand
     @line_magic
-    def ros2(self, line: str) -> Recording | None:
+    def ros2(self, line: str) -> Any:
         """The `ros2` command on the simulated machine.
 
         %ros2 launch PACKAGE FILE name:=value --for 20     start anew, run 20 simulated seconds; returns the Recording
         %ros2 topic list                                   any other command, beside what still runs
         %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
         %ros2 run turtlesim draw_square &                  leave it running; a program that reads keys gets buttons
+        %ros2 view frames                                  the live desk, here with its tf frames; time goes on while it is seen
         %ros2 jobs      %ros2 stop      %ros2 wait 5       what was left running; end it; let simulated seconds pass
 
         Brackets and dollar signs are passed on as they are.
         """
-        found: Recording | None = self._told(lambda: self.terminal.ros2(line))
-        return found
+        return self._told(lambda: self.terminal.ros2(line))
 
     @no_var_expand
     @line_magic

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from typing import Any
 
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.line import read_line
@@ -29,13 +30,15 @@ class Terminal:
         self.machine = Machine(write, self.workspaces)
         self._sourced: list[str] = []
 
-    def ros2(self, text: str) -> Recording | None:
-        """Run the words behind `ros2`. A launch returns its Recording.
+    def ros2(self, text: str) -> Any:
+        """Run the words behind `ros2`. A launch returns its Recording, `view` the live desk.
 
         :raises UnusableInput: for a launch file that is not there, or words that cannot be read.
         :raises LaunchFileError: for a launch file with a mistake; names the student's file and line.
         """
         line = read_line(text)
+        if line.words[:1] == ['view']:
+            return self.view(line.words[1:])
         with self.machine.hosting.cell(), outer_loop_set_aside():
             if line.words[:1] in (['jobs'], ['stop'], ['wait']):
                 self.machine.own_word(*line.words)
@@ -44,6 +47,19 @@ class Terminal:
             else:
                 return self.machine.launch(line)
         return None
+
+    def view(self, words: list[str]) -> Any:
+        """The live desk of the machine, with a tab open: `view`, `view frames`. Time goes on while somebody looks.
+
+        :raises UnusableInput: when nothing runs yet, or there is no such tab.
+        """
+        from edulaunch.machine.started import desk_widget
+
+        if self.machine.session is None:
+            raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')
+        with self.machine.hosting.cell():
+            self.machine.hosting.serve(self.machine.session)
+        return desk_widget(self.machine.hosting, words[0] if words else 'graph')
 
     def source(self, path: str) -> None:
         """Use the packages of a workspace from the next launch on.

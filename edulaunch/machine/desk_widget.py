@@ -7,7 +7,8 @@ anywidget.
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
 
 import anywidget
 import traitlets
@@ -16,11 +17,40 @@ from edulaunch.view.page import module
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
-    from edulaunch.machine.started import Machine
+    from edulaunch.session import Session
+    from edulaunch.sim.pacing import RealTime
+
 
 SHOWN_EVERY_S = 1 / 30
 SHOWN_FOR_S = 1.5
 """How long a page is kept up to date after it asked for it."""
+
+
+class Host(Protocol):
+    """The machine behind the widget: what a viewer needs, and where it runs."""
+
+    can_continue: bool
+    pages: list[Page]
+
+    @property
+    def session(self) -> Session:
+        """What runs on it."""
+
+    @property
+    def time(self) -> RealTime:
+        """How its time passes."""
+
+    def took(self, words: dict[str, Any]) -> None:
+        """See `Living`."""
+
+    def continue_at(self, time_s: float) -> None:
+        """See `Living`."""
+
+    def soon(self, action: Callable[[], object]) -> None:
+        """Do something where the machine runs; from any thread."""
+
+    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
+        """What the page of a viewer asks for."""
 
 
 class Page:
@@ -33,6 +63,10 @@ class Page:
     def ask(self) -> None:
         """The page is there, and wants to know what is new."""
         self._until_s = time.monotonic() + SHOWN_FOR_S
+
+    def is_shown(self) -> bool:
+        """Whether somebody looks at it."""
+        return time.monotonic() < self._until_s
 
     def show(self) -> None:
         """Say what is new, if it is time to."""
@@ -49,7 +83,7 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
     tab = traitlets.Unicode('graph').tag(sync=True)
     film = traitlets.Unicode('').tag(sync=True)
 
-    def __init__(self, machine: Machine, tab: str) -> None:
+    def __init__(self, machine: Host, tab: str) -> None:
         super().__init__(tab=tab)
         self._machine = machine
         self._pages: dict[str, Page] = {}
@@ -80,5 +114,5 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
         """The widget; where there is no front end, a line that says so."""
         bundle = super()._repr_mimebundle_(**options)
         data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
-        data['text/plain'] = f'live view of {self._machine!r}: nothing to see where no front end is'
+        data['text/plain'] = f'live view at {self._machine.session.sim.elapsed_s:.2f} s: nothing to see where no front end is'
         return (data, *bundle[1:]) if isinstance(bundle, tuple) else data

@@ -27,7 +27,7 @@ from edulaunch.view import TABS
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
-    from edulaunch.machine.desk_widget import DeskWidget, Page
+    from edulaunch.machine.desk_widget import DeskWidget, Host, Page
     from edulaunch.recording import Recording
 
 
@@ -151,15 +151,7 @@ class Machine:
 
         :raises UnusableInput: when anywidget is not installed, or there is no such tab.
         """
-        from edulaunch.nearest import did_you_mean
-
-        if tab not in TABS:
-            raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
-        try:
-            from edulaunch.machine.desk_widget import DeskWidget
-        except ImportError:
-            raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
-        return DeskWidget(self, tab)
+        return desk_widget(self, tab)
 
     def take(self, words: dict[str, Any]) -> None:
         """Do by hand what a page would ask for."""
@@ -220,6 +212,22 @@ class Machine:
         while not self.session.is_over:
             await asyncio.sleep(LONGEST_SLEEP_S)
         return self.recording()
+
+
+def desk_widget(machine: Host, tab: str) -> DeskWidget:
+    """The live desk of a machine as a widget; see `Machine.view`.
+
+    :raises UnusableInput: when anywidget is not installed, or there is no such tab.
+    """
+    from edulaunch.nearest import did_you_mean
+
+    if tab not in TABS:
+        raise UnusableInput(f'there is no tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
+    try:
+        from edulaunch.machine.desk_widget import DeskWidget
+    except ImportError:
+        raise UnusableInput('the live view needs anywidget', help="pip install 'edulaunch[notebook]'") from None
+    return DeskWidget(machine, tab)
 
 
 def start(

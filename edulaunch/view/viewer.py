@@ -32,10 +32,16 @@ DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 class Living(Protocol):
     """The machine behind a page: its session, and how its time passes."""
 
-    session: Session
-    time: RealTime
     can_continue: bool
     """Whether any instant can be reached again."""
+
+    @property
+    def session(self) -> Session:
+        """What runs on it."""
+
+    @property
+    def time(self) -> RealTime:
+        """How its time passes."""
 
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this."""

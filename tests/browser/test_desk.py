@@ -156,8 +156,12 @@ def test_dark_and_narrow(browser: Any, tmp_path: Path, shots: Path, scheme: str,
     assert desk.errors == []
 
 
-def test_the_desk_in_a_notebook(lab: Lab, course: Path, shots: Path) -> None:
-    code = f'import edulaunch\nmachine = edulaunch.start{DEMO!r}\nmachine.view()'
+STARTED = f'import edulaunch\nmachine = edulaunch.start{DEMO!r}\nmachine.view()'
+MAGIC = f'%load_ext edulaunch.jupyter\nrecording = %ros2 launch {" ".join(DEMO)} --for 3\n%ros2 view'
+
+
+@pytest.mark.parametrize(('code', 'can_continue'), [(STARTED, True), (MAGIC, False)], ids=['started', 'magic'])
+def test_the_desk_in_a_notebook(lab: Lab, course: Path, shots: Path, code: str, can_continue: bool) -> None:
     cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}
     kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
     notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
@@ -167,5 +171,5 @@ def test_the_desk_in_a_notebook(lab: Lab, course: Path, shots: Path) -> None:
         page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
         page.page.locator('.worlds canvas').first.wait_for()
         desk.errors.clear()  # what JupyterLab itself complains of while it starts
-        check_the_desk(desk, shots, 'lab', can_continue=True)
+        check_the_desk(desk, shots, 'lab', can_continue=can_continue)
         assert page.requests == []
