@@ -11,6 +11,7 @@ import signal
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
+from edulaunch.attached import attached
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
@@ -26,6 +27,7 @@ TICK_NS = 16_000_000
 LONGEST_STEP_NS = 10_000_000_000
 FASTEST = 100.0
 LONGEST_LINE = 4000
+MOST_CHOICES = 60
 DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 
 
@@ -165,6 +167,29 @@ class Viewer:
         if not background:
             self._jobs = [job for job in self._jobs if job.returncode is None] + [process]
 
+    def _complete(self, words: dict[str, Any]) -> None:
+        """The Tab key in the page's terminal: the line as far as it is sure, and what could follow."""
+        line = str(words['line'])[:LONGEST_LINE]
+        *before, typed = line.split(' ')
+        if before[:1] != ['ros2']:
+            return
+        possible = attached('completions')(before[1:], typed, lambda: self._session.index, self._listed)
+        found = sorted({word for word in possible if word.startswith(typed)})
+        sure = os.path.commonprefix(found) + (' ' if len(found) == 1 else '')
+        self._say({'completed': [line[: len(line) - len(typed)] + sure if found else line, found[:MOST_CHOICES]]})
+
+    def _listed(self, command: str) -> list[str]:
+        """What a command such as `topic list` would print now, without a turn of anybody's."""
+        rows, (what, *rest) = self._session.recorder.endpoints, command.split()
+        if what == 'node':
+            return [node.fully_qualified_name for node in self._session.graph.nodes if not node.name.startswith('_')]
+        if what == 'param':
+            return [row[2] for row in self._session.recorder.parameters if row[1] == rest[-1]]
+        if what == 'topic' and rest[0] == 'type':
+            return [row[2] for row in rows if row[1] == rest[-1]]
+        kinds = {'topic': ('publisher', 'subscription'), 'service': ('service',)}.get(what, ())
+        return [row[1] for row in rows if row[0] in kinds and '/_action/' not in row[1]]
+
     def _interrupt(self, words: dict[str, Any]) -> None:
         """Ctrl-C for what was started last."""
         running = [job for job in self._jobs if job.returncode is None]
@@ -199,6 +224,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'teleport': Viewer._teleport,
     'param': Viewer._parameter,
     'line': Viewer._line,
+    'complete': Viewer._complete,
     'interrupt': Viewer._interrupt,
 }
 

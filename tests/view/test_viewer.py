@@ -108,6 +108,21 @@ def test_a_line_runs_and_ctrl_c_ends_the_last_one(desk: Desk) -> None:
     assert len(desk.text()) == length
 
 
+@pytest.mark.parametrize(
+    ('line', 'sure'),
+    [
+        ('ros2 topic ec', 'ros2 topic echo '),
+        ('ros2 topic echo /turtlesim1/turtle1/po', 'ros2 topic echo /turtlesim1/turtle1/pose '),
+        ('ros2 param get /turtlesim1/turtlesim background_', 'ros2 param get /turtlesim1/turtlesim background_'),
+        ('ros2 run turtle_tf2_', 'ros2 run turtle_tf2_py '),
+        ('ros2 nothing of th', 'ros2 nothing of th'),
+    ],
+)
+def test_the_tab_key_knows_verbs_packages_and_names_of_the_machine(desk: Desk, line: str, sure: str) -> None:
+    desk.ask('complete', line=line)
+    assert desk.said[-1]['completed'][0] == sure
+
+
 def test_another_command_is_refused_with_a_sentence(desk: Desk) -> None:
     desk.ask('line', line='rm -rf /')
     assert desk.text() == 'rm: this terminal knows ros2 ... only\n'
@@ -127,7 +142,7 @@ ANYTHING = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
     max_leaves=5,
 )
-OPS = st.sampled_from(['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'interrupt', 'what'])
+OPS = st.sampled_from(['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'complete', 'interrupt', 'what'])
 FIELDS = st.sampled_from(
     ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']
 )
