@@ -43,7 +43,11 @@ _PLACES = {
 _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_distance', 'plot_series', 'parameter_table')
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
 attached.PLACES.update({name: ('edulaunch.canvas.text_table', name) for name in ('message_table', 'log_table')})
-attached.PLACES.update(replay=('edulaunch.view.replay', 'Replay'), ros2=('edulaunch.cli.inside', 'main'), completions=('edulaunch.cli.ros2_candidates', 'candidates'))
+attached.PLACES.update(
+    replay=('edulaunch.view.replay', 'Replay'),
+    ros2=('edulaunch.cli.inside', 'main'),
+    completions=('edulaunch.cli.ros2_candidates', 'candidates'),
+)
 
 
 def __getattr__(name: str) -> Any:

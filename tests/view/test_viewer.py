@@ -142,7 +142,9 @@ ANYTHING = st.recursive(
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=8), inner, max_size=3),
     max_leaves=5,
 )
-OPS = st.sampled_from(['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'complete', 'interrupt', 'what'])
+OPS = st.sampled_from(
+    ['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'complete', 'interrupt', 'what']
+)
 FIELDS = st.sampled_from(
     ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']
 )
