@@ -39,7 +39,7 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(arguments: argparse.Namespace) -> int:
-    """Do it. 0 when all is well, 1 when there are findings or the package could not be made."""
+    """Make a package, or check packages: 0 when all is well, 1 when there are findings or it could not be made."""
     return create(arguments) if arguments.what == 'create' else check(arguments.path)
 
 

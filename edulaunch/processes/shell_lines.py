@@ -145,7 +145,7 @@ class Shell:
     def _streams(self, redirections: Sequence[Redirection], sink: Sink) -> tuple[Sink, dict[str, Any]]:
         """Where the output goes, and what :class:`Child` is told."""
         out = sink
-        told: dict[str, Any] = {} if isinstance(sink, _Stream) else {'stdout': sink}
+        told: dict[str, Any] = {} if type(sink) is _Stream else {'stdout': sink}
         for stream, mode, place in redirections:
             path = os.path.join(self.process.cwd or os.getcwd(), self._expansion().one(place)) if place else ''
             if stream == 'stdin':

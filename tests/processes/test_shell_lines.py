@@ -44,6 +44,7 @@ def test_what_is_not_in_the_grammar_is_for_a_real_shell(line: str) -> None:
         ('show ${NIX:-other} ${NAME:-x}y', "['other', 'two', 'wordsy']"),
         ('X=1 Y="$NAME"; show $X-$Y', "['1-two', 'words']"),
         ('show "{x: 1; y: $(echo 2)}" `echo 3`', "['{x: 1; y: 2}', '3']"),
+        ('show x$(show a)/y', '["x[\'a\']/y"]'),
         ('show $(show a | cat)', '["[\'a\']"]'),
         ('show *.txt n*pe "*.txt" ?.txt', "['a.txt', 'b.txt', 'n*pe', '*.txt', 'a.txt', 'b.txt']"),
         ('show ~ ~/x a~', "['/home/student', '/home/student/x', 'a~']"),

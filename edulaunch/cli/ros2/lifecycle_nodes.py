@@ -19,7 +19,7 @@ _SERVICE, _TYPE = '/get_state', 'lifecycle_msgs/srv/GetState'
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """Discovery, and whether hidden nodes count."""
     cli_node.add_arguments(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
 

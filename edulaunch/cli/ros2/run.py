@@ -29,7 +29,7 @@ WINDOWS = {
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 run`."""
     parser.add_argument('--prefix', help='Prefix command, which should go before the executable')
     parser.add_argument('package_name', help='Name of the ROS package')
     parser.add_argument('executable_name', help='Name of the executable')

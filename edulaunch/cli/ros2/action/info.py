@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 action info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('action_name', help="Name of the action to get info (e.g. '/fibonacci')")
     parser.add_argument('-t', '--show-types', action='store_true', help='Additionally show the action type')

@@ -22,7 +22,7 @@ STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'C
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 action send_goal`."""
     parser.add_argument('action_name', help="Name of the ROS action (e.g. '/fibonacci')")
     parser.add_argument('action_type', help="Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')")
     group = parser.add_mutually_exclusive_group()

@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.action_names import action_names_and_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 action type`."""
     cli_node.add_arguments(parser)
     parser.add_argument('action_name', help="Name of the ROS action to get type (e.g. '/fibonacci')")
 

@@ -12,7 +12,7 @@ KINDS = (('msg', 'Messages'), ('srv', 'Services'), ('action', 'Actions'))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 interface list`."""
     for kind, heading in KINDS:
         parser.add_argument(
             f'-{kind[0]}', f'--only-{kind}s', dest=kind, action='store_true', help=f'Print out only {heading.lower()}'

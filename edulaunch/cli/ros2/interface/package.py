@@ -11,7 +11,7 @@ from edulaunch.nearest import did_you_mean
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 interface package`."""
     parser.add_argument('package_name', help="Name of the ROS package (e.g. 'example_interfaces')")
 
 

@@ -10,7 +10,7 @@ from edulaunch.interfaces import current_registry
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 interface packages`."""
     listing.add_arguments(parser)
 
 

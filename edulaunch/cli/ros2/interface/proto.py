@@ -10,7 +10,7 @@ from edulaunch.interfaces.message_text import message_yaml
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 interface proto`."""
     parser.add_argument('type', help="Show an interface prototype (e.g. 'example_interfaces/msg/String')")
     parser.add_argument('--no-quotes', action='store_true', help='if true output has no outer quotes.')
 

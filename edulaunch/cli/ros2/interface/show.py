@@ -14,7 +14,7 @@ from edulaunch.interfaces.spec import InterfaceSpec, MessageSpec, ServiceSpec
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 interface show`."""
     parser.add_argument('type', help="Show an interface definition (e.g. 'example_interfaces/msg/String')")
     group = parser.add_mutually_exclusive_group()
     group.add_argument(

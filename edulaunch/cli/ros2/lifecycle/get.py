@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 lifecycle get`."""
     lifecycle_nodes.add_arguments(parser)
     parser.add_argument('node_name', nargs='?', help='Name of the ROS node')
 

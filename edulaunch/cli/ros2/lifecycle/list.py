@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 lifecycle list`."""
     lifecycle_nodes.add_arguments(parser)
     parser.add_argument('node_name', help='Name of the ROS node')
     parser.add_argument('-a', '--all', action='store_true', help='Display all existing transitions')

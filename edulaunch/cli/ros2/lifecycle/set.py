@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import complain, say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 lifecycle set`."""
     lifecycle_nodes.add_arguments(parser)
     parser.add_argument('node_name', help='Name of the ROS node')
     parser.add_argument('transition', help='The lifecycle transition')

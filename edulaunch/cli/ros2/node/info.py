@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 node info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', help='Fully qualified node name to request information with given spin time')
     parser.add_argument('--include-hidden', action='store_true', help='Display hidden topics, services, and actions as well')

@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import complain, say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 node list`."""
     cli_node.add_arguments(parser)
     parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
     parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')

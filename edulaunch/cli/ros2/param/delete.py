@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import complain, say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param delete`."""
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
 

@@ -11,7 +11,7 @@ from edulaunch.cli.ros2.output import with_help
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param describe`."""
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_names', nargs='+', help='Names of the parameters')
 

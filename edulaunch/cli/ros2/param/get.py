@@ -22,7 +22,7 @@ LABELS = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param get`."""
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('--hide-type', action='store_true', help='Hide the type information')

@@ -11,7 +11,7 @@ from edulaunch.cli.ros2.output import say
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param list`."""
     node_parameters.add_arguments(parser, optional=True)
     parser.add_argument('--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes')
     parser.add_argument('--param-type', action='store_true', help='Print parameter types with parameter names')

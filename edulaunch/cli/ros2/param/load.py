@@ -11,7 +11,7 @@ from edulaunch.processes.current import current_process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param load`."""
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_file', help='Parameter file')
     parser.add_argument(

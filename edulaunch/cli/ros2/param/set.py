@@ -9,7 +9,7 @@ from edulaunch.cli.ros2.output import complain, say, with_help
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 param set`."""
     node_parameters.add_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('value', help='Value of the parameter, read as YAML')

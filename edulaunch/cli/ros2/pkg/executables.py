@@ -11,7 +11,7 @@ from edulaunch.processes.current import current_process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 pkg executables`."""
     parser.add_argument('package_name', nargs='?', help='Name of the package to list its executables')
     parser.add_argument('--full-path', action='store_true', help='Show the full path of each executable')
 

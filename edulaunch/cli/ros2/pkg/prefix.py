@@ -10,7 +10,7 @@ from edulaunch.processes.current import current_process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 pkg prefix`."""
     parser.add_argument('package_name', help='The package name')
     parser.add_argument('--share', action='store_true', help='Show share directory for the package')
 

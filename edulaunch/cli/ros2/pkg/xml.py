@@ -11,7 +11,7 @@ from edulaunch.processes.current import current_process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 pkg xml`."""
     parser.add_argument('package_name', help='The package name')
     parser.add_argument('-t', '--tag', help='The XML tag to output, e.g. version')
 

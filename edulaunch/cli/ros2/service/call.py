@@ -23,7 +23,7 @@ PATIENCE_S = 5.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 service call`."""
     parser.add_argument('service_name', help="Name of the ROS service to call to (e.g. '/add_two_ints')")
     parser.add_argument('service_type', help="Type of the ROS service (e.g. 'std_srvs/srv/Empty')")
     group = parser.add_mutually_exclusive_group()

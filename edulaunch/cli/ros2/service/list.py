@@ -8,7 +8,7 @@ from edulaunch.cli.ros2 import cli_node, names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 service list`."""
     cli_node.add_arguments(parser)
     names.add_list_arguments(parser, 'service')
     parser.add_argument('--include-hidden-services', action='store_true', help='Consider hidden services as well')

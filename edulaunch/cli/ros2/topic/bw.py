@@ -10,7 +10,7 @@ from edulaunch.sim.task import current_task
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic bw`."""
     measuring.add_arguments(parser, 100)
 
 

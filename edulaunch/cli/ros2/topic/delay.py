@@ -10,7 +10,7 @@ from edulaunch.cli.ros2 import measuring
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic delay`."""
     measuring.add_arguments(parser, 10000)
 
 

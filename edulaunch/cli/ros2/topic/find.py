@@ -8,7 +8,7 @@ from edulaunch.cli.ros2 import cli_node, names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic find`."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_type', help="Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')")
     parser.add_argument(

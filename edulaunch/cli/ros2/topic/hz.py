@@ -11,7 +11,7 @@ from edulaunch.cli.ros2.message_filter import message_filter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic hz`."""
     measuring.add_arguments(parser, 10000)
     parser.add_argument('--filter', metavar='EXPR', help="only measure messages matching the Python expression, as in 'm.x > 1'")
     parser.add_argument('--wall-time', action='store_true', help='accepted; simulated time is the only one here')

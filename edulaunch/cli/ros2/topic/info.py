@@ -10,7 +10,7 @@ from edulaunch.nearest import did_you_mean
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to get info (e.g. '/chatter')")
     parser.add_argument(

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic list`."""
     cli_node.add_arguments(parser)
     names.add_list_arguments(parser, 'topic')
     parser.add_argument('--include-hidden-topics', action='store_true', help='Consider hidden topics as well')

@@ -8,7 +8,7 @@ from edulaunch.cli.ros2 import cli_node, names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """As in ROS 2."""
+    """The options and words of `ros2 topic type`."""
     cli_node.add_arguments(parser)
     parser.add_argument('topic_name', help="Name of the ROS topic to get type (e.g. '/chatter')")
 
