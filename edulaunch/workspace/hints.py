@@ -38,7 +38,7 @@ def package_hint(index: Index, package: str) -> str:
     if same:
         return _why_no_package(*same[0])
     if not workspaces:
-        return f'if {package} is a package of yours, name its workspace: --workspace DIR (as building and sourcing it with ROS 2)'
+        return f'if {package} is a package of yours, go to its workspace (cd) or name that with --workspace DIR'
     return f'no package.xml below {", ".join(workspaces)} has the <name> {package}'
 
 

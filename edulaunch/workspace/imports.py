@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator
 
 from edulaunch.packages import Index
-from edulaunch.workspace.dependencies import faces
 from edulaunch.workspace.finding import Mistake
 from edulaunch.workspace.sources import RUNTIME_TAGS, SourcePackage, parsed
 
@@ -30,7 +29,7 @@ def of_package(index: Index, package: SourcePackage) -> Iterator[Mistake]:
     """Packages that are imported or launched and not named in package.xml; each once, where it is first used."""
     declared = {dependency.name for dependency in package.dependencies if dependency.tag in RUNTIME_TAGS}
     others = {dependency.name for dependency in package.dependencies} - declared
-    known = {*index.packages(), *faces()}
+    known = index.packages()
     told: set[str] = {package.name}
     for name, file, line, how in _uses(package):
         if name in told or name not in known or declared & {name, *SAME.get(name, ())} or FROM_OTHERS.get(name) in declared:

@@ -19,7 +19,7 @@ MISTAKES = {
     'from launch.actions import IfCondition': 'IfCondition lives in launch.conditions',
     'from launch.actions import DeclareLaunchArgumnt': "did you mean 'DeclareLaunchArgument'?",
     'from nav2_common.launch import RewrittenYaml': "the module 'nav2_common' (Navigation 2) is not here",
-    'import qqq_zzz.parts': "if 'qqq_zzz' is a package of yours, name its workspace: --workspace DIR; if it is not, try: pip install qqq_zzz",
+    'import qqq_zzz.parts': "if 'qqq_zzz' is a package of yours, go to its workspace or name that with --workspace DIR; if it is not, try: pip install qqq_zzz",
     'from launch.action_s import LogInfo': "did you mean 'from launch.actions import ...'?",
     'import launch\nx = launch.actions.LogInf': "did you mean 'LogInfo'?",
     'from .other import x': 'a launch file belongs to no package: put the shared code into your Python package, and write from my_package.module import ... without the leading dot',

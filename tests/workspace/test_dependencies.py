@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from edulaunch.workspace.dependencies import faces, is_here, missing_dependencies
+from edulaunch.packages import Index
+from edulaunch.workspace.dependencies import is_here, missing_dependencies
 
 
 def test_each_missing_dependency_is_named_once_with_its_line_and_the_nearest_name(workspace: Any) -> None:
@@ -32,8 +33,12 @@ def test_each_missing_dependency_is_named_once_with_its_line_and_the_nearest_nam
         ('python3-yaml', True),
         ('python3-no-such-thing', False),
         ('gazebo_ros', False),
+        ('ros2_control', False),
         ('ros2launch', True),
+        ('rclcpp_lifecycle', True),
+        ('ament_cmake_auto', True),
+        ('xacro', True),
     ],
 )
 def test_what_counts_as_here(name: str, here: bool) -> None:
-    assert is_here(name, ['turtlesim', 'tf2_ros', *faces()]) is here
+    assert is_here(name, list(Index().packages())) is here

@@ -104,7 +104,7 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
     assert package_hint(index, 'empty_folder') == f'there is a folder {robo.folder}/empty_folder, but it has no package.xml'
     assert 'is left out because of the file COLCON_IGNORE' in package_hint(index, 'ignored_one')
     assert package_hint(index, 'qqqqq') == f'no package.xml below {robo.folder} has the <name> qqqqq'
-    assert 'name its workspace: --workspace DIR' in package_hint(Index(), 'qqqqq')
+    assert 'go to its workspace (cd) or name that with --workspace DIR' in package_hint(Index(), 'qqqqq')
 
 
 def test_an_executable_that_goes_to_the_wrong_folder(robo: Any) -> None:

@@ -91,7 +91,8 @@ def _missing_module(error: BaseException, text: str) -> str | None:
     near = nearest(found[1], MODULES)
     if near is not None and near != found[1]:
         return f"did you mean 'from {near} import ...'?"
-    return f'if {top!r} is a package of yours, name its workspace: --workspace DIR; if it is not, try: pip install {top}'
+    own = f'if {top!r} is a package of yours, go to its workspace or name that with --workspace DIR'
+    return f'{own}; if it is not, try: pip install {top}'
 
 
 def _unknown_name(error: BaseException, text: str) -> str | None:
