@@ -30,6 +30,7 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
 
     :param start: whether to start a machine when there is none; else a sentence says that there is none.
     """
+    _open_the_closed()
     for _ in range(3):  # a machine may end just when we come
         try:
             found = connect(domain(), start=start)
@@ -43,6 +44,15 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
         if code is not None:
             return code
     return _failed(f'the machine does not answer\n  help: see {log_file(folder(), domain())}')
+
+
+def _open_the_closed() -> None:
+    """Let 0, 1 and 2 be files: what is opened later must not take the place of a closed one."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
 
 
 def _failed(why: str) -> int:
@@ -136,7 +146,10 @@ class Client:
             _write(1 if kind == wire.OUTPUT else 2, payload)
 
     def _pass_keys(self, poll: select.poll) -> None:
-        keys = os.read(0, 1 << 12)
+        try:
+            keys = os.read(0, 1 << 12)
+        except OSError:  # closed, or not ours to read
+            keys = b''
         self._connection.sendall(wire.frame(wire.INPUT, keys))
         if not keys:
             poll.unregister(0)

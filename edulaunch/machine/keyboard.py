@@ -54,16 +54,23 @@ def _restore_when_we_die(before: list[object]) -> int:
     import termios
 
     reader, writer = os.pipe()
+    ready, is_ready = os.pipe()
     if os.fork() == 0:
         try:
             os.setsid()
             for signum in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
                 signal.signal(signum, signal.SIG_IGN)
             os.closerange(1, reader)
-            os.closerange(reader + 1, 256)
+            os.closerange(reader + 1, is_ready)
+            os.closerange(is_ready + 1, 256)
+            os.write(is_ready, b'.')
+            os.close(is_ready)
             if not os.read(reader, 1):
                 termios.tcsetattr(0, termios.TCSADRAIN, before)  # type: ignore[arg-type]
         finally:
             os._exit(0)
-    os.close(reader)
+    for number in (reader, is_ready):
+        os.close(number)
+    os.read(ready, 1)  # a signal that comes before would end the one left behind, too
+    os.close(ready)
     return writer

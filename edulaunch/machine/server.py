@@ -10,6 +10,7 @@ import signal
 import socket
 import sys
 import time
+import traceback
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
@@ -25,6 +26,7 @@ from edulaunch.sim.pacing import RealTime
 GRACE_S = 10.0
 """Seconds that a machine waits for another terminal after the last one has gone."""
 MOST_CONNECTIONS = 512
+MOST_MISTAKES = 20
 HELLO_WITHIN_S = 5.0
 LOOK_EVERY_S = 5.0
 QUIET_S = 0.04
@@ -58,6 +60,7 @@ class Server:
         self.is_listening = False
         self.rounds = 0
         self.is_behind = False
+        self._mistakes = 0
         self.last_seen_s = self._forgot_s = time.monotonic()
         self.on_accept: Callable[[socket.socket], object] = lambda client: None
         self._listener = listener
@@ -71,6 +74,22 @@ class Server:
         wait_s = self.time.advance()
         self.flush()
         return wait_s
+
+    def run_due_safely(self) -> float | None:
+        """As :meth:`run_due`; a mistake of the engine in one program's turn is noted, and the other programs go on.
+
+        :raises Exception: when nothing goes on any more.
+        """
+        try:
+            due_s = self.run_due()
+            self._mistakes = 0
+        except Exception:
+            self._mistakes += 1
+            if self._mistakes >= MOST_MISTAKES:
+                raise
+            traceback.print_exc(file=sys.__stderr__)
+            due_s = 0.0
+        return due_s
 
     def flush(self) -> None:
         """Hand on what was said."""
@@ -166,7 +185,7 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
     """Serve until the last terminal has been gone for a while, or somebody says so."""
     early, grace_s = list(EARLY), _seconds('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
-        due_s = server.run_due()
+        due_s = server.run_due_safely()
         left_s = math.inf if server.has_connections() else server.last_seen_s + grace_s - time.monotonic()
         if left_s <= 0:
             break

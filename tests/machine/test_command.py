@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.machine.shells import ROS2, Desk
+from tests.machine.shells import PATIENCE_S, ROS2, Desk
 
 
 @pytest.fixture
@@ -24,7 +24,9 @@ def real(tmp_path: Path) -> Path:
 
 
 def run(desk: Desk, *words: str, program: list[str] = ROS2, **env: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*program, *words], env={**desk.env, **env}, cwd=desk.folder, capture_output=True, text=True)
+    return subprocess.run(
+        [*program, *words], env={**desk.env, **env}, cwd=desk.folder, capture_output=True, text=True, timeout=PATIENCE_S
+    )
 
 
 @pytest.mark.parametrize('sign', ['ROS_DISTRO', 'AMENT_PREFIX_PATH'])

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import shlex
 import signal
+import subprocess
 import termios
 from collections.abc import Callable
 
 import pytest
 
-from tests.machine.shells import ROS2, Desk, Shell
+from tests.machine.shells import PATIENCE_S, ROS2, Desk, Shell
 from tests.machine.workspace import make_package
 
 ASKS = """def main():
@@ -96,3 +97,24 @@ def test_what_nobody_reads_is_left_to_the_next_command(desk: Desk) -> None:
     shell.type('typed ahead\n')
     shell.until('got typed ahead')
     assert '/rosout' in shell.output
+
+
+def test_a_pipe_and_nothing_at_all_may_be_read(desk: Desk) -> None:
+    make_package(desk.folder, {'asks': ASKS})
+    words = [*ROS2, 'run', 'mine', 'asks']
+    done = subprocess.run(
+        words, input='Ada\n1\n2\n', env=desk.env, cwd=desk.folder, capture_output=True, text=True, timeout=PATIENCE_S
+    )
+    assert done.stdout == 'Name? Hello Ada\nSum: 3\n'
+    closed = ['/bin/sh', '-c', f'{shlex.join(words)} <&-']
+    done = subprocess.run(closed, env=desk.env, cwd=desk.folder, capture_output=True, text=True, timeout=PATIENCE_S)
+    assert 'EOFError' in done.stderr
+
+
+def test_a_reader_that_goes_away_ends_the_command_quietly(desk: Desk) -> None:
+    desk.ros2('run demo_nodes_py talker').until('Publishing')
+    line = f'{shlex.join([*ROS2, "topic", "echo", "/chatter"])} | head -n 1; echo over'
+    done = subprocess.run(
+        ['/bin/sh', '-c', line], env=desk.env, cwd=desk.folder, capture_output=True, text=True, timeout=PATIENCE_S
+    )
+    assert done.stdout.endswith("'\nover\n") and done.stderr == ''

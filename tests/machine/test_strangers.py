@@ -16,7 +16,7 @@ from edulaunch.machine import wire
 from edulaunch.machine.client import hello
 from edulaunch.machine.place import Address, UnsafePlace, folder, read_address, write_address
 from tests.machine.conftest import desk_in
-from tests.machine.shells import Desk
+from tests.machine.shells import PATIENCE_S, Desk
 
 NOBODY = 65534
 
@@ -107,7 +107,7 @@ def test_another_user_is_kept_out_even_with_the_token(shared_desk: Desk, machine
 
     def stranger() -> subprocess.CompletedProcess[bytes]:
         said = hello(machine.token, ['ros2', 'topic', 'list'])
-        return subprocess.run([sys.executable, '-c', code], input=said, capture_output=True)
+        return subprocess.run([sys.executable, '-c', code], input=said, capture_output=True, timeout=PATIENCE_S)
 
     assert b'PermissionError' in stranger().stderr
     os.chmod(os.path.dirname(machine.place), 0o755)
