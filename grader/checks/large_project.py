@@ -40,13 +40,15 @@ def no_node_dies(run: Evidence) -> None:
 @check(points=1, needs=[no_node_dies])
 def first_world_is_there(run: Evidence) -> None:
     """The first world is there: the node /sim"""
-    require_node(run, '/sim', 'include world.launch.py')
+    require_node(run, '/sim', 'turtlesim', 'include world.launch.py')
 
 
 @check(points=2, needs=[no_node_dies])
 def second_world_is_there(run: Evidence) -> None:
     """The second world is in a namespace of its own: the node /turtlesim2/sim"""
-    require_node(run, '/turtlesim2/sim', "add GroupAction([PushRosNamespace('turtlesim2'), include('world.launch.py')])")
+    require_node(
+        run, '/turtlesim2/sim', 'turtlesim', "add GroupAction([PushRosNamespace('turtlesim2'), include('world.launch.py')])"
+    )
 
 
 @check(points=3, needs=[first_world_is_there, second_world_is_there])

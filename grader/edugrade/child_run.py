@@ -34,6 +34,7 @@ class ChildRun:
         self.scenario = job.scenario
         self.submission = job.submission
         self.home = job.home
+        self.starter = starter
         self.workspaces = job.workspaces
         self.limits = job.limits
         self.frame = bytearray()

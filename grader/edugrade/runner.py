@@ -139,8 +139,7 @@ class Runner:
         remove_tree(run.home)
         if run.was_killed and ticket.again[run.scenario.name] < MOST_TIMES_AGAIN:
             ticket.again[run.scenario.name] += 1
-            if self._starter is not None and not run.has_begun:
-                self._starter.is_alive = False
+            run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own one: there may be another one already
             self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))
             self._start_some()
             return

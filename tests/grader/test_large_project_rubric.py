@@ -42,7 +42,7 @@ def test_a_correct_launch_passes_everything() -> None:
 
 def test_without_the_pushed_namespace_the_rest_of_the_second_world_is_not_judged() -> None:
     results = graded('large_project', lambda s: run(s, nodes=[node('/sim', WORLD), node('/listener', LISTENER)]))
-    assert results['second_world_is_there'].seen == '/sim, /listener'
+    assert results['second_world_is_there'].seen == '/sim'
     assert statuses(results) == {
         'second_world_is_there': 'failed',
         'water_comes_from_the_file': 'not_run',
@@ -75,3 +75,9 @@ def test_a_turtle_that_copies_nobody_is_measured() -> None:
     results = graded('large_project', lambda s: run(s, tracks={'/turtle2/pose': run(s).tracks['/turtle2/pose']}))
     assert statuses(results) == {'mimic_copies': 'failed'}
     assert results['mimic_copies'].seen.endswith('/turtlesim2/turtle1 0.00 m')
+
+
+def test_a_node_of_the_name_is_no_world() -> None:
+    decoy = node('/turtlesim2/sim', program(3, 'mine', 'decoy'))
+    results = graded('large_project', lambda s: run(s, nodes=[node('/sim', WORLD), decoy, node('/listener', LISTENER)]))
+    assert results['second_world_is_there'].status == 'failed'

@@ -110,6 +110,21 @@ def test_a_submission_that_kills_the_starter_spoils_only_itself(tmp_path: Path) 
     assert [outcome.kind == 'recorded' for outcome in outcomes] == [False, True]
 
 
+def test_of_a_starter_that_was_killed_no_run_is_lost(tmp_path: Path) -> None:
+    """Both runs were sent to it and had not begun; one of them asks for the next starter first."""
+    file = tmp_path / 'good.launch.py'
+    file.write_text(HARMLESS)
+    with Runner(Limits(20.0), processors=2) as runner:
+        ticket = runner.add(Submission(str(file)), [Scenario('one', {}, 1.0), Scenario('two', {}, 1.0)])
+        first = runner._starter
+        assert first is not None
+        first._process.kill()
+        outcomes = runner.wait(ticket)
+        assert runner._starter is not first
+    assert [outcome.kind for outcome in outcomes] == ['recorded', 'recorded']
+    assert list(ticket.again.values()) == [1, 1]
+
+
 def test_a_run_finds_nothing_of_the_one_before_it(tmp_path: Path) -> None:
     leave = 'import builtins, os, sys\nbuiltins.left = os.environ["LEFT"] = "x"\nsys.modules["left"] = sys\nraise ValueError("left")\n'
     look = (

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ..evidence import Evidence
 from ..failure import Missing
 from .launched import find_processes
+from .stock import is_of
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -15,13 +16,13 @@ if TYPE_CHECKING:
 ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
 
 
-def require_node(run: Evidence, name: str, try_: str) -> None:
-    """Every run has a node of this fully qualified name.
+def require_node(run: Evidence, name: str, package: str, try_: str) -> None:
+    """Every run has a node of this fully qualified name, of a program of this package.
 
-    :raises Missing: naming the nodes that are there.
+    :raises Missing: naming the nodes of the package that are there.
     """
     for recording in run.values():
-        names = [node.name for node in recording.nodes]
+        names = [node.name for node in recording.nodes if is_of(recording, node.process, package)]
         if name not in names:
             raise Missing(f'the node {name}', name=name, among=names, where=run.source.place, try_=try_)
 

@@ -32,7 +32,7 @@ def refuse_strangers(recording: Recording, topic: str, package: str) -> None:
     :raises Failure: naming the node that publishes it besides, or instead.
     """
     for node in recording.nodes:
-        if any(name == topic for name, _ in node.publishers) and not _is_of(recording, node.process, package):
+        if any(name == topic for name, _ in node.publishers) and not is_of(recording, node.process, package):
             origins = [process.origin for process in recording.processes if process.name == node.process]
             raise Failure(
                 f'{node.name} publishes {topic}, which only a program of {package} may',
@@ -43,7 +43,7 @@ def refuse_strangers(recording: Recording, topic: str, package: str) -> None:
             )
 
 
-def _is_of(recording: Recording, name: str, package: str) -> bool:
+def is_of(recording: Recording, name: str, package: str) -> bool:
     """Whether the process of that name, or what it started under its name, is of a package and nothing else."""
     ran = [process for process in recording.processes if process.name == name]
     programs = [
