@@ -7,6 +7,7 @@ import shlex
 from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
+from edulaunch.processes.shell_grammar import stands_for_more
 
 SHELL_SIGNS = '|&;<>'
 _OURS = re.compile(r'\s--(for|seed)\s+\S+')
@@ -46,7 +47,7 @@ def read_line(text: str) -> Line:
         text = text.rstrip()[:-1]
         words = shlex.split(text)
     seconds, seed = _take_number(words, '--for'), _take_number(words, '--seed')
-    shell = _OURS.sub('', text).strip() if signs else ''
+    shell = _OURS.sub('', text).strip() if signs or stands_for_more(text) else ''
     return Line(words, seconds, int(seed or 0), stays, shell)
 
 

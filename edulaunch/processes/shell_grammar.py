@@ -16,6 +16,7 @@ parentheses, arithmetic) is not read here: :func:`parsed` returns None, and the 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 _SETTING = re.compile(r'([A-Za-z_]\w*)=')
@@ -80,6 +81,22 @@ def parsed(text: str) -> Line | None:
         return _Reader(text).line('') or None
     except (_NotInGrammar, IndexError):
         return None
+
+
+def commands(line: Line) -> Iterator[Command]:
+    """Every command of a line, those in `$(...)` too."""
+    for job in line:
+        for _, pipeline in job.parts:
+            for command in pipeline:
+                yield command
+                for piece in (piece for word in command.words for piece in word):
+                    yield from commands(piece.line)
+
+
+def stands_for_more(text: str) -> bool:
+    """Whether words of a line are known only when it runs: there are variables or `$(...)` in it."""
+    words = (word for command in commands(parsed(text) or ()) for word in command.words)
+    return any(piece.kind != 'text' for word in words for piece in word)
 
 
 class _NotInGrammar(Exception):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -17,7 +17,7 @@ from edulaunch.processes.children import Child
 from edulaunch.processes.host import SHELLS
 from edulaunch.processes.process import Process
 from edulaunch.processes.shell_filters import Filter, RealFilter, Sink, is_filter
-from edulaunch.processes.shell_grammar import Command, Job, Line, Pipeline, Redirection, parsed
+from edulaunch.processes.shell_grammar import Command, Job, Line, Pipeline, Redirection, commands, parsed
 from edulaunch.processes.shell_words import Expansion, known_words
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.sync import sleep
@@ -28,17 +28,7 @@ _NOT_FOUND = 127
 
 def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[list[str]], bool]) -> bool:
     """Whether a line has to be followed here: it can be read, and the simulation knows one of its commands."""
-    return any(knows(words) for command in _commands(line or ()) if (words := known_words(command, arguments)))
-
-
-def _commands(line: Line) -> Iterator[Command]:
-    """Every command of a line, those in `$(...)` too."""
-    for job in line:
-        for _, pipeline in job.parts:
-            for command in pipeline:
-                yield command
-                for piece in (piece for word in command.words for piece in word):
-                    yield from _commands(piece.line)
+    return any(knows(words) for command in commands(line or ()) if (words := known_words(command, arguments)))
 
 
 def run_line(process: Process, text: str) -> int:

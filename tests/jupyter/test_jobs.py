@@ -112,3 +112,8 @@ def test_the_keyboard_is_buttons_and_a_line(desk: Any) -> None:
     line.value = 'q'
     line.value = 'Ada'
     assert pressed == ['\x1b[A', '\x1b[B', '\x1b[D', '\x1b[C', 'q', 'Ada\n'] and line.value == ''
+
+
+def test_a_line_may_hold_what_another_command_prints(desk: Any) -> None:
+    desk.ros2('pkg xml $(ros2 pkg list | grep ^turtlesim) -t name')
+    assert desk.output == 'turtlesim\n'
