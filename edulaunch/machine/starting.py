@@ -95,7 +95,7 @@ def _become_machine(listener: socket.socket, place: str, number: str) -> None:
             os.dup2(file, number_here)
     os.closerange(LISTENER + 1, 256)
     os.chdir('/')
-    words = [sys.executable, '-m', 'edulaunch.machine.server', place, number]
+    words = [sys.executable, '-m', 'edulaunch.machine.serving', place, number]
     os.execv(sys.executable, words)
 
 
