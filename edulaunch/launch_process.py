@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from edulaunch.session import Session
 
 
-class Told(NamedTuple):
+class Explanation(NamedTuple):
     """An error in words: ROS 2's text with the place in the student's file, and what to try."""
 
     text: str
@@ -42,7 +42,7 @@ def first_error(launch: LaunchRun) -> BaseException | None:
     return errors[0] if errors else None
 
 
-def explain(error: BaseException, index: Index) -> Told:
+def explain(error: BaseException, index: Index) -> Explanation:
     """An exception from a launch file as a message for people; places are in the student's own files."""
     from launch._help import launch_help, launch_origin
 
@@ -50,7 +50,7 @@ def explain(error: BaseException, index: Index) -> Told:
     if place is not None:
         place = Origin(index.source_path(place.file), place.line)
     text = str(error) or type(error).__name__
-    return Told(text if place is None else f'{text}\n  at {place}', launch_help(error), *(place or (None, None)))
+    return Explanation(text if place is None else f'{text}\n  at {place}', launch_help(error), *(place or (None, None)))
 
 
 def describe(launch: LaunchRun) -> dict[str, Any]:

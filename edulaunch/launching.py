@@ -169,7 +169,7 @@ class LaunchRun:
 
             told = explain(error, self.process.index)
             raise LaunchFileError(told.text, help=told.help) from error
-        stopped = self.process.state.get('exception')
+        stopped = self.process.exception
         if stopped is not None and stopped['type'] in _STOPPED:
             place = stopped['place']
             what, help = _STOPPED[stopped['type']]

@@ -21,7 +21,7 @@ REAL_CLOCK = {
     'processes/script_clock.py',
     'sim/pacing.py',
     'sim/real_pace.py',
-    'sim/guests.py',
+    'sim/real_threads.py',
     'processes/views/time_view.py',
     'processes/watchdog.py',
 }

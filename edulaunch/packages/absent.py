@@ -144,15 +144,19 @@ KINDS = {
         )
     ),
     'ROS 1; with ROS 2 it is rclpy': Absent(modules=('rospy', 'roslib', 'actionlib', 'rospkg', 'dynamic_reconfigure')),
+    'of the old setuptools; use importlib.resources, importlib.metadata or ament_index_python': Absent(
+        modules=('pkg_resources', 'pkgutil')
+    ),
     'diagnostics; diagnostic_msgs is here': Absent(
         modules=('diagnostic_updater', 'diagnostic_aggregator', 'diagnostic_common_diagnostics')
     ),
 }
 """By what they belong to."""
 WINDOW_MODULES, KEYBOARD_MODULES = KINDS['a window'].modules, KINDS['the keyboard of a real machine'].modules
-REFUSED = frozenset((*WINDOW_MODULES, *KEYBOARD_MODULES)) - {'tkinter', '_tkinter'}
-"""These would open windows on the real screen or take the real keyboard, so they are not found even where they are installed.
-`tkinter` has a view."""
+OLD_MODULES = ('pkg_resources', 'pkgutil')
+REFUSED = frozenset((*WINDOW_MODULES, *KEYBOARD_MODULES, *OLD_MODULES)) - {'tkinter', '_tkinter'}
+"""These would open windows on the real screen, take the real keyboard or not see the student's packages, so they are not found
+even where they are installed. `tkinter` has a view."""
 
 
 def absent_kind(package: str) -> str | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 FIRST = 0x7F0000000010
-SIGN = ' at 0x'
+MARK = ' at 0x'
 """What to look for before anything else is done with a text."""
 _ADDRESS = re.compile(r'(?<= at )0x[0-9a-f]{5,16}\b')
 

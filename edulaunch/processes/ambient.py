@@ -27,10 +27,10 @@ class AmbientProcess(Process):
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
         """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
-        if current_task().is_guest:
-            from edulaunch.sim.guests import start_guest
+        if current_task().is_real_thread:
+            from edulaunch.sim.real_threads import start_real_thread
 
-            return start_guest(body, name)
+            return start_real_thread(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)
 
 

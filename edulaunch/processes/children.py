@@ -62,9 +62,9 @@ class Child:
         self.waiters: deque[Task] = deque()
         self.stdout = Pipe(self) if stdout == subprocess.PIPE else None
         self.stderr = Pipe(self) if stderr == subprocess.PIPE else None
-        self._outlets = {'stdout': _outlet(process, 'stdout', stdout, self.stdout)}
-        self._outlets['stderr'] = (
-            self._outlets['stdout'] if stderr == subprocess.STDOUT else _outlet(process, 'stderr', stderr, self.stderr)
+        self._sinks = {'stdout': _sink(process, 'stdout', stdout, self.stdout)}
+        self._sinks['stderr'] = (
+            self._sinks['stdout'] if stderr == subprocess.STDOUT else _sink(process, 'stderr', stderr, self.stderr)
         )
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
         program.is_heard = False  # what nobody captures, this program writes in its place
@@ -89,7 +89,7 @@ class Child:
         return f'<Popen: returncode: {self.returncode} args: {self.args!r}>'
 
     def _on_output(self, stream: str, text: str) -> None:
-        self._outlets[stream](text)
+        self._sinks[stream](text)
         self._tell()
 
     def _on_exit(self, returncode: int) -> None:
@@ -213,7 +213,7 @@ def inherit_terminal(process: Process, child: Any) -> None:
         child.stdin = process.stdin
 
 
-def _outlet(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
+def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
     """What takes the child's output: a pipe, a file, nothing, or the stream of the program itself."""
     if pipe is not None:
         return pipe.feed

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.addresses import SIGN, Addresses
+from edulaunch.processes.addresses import MARK, Addresses
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
@@ -33,9 +33,10 @@ class Process:
 
     Attributes: `spec`, `pid`, `argv` (as the program sees it), `env` (a dict of its own), `sourced_path` (AMENT_PREFIX_PATH
     as sourcing left it), `cwd` (None: that of the launcher), `returncode` (None while it runs; negative for a signal, as in
-    `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdin`, `stdout`, `stderr`, `is_writing` (while its output is
-    handed on), `speaks_for` (of how many programs it may have to write the output), `is_gone` (dead, yet its stack unwinds),
-    `is_heard` (its output is recorded; that of a child is, as far as it reaches the program that started it), `loader`,
+    `subprocess`), `sim`, `graph`, `index`, `host`, `tracer`, `stdin`, `stdout`, `stderr`, `exception` (what ended it: type,
+    message, place), `used` (what it used of the real machine), `is_writing` (while its output is handed on), `speaks_for` (of how
+    many programs it may have to write the output), `is_gone` (dead, yet its stack unwinds), `is_heard` (its output is recorded;
+    that of a child is, as far as it reaches the program that started it), `loader`,
     `group` (the program that a terminal started, whose Ctrl-C reaches this one), `is_passed_on` (the program that started this
     one hands it the Ctrl-C that it gets).
     """
@@ -55,6 +56,8 @@ class Process:
         self.env: dict[str, str] = dict(spec.env if spec.env is not None else host.env)
         self.sourced_path = host.env.get('AMENT_PREFIX_PATH', '')
         self.state: dict[str, Any] = {}
+        self.exception: dict[str, Any] | None = None
+        self.used: set[str] = set()
         self.returncode: int | None = None
         self.on_output: OnOutput | None = None
         self.on_exit: OnExit | None = None
@@ -135,7 +138,7 @@ class Process:
 
     def steady(self, text: str) -> str:
         """A text of the program without what would differ from run to run: addresses of objects."""
-        return self.addresses.steady(text) if SIGN in text else text
+        return self.addresses.steady(text) if MARK in text else text
 
     def log(self, level: int, logger: str, message: str) -> None:
         """Record a log message (its console line is written separately)."""
@@ -267,7 +270,7 @@ class Process:
         text, place = student_traceback(error)
         help = error_help(self, error)
         self.write('stderr', text if help is None else f'{text}  help: {help}\n')
-        self.state['exception'] = {'type': type(error).__name__, 'message': str(error).partition('\n  help: ')[0], 'place': place}
+        self.exception = {'type': type(error).__name__, 'message': str(error).partition('\n  help: ')[0], 'place': place}
 
     def _print_runaway(self, error: RunawayProgram) -> None:
         from edulaunch.processes.traceback_text import runaway_text
@@ -277,7 +280,7 @@ class Process:
         if not error.counted:
             self.note('stopped', f'{self.name} was stopped by the time that it took: this run cannot repeat exactly')
         self.write('stderr', text)
-        self.state['exception'] = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
+        self.exception = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
 
     def run_exit_calls(self) -> None:
         """Call what the program registered with `atexit`, the last one first."""

@@ -46,9 +46,8 @@ def listen() -> None:
 def note_use(process: Process, what: str) -> None:
     """A program used something of the real machine: noted once."""
     text = f'{process.name} used {what}: this run cannot repeat exactly'
-    noted: set[str] = process.state.setdefault('real machine', set())
-    if text not in noted:
-        noted.add(text)
+    if text not in process.used:
+        process.used.add(text)
         process.note(KIND, text)
 
 

@@ -179,7 +179,7 @@ class Recorder(Tracer):
         row = self._process_row.pop(process, None)
         if self.on and row is not None:
             row.update(ended=self._now(), returncode=process.returncode)
-            error = process.state.get('exception')
+            error = process.exception
             if error is not None:
                 file, line = error['place'] or (None, None)
                 row['exception'] = {'type': error['type'], 'message': error['message'], 'file': file, 'line': line}

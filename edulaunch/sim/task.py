@@ -16,7 +16,7 @@ from edulaunch.errors import SimulationError
 from edulaunch.sim.simulation import Item, Simulation
 
 if TYPE_CHECKING:
-    from edulaunch.sim.guests import Guests
+    from edulaunch.sim.real_threads import RealThreads
 
 POLLS_BEFORE_TIME_PASSES = 1000
 POLLS_AFTER_THAT = 20
@@ -58,13 +58,13 @@ class Task:
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
 
-    is_guest = False
-    """Whether it stands for a real thread beside the main one; see `guests.py`."""
+    is_real_thread = False
+    """Whether it stands for a real thread beside the main one; see `real_threads.py`."""
 
     def start(self) -> None:
         """Give the task its first turn, at the present simulated time."""
         starter = running_task()
-        if starter is not None and starter.is_guest:  # a greenlet must be made in the thread that switches to it
+        if starter is not None and starter.is_real_thread:  # a greenlet must be made in the thread that switches to it
             self.sim.schedule(self.sim.now_ns, lambda: self._make_greenlet()())
         else:
             self.sim.schedule(self.sim.now_ns, self._make_greenlet())
@@ -83,9 +83,9 @@ class Task:
         self._soon.appendleft([self.sim.now_ns, 0, 0, self._make_greenlet()])
         starter = running_task()
         if starter is not None and starter.sim is self.sim:
-            starter.let_first_go()
+            starter.run_next_first()
 
-    def let_first_go(self) -> None:
+    def run_next_first(self) -> None:
         """Run the first item that waits for the present instant, then go on. Wakes that come meanwhile are kept."""
         due = self._soon.popleft()
         self._soon.extendleft((self._turn, due))
@@ -219,7 +219,7 @@ class AmbientTask(Task):
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
-        self.guests: Guests | None = None
+        self.real_threads: RealThreads | None = None
         self._keeps_real_time = False
         self._threads = threading.active_count()
 
@@ -233,8 +233,10 @@ class AmbientTask(Task):
                 self._let_threads_begin()
                 continue
             due_ns = deadline_ns if is_over else next_ns
-            is_paced = self.guests is not None and (self.guests.are_here() or (self._keeps_real_time and due_ns is not None))
-            if is_paced and self.guests is not None and not self.guests.await_turn(due_ns):
+            is_paced = self.real_threads is not None and (
+                self.real_threads.are_here() or (self._keeps_real_time and due_ns is not None)
+            )
+            if is_paced and self.real_threads is not None and not self.real_threads.await_turn(due_ns):
                 break
             if is_over:
                 assert deadline_ns is not None
@@ -248,16 +250,16 @@ class AmbientTask(Task):
 
     def keep_real_time(self) -> None:
         """From now on simulated time is real time; asked for before anything has happened."""
-        from edulaunch.sim.guests import Guests, real_time_ns
+        from edulaunch.sim.real_threads import RealThreads, real_time_ns
 
         sim = self.sim
         if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
             sim.start_ns = sim.now_ns = real_time_ns()
-        self.guests, self._keeps_real_time = Guests(self), True
+        self.real_threads, self._keeps_real_time = RealThreads(self), True
 
     def _let_threads_begin(self) -> None:
-        """Threads were started (or have ended): before time passes, let them come to be guests."""
-        from edulaunch.sim.guests import let_threads_begin
+        """Threads were started (or have ended): before time passes, let them come in."""
+        from edulaunch.sim.real_threads import let_threads_begin
 
         self._threads = threading.active_count()
         let_threads_begin()
@@ -265,10 +267,10 @@ class AmbientTask(Task):
     def wake(self) -> None:
         """As :meth:`Task.wake`; perhaps from another thread."""
         super().wake()
-        if self.guests is not None:
-            self.guests.ring()
+        if self.real_threads is not None:
+            self.real_threads.ring()
 
-    def let_first_go(self) -> None:
+    def run_next_first(self) -> None:
         """Run the first item that waits for the present instant in place."""
         self.sim.step()
 
@@ -295,12 +297,12 @@ def current_task() -> Task:
 
 
 def _ambient_task() -> AmbientTask:
-    """For the main thread, or a thread that has nothing to do with it, one of its own; else one that is a guest there."""
+    """For the main thread, or a thread that has nothing to do with it, one of its own; else one that takes part there."""
     host = getattr(_MAIN, 'task', None)
     if isinstance(host, AmbientTask) and host.owner is not None and threading.current_thread() is not threading.main_thread():
-        from edulaunch.sim.guests import GuestTask
+        from edulaunch.sim.real_threads import RealThreadTask
 
-        return GuestTask(host)
+        return RealThreadTask(host)
     return AmbientTask(Simulation())
 
 

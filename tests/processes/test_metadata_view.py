@@ -1,4 +1,4 @@
-"""`importlib.metadata` and `pkg_resources` see packages of a source workspace as if they were built."""
+"""`importlib.metadata` sees packages of a source workspace as if they were built."""
 
 from __future__ import annotations
 
@@ -84,24 +84,6 @@ except metadata.PackageNotFoundError as error:
 def test_the_manifest_has_the_version_that_setup_does_not_say(workspace: Path) -> None:
     (workspace / 'robo' / 'setup.py').write_text(SETUP.replace("version='2.5.0', ", ''))
     assert said(workspace, "from importlib.metadata import version; print(version('robo'))") == '1.0.0\n'
-
-
-def test_pkg_resources_loads_entry_points(workspace: Path) -> None:
-    assert (
-        said(
-            workspace,
-            """
-import pkg_resources
-print([point.load()() for point in pkg_resources.iter_entry_points('robo.plugins')], pkg_resources.get_distribution('robo'))
-print(pkg_resources.load_entry_point('robo', 'robo.plugins', 'slow')())
-try:
-    pkg_resources.load_entry_point('robo', 'robo.plugins', 'stopped')
-except ImportError as error:
-    print(error)
-""",
-        )
-        == "['vroom', '...'] robo 2.5.0\n...\nEntry point ('robo.plugins', 'stopped') not found\n"
-    )
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from greenlet import getcurrent
 
 from edulaunch.processes import current_process
 from edulaunch.processes.script_clock import script_sees_the_clock
-from edulaunch.sim import guests
+from edulaunch.sim import real_threads
 from edulaunch.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.sim.task import AmbientTask
 
@@ -41,8 +41,8 @@ class World:
 @pytest.fixture
 def world(monkeypatch: pytest.MonkeyPatch) -> World:
     made = World()
-    monkeypatch.setattr(guests, 'time', made)
-    monkeypatch.setattr(guests.threading, 'Event', lambda: made)
+    monkeypatch.setattr(real_threads, 'time', made)
+    monkeypatch.setattr(real_threads.threading, 'Event', lambda: made)
     return made
 
 

@@ -103,5 +103,5 @@ def test_the_nearest_name_is_suggested_as_by_newer_pythons(world: Any, text: str
 def test_a_death_inside_a_library_is_at_the_students_line(world: Any) -> None:
     process = world.start(world.write('p.py', 'import numpy\ndef solve():\n    numpy.linalg.solve([[0.0]], [0.0])\nsolve()'))
     world.sim.run(world.sim.now_ns)
-    assert process.state['exception']['place'] == (f'{world.folder}/p.py', 3)
+    assert process.exception['place'] == (f'{world.folder}/p.py', 3)
     assert any('site-packages' in line for line in ''.join(text for *_, text in world.log).splitlines())

@@ -476,18 +476,8 @@ def test_coroutines_run_on_the_loop_of_another_thread(world: Any) -> None:
     )
 
 
-def test_pkg_resources_finds_the_programs_own_files(world: Any) -> None:
-    world.write('pkg/__init__.py', '')
-    world.write('pkg/words.txt', 'hello')
-    world.start(
-        world.write(
-            'p.py',
-            """
-        import pkg_resources
-        print(pkg_resources.resource_filename('pkg', 'words.txt').endswith('pkg/words.txt'),
-              pkg_resources.resource_string('pkg', 'words.txt'), list(pkg_resources.iter_entry_points('no.such.group')))
-        """,
-        )
-    )
-    world.sim.run()
-    assert [entry[2] for entry in world.log] == ["True b'hello' []\n"]
+@pytest.mark.parametrize('name', ['pkg_resources', 'pkgutil'])
+def test_what_nobody_needs_is_refused_with_a_sentence(world: Any, name: str) -> None:
+    wrote = world.run(f'import {name}')
+    assert f"ModuleNotFoundError: No module named '{name}'" in wrote
+    assert 'use importlib.resources, importlib.metadata or ament_index_python' in wrote

@@ -239,7 +239,7 @@ def test_outside_any_task_another_can_be_started_at_once_too() -> None:
     ambient = AmbientTask(Simulation())
     log: Log = []
     Task(ambient.sim, lambda: note(ambient.sim, log, 'ran')).start_at_once()
-    ambient.let_first_go()
+    ambient.run_next_first()
     assert log == [(0.0, 'ran')]
 
 

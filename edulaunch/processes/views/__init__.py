@@ -34,8 +34,6 @@ VIEWS = {
     'os.path': 'files_view.make_path',
     'posixpath': 'files_view.make_path',
     'pickle': 'pickle_view.make',
-    'pkg_resources': 'pkg_resources_view.make',
-    'pkgutil': 'pkgutil_view.make',
     'queue': 'queue_view.make',
     'random': 'random_view.make',
     'select': 'keyboard_view.make_select',

@@ -17,7 +17,7 @@ from edulaunch.sim.task import Task, current_task
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-OUR_CALLBACK = re.compile(r' cb=\[make\.[^]]*\]')
+OUR_CALLBACK = re.compile(r' cb=\[_threadsafe\.[^]]*\]')
 """In what a task looks like: that somebody in another thread waits for it, which asyncio itself would do by other means."""
 
 
@@ -150,6 +150,17 @@ def make(view: ModuleType, process: Process) -> ModuleType:
             _close(loop)
             set_event_loop(None)
 
+    view.__dict__['run_coroutine_threadsafe'] = _threadsafe(process)
+    view.__dict__.update(new_event_loop=new_event_loop, set_event_loop=set_event_loop, get_event_loop=get_event_loop, run=run)
+    if hasattr(real, 'Runner'):
+        view.__dict__['Runner'] = _runner_class(run)
+    copy_names(view, real)
+    return view
+
+
+def _threadsafe(process: Process) -> Callable[..., Any]:
+    """`run_coroutine_threadsafe`, whose futures are the process's own."""
+
     def run_coroutine_threadsafe(coro: Coroutine[Any, Any, Any], loop: Any) -> Any:
         futures: Any = process.loader.import_module('concurrent.futures')
         answer = futures.Future()
@@ -165,12 +176,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         loop.call_soon_threadsafe(lambda: real.ensure_future(coro, loop=loop).add_done_callback(settle))
         return answer
 
-    view.__dict__['run_coroutine_threadsafe'] = run_coroutine_threadsafe
-    view.__dict__.update(new_event_loop=new_event_loop, set_event_loop=set_event_loop, get_event_loop=get_event_loop, run=run)
-    if hasattr(real, 'Runner'):
-        view.__dict__['Runner'] = _runner_class(run)
-    copy_names(view, real)
-    return view
+    return run_coroutine_threadsafe
 
 
 def _close(loop: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime as real
+from collections.abc import Callable
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +29,12 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         current_task().poll()
         return real.datetime(1970, 1, 1) + real.timedelta(microseconds=sim.now_ns // 1000)
 
+    view.__dict__.update(datetime=_datetime(now), date=_date(now))
+    copy_names(view, real)
+    return view
+
+
+def _datetime(now: Callable[[], real.datetime]) -> type:
     class datetime(real.datetime, metaclass=_RealInstances):
         """As `datetime.datetime`."""
 
@@ -58,6 +65,10 @@ def make(view: ModuleType, process: Process) -> ModuleType:
             """The simulated time."""
             return now()
 
+    return datetime
+
+
+def _date(now: Callable[[], real.datetime]) -> type:
     class date(real.date, metaclass=_RealInstances):
         """As `datetime.date`."""
 
@@ -77,6 +88,4 @@ def make(view: ModuleType, process: Process) -> ModuleType:
             """The day in UTC."""
             return (real.datetime(1970, 1, 1) + real.timedelta(seconds=timestamp)).date()
 
-    view.__dict__.update(datetime=datetime, date=date)
-    copy_names(view, real)
-    return view
+    return date

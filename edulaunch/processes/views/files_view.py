@@ -56,7 +56,7 @@ def inside(path: Any) -> Any:
     return real.path.join(real.fsencode(folder) if isinstance(path, bytes) else folder, path)
 
 
-class Free:
+class PlainFunction:
     """A function that stays one when it becomes an attribute of a class, as functions written in C do: `pathlib` counts on it."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -67,7 +67,7 @@ class Free:
         return self._function(*arguments, **options)
 
 
-class Relative(Free):
+class Relative(PlainFunction):
     """A function of the real module, called with the paths that the program means.
 
     :param paths: how many of its arguments are paths.
@@ -99,7 +99,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{name: Relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
     **{name: Relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)},
     'walk': _walk,
-    'scandir': Free(_scandir),
+    'scandir': PlainFunction(_scandir),
 }
 """For the view of `os`; the same for all programs."""
 
@@ -140,6 +140,6 @@ def make_io(view: ModuleType, process: Process) -> ModuleType:
     """`io.open` is the program's own `open`, on which `pathlib` stands too."""
     import io
 
-    view.__dict__['open'] = Free(process.loader.builtins['open'])
+    view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
     copy_names(view, io)
     return view

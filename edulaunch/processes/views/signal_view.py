@@ -7,16 +7,16 @@ import math
 import os
 import signal as real
 import sys
+from collections.abc import Callable
 from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
+from edulaunch.processes.whose_code import is_engine
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
-
-ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:
@@ -25,7 +25,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
     def install(signum: int, handler: Any) -> Any:
         _check(process, signum, handler)
-        before = installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL)
+        before = getsignal(signum)
         installed[signum] = handler
         if handler is real.SIG_DFL and signum == real.SIGINT:
             process.signal_handlers[signum] = process.die_at_once  # not Python's own handler, which raises KeyboardInterrupt
@@ -37,9 +37,24 @@ def make(view: ModuleType, process: Process) -> ModuleType:
             process.signal_handlers[signum] = lambda number: handler(number, _interrupted_frame())
         return before
 
-    def pause() -> None:
-        current_task().park()
+    def getsignal(signum: int) -> Any:
+        return installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL)
 
+    setitimer = _timer(process)
+    view.__dict__.update(
+        setitimer=setitimer,
+        alarm=lambda seconds, /: math.ceil(setitimer(0, seconds)[0]),
+        signal=install,
+        pause=lambda: current_task().park(),
+        raise_signal=process.send_signal,
+        getsignal=getsignal,
+    )
+    copy_names(view, real)
+    return view
+
+
+def _timer(process: Process) -> Callable[..., tuple[float, float]]:
+    """`setitimer` in simulated time."""
     alarm: list[Any] = []
 
     def setitimer(which: int, seconds: float, interval: float = 0.0, /) -> tuple[float, float]:
@@ -58,19 +73,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         alarm[:] = [sim.schedule(sim.now_ns + round(seconds * 1e9), ring), interval] if seconds else []
         return before
 
-    def set_alarm(seconds: int, /) -> int:
-        return math.ceil(setitimer(0, seconds)[0])
-
-    view.__dict__.update(
-        setitimer=setitimer,
-        alarm=set_alarm,
-        signal=install,
-        pause=pause,
-        raise_signal=process.send_signal,
-        getsignal=lambda signum: installed.get(signum, real.default_int_handler if signum == real.SIGINT else real.SIG_DFL),
-    )
-    copy_names(view, real)
-    return view
+    return setitimer
 
 
 def _check(process: Process, signum: int, handler: Any) -> None:
@@ -86,6 +89,6 @@ def _check(process: Process, signum: int, handler: Any) -> None:
 def _interrupted_frame() -> FrameType | None:
     """Where the program stood: its innermost frame that is none of the engine's."""
     frame: FrameType | None = sys._getframe()
-    while frame is not None and frame.f_code.co_filename.startswith(ENGINE):
+    while frame is not None and is_engine(frame.f_code.co_filename):
         frame = frame.f_back
     return frame

@@ -1,8 +1,8 @@
 """Real threads of a plain script that use ROS beside its main thread.
 
 In a plain script `threading` is Python's own: `threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads
-are guests in the simulation of the main thread. Only that one takes items off the agenda; a guest waits, in real time, until it
-is woken or its deadline has come. As long as there are guests simulated time keeps pace with real time, and runs do not repeat.
+take part in the simulation of the main thread. Only that one takes items off the agenda; they wait, in real time, until they are
+woken or their deadline has come. As long as there are any simulated time keeps pace with real time, and runs do not repeat.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ LOOK_EVERY_S = 0.01
 THREAD_BEGINS_S = 0.02
 
 
-class Guests:
-    """The guests of a main thread's task, and the clock that they share.
+class RealThreads:
+    """The threads beside a main thread's task, and the clock that they share.
 
     :param host: the task.
     """
@@ -63,18 +63,18 @@ class Guests:
         return False
 
 
-class GuestTask(AmbientTask):
+class RealThreadTask(AmbientTask):
     """Stands for the code of a real thread in the simulation of the main thread."""
 
-    is_guest = True
+    is_real_thread = True
 
     def __init__(self, host: AmbientTask) -> None:
         super().__init__(host.sim, owner=host.owner)
         self.name = threading.current_thread().name
         self._bell = threading.Event()
-        if host.guests is None:
-            host.guests = Guests(host)
-        self._clock = host.guests
+        if host.real_threads is None:
+            host.real_threads = RealThreads(host)
+        self._clock = host.real_threads
         self._clock.add(threading.current_thread())
 
     def park(self, deadline_ns: int | None = None) -> bool:
@@ -101,16 +101,16 @@ class GuestTask(AmbientTask):
         self._woken = True
         self._bell.set()
 
-    def let_first_go(self) -> None:
+    def run_next_first(self) -> None:
         """Nothing: only the main thread takes items off the agenda."""
 
 
 def let_threads_begin() -> None:
-    """Let threads that were started just now come to be guests."""
+    """Let threads that were started just now come in."""
     time.sleep(THREAD_BEGINS_S)
 
 
-def start_guest(body: Callable[[], object], name: str) -> Task:
+def start_real_thread(body: Callable[[], object], name: str) -> Task:
     """Run `body` in a further real thread; returns its task."""
     begun = threading.Event()
     tasks: list[Task] = []

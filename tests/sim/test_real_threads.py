@@ -13,7 +13,7 @@ from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
-from edulaunch.sim.guests import GuestTask
+from edulaunch.sim.real_threads import RealThreadTask
 from edulaunch.sim.task import current_task
 
 
@@ -80,15 +80,15 @@ def test_client_may_wait_for_a_call_that_a_thread_completes(node: Any) -> None:
     other.destroy_node()
 
 
-def test_thread_is_a_guest_only_where_the_main_thread_uses_ros(node: Any) -> None:
+def test_thread_takes_part_only_where_the_main_thread_uses_ros(node: Any) -> None:
     found: list[Any] = []
     thread = threading.Thread(target=lambda: found.append(current_task()))
     thread.start()
     thread.join(5)
-    assert isinstance(found[0], GuestTask) and found[0].owner is current_task().owner
+    assert isinstance(found[0], RealThreadTask) and found[0].owner is current_task().owner
 
 
-def test_time_of_a_guest_is_real(node: Any) -> None:
+def test_time_of_such_a_thread_is_real(node: Any) -> None:
     slept: list[float] = []
 
     def sleep() -> None:
