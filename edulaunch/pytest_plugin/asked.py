@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import importlib.machinery
+import os
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -25,8 +26,7 @@ SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
 
 def start(config: pytest.Config) -> None:
     """Take part in this run, unless a real ROS 2 is on the path: its own plugins have the same options and tests."""
-    spec = importlib.machinery.PathFinder.find_spec('launch_testing')
-    if spec is not None and not (spec.origin or '').startswith(underlay_python()):
+    if _is_installed_elsewhere('launch_testing', str(config.invocation_params.dir)):
         return
     source()
     from launch_testing.pytest import hooks
@@ -35,6 +35,13 @@ def start(config: pytest.Config) -> None:
         if not config.pluginmanager.is_registered(plugin):
             config.pluginmanager.register(plugin, name)
     ConftestImports(config).install()
+
+
+def _is_installed_elsewhere(name: str, here: str) -> bool:
+    """Whether somebody else's module of that name would be imported; the sources of ROS 2 in the folder of the run do not count."""
+    spec = importlib.machinery.PathFinder.find_spec(name)
+    origin = None if spec is None else spec.origin
+    return origin is not None and not origin.startswith((underlay_python(), here + os.sep))
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:

@@ -51,3 +51,22 @@ def test_a_project_asks(way: str, tmp_path: Path) -> None:
         words = [] if way != 'a file of a package' else ['src/bot/test/test_helped.py::test_helped']
     (tests / 'test_helped.py').write_text(HELPED)
     assert '1 passed' in run(tmp_path, *words)
+
+
+@pytest.mark.parametrize('below', ['', 'launch_testing'])
+def test_the_sources_of_ros_beside_the_tests_are_not_taken_for_an_installed_ros(below: str, tmp_path: Path) -> None:
+    for name in ('launch', 'launch_testing'):
+        (tmp_path / name / name).mkdir(parents=True)
+        (tmp_path / name / name / '__init__.py').write_text('OTHER = 1\n')
+    tests = tmp_path / 'launch_testing' / 'test'
+    tests.mkdir()
+    (tests / 'test_one_copy.py').write_text("""
+import sys
+import launch, launch_testing
+from launch_testing.actions import ReadyToTest
+def test_one_copy(pytestconfig):
+    assert pytestconfig.option.launch_args == []
+    assert sys.modules['launch'] is launch and issubclass(ReadyToTest, launch.Action)
+    assert not hasattr(launch, 'OTHER') and not hasattr(launch_testing, 'OTHER')
+""")
+    assert '1 passed' in run(tmp_path / below, '-p', 'edulaunch', str(tests))
