@@ -38,7 +38,7 @@ def start(config: pytest.Config) -> None:
 
 
 def _is_installed_elsewhere(name: str, here: str) -> bool:
-    """Whether somebody else's module of that name would be imported; the sources of ROS 2 in the folder of the run do not count."""
+    """Whether somebody else's module of that name would be imported; sources of ROS 2 in the folder of the run do not count."""
     spec = importlib.machinery.PathFinder.find_spec(name)
     origin = None if spec is None else spec.origin
     return origin is not None and not origin.startswith((underlay_python(), here + os.sep))
