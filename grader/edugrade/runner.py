@@ -20,6 +20,7 @@ from .submission import Submission
 from .verdicts import verdict
 
 LONGEST_NAP_S = 0.05
+MOST_STARTS = 20  # of a run before which the starter was killed: nothing of a submission had been read
 MOST_TIMES_AGAIN = 2  # a run that was killed is begun again: it may have been somebody else
 
 
@@ -137,7 +138,7 @@ class Runner:
             self._forget(end)
         run.end()
         remove_tree(run.home)
-        if run.was_killed and ticket.again[run.scenario.name] < MOST_TIMES_AGAIN:
+        if run.was_killed and ticket.again[run.scenario.name] < (MOST_TIMES_AGAIN if run.has_begun else MOST_STARTS):
             ticket.again[run.scenario.name] += 1
             run.starter.is_alive = run.starter.is_alive and run.has_begun  # its own one: there may be another one already
             self._waiting.insert(0, (ticket, run.scenario, run.submission, run.workspaces))

@@ -95,6 +95,9 @@ def _cut(run: ChildRun) -> Outcome:
 
 def _ended(run: ChildRun) -> Outcome:
     code = run.returncode
+    confined = bool(run.sandbox) and not unconfined(run.sandbox)
+    if code is None and (confined or not run.has_begun):  # what is confined cannot kill its guard: no mark is better than a zero
+        return Outcome(run.scenario, 'broke', text='a process of the grader was killed from outside', try_='grade it again')
     if code is not None and -code == signal.SIGXCPU:
         return _stopped(
             run,

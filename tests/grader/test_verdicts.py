@@ -28,7 +28,8 @@ def judged(letter: str = '', content: object = None, **changes: Any) -> Outcome:
             'announced': len(data),
             'returncode': 0,
             'printed': b'',
-            'sandbox': {'files': 'held'},
+            'sandbox': {'files': 'not here'},
+            'has_begun': True,
             **changes,
         }
     )
@@ -100,3 +101,9 @@ def test_what_must_be_confined_and_is_not_gets_no_mark() -> None:
     assert (outcome.kind, outcome.text) == ('broke', 'this system does not confine a run: files (Function not implemented)')
     assert judged(limits=Limits(3.0), sandbox=open_files).kind == 'stopped'
     assert judged(limits=Limits(3.0), sandbox=open_files).sandbox == open_files
+
+
+def test_a_guard_that_was_killed_from_outside_costs_no_mark() -> None:
+    for how in ({'sandbox': {'files': 'held'}}, {'has_begun': False}):
+        outcome = judged(returncode=None, **how)
+        assert (outcome.kind, outcome.text) == ('broke', 'a process of the grader was killed from outside')
