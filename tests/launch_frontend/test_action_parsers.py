@@ -175,12 +175,7 @@ def evaluated(node):
     context = LaunchContext()
     context.launch_configurations['i'] = '7'
     parameters = evaluate_parameters(context, node._Node__parameters)
-    return [
-        {key: tuple(value) if isinstance(value, list) else value for key, value in one.items()}
-        if isinstance(one, dict)
-        else str(one)
-        for one in parameters
-    ]
+    return [one if isinstance(one, dict) else str(one) for one in parameters]
 
 
 @pytest.mark.parametrize(('text', 'parameters'), PARAMETERS)

@@ -1,6 +1,7 @@
 """Splitting command lines."""
 
 import pytest
+from launch.actions import ExecuteProcess
 from launch.frontend import Parser
 from launch.frontend.command_line import words_of
 
@@ -33,3 +34,8 @@ def test_literal_pieces_are_split_and_substitutions_are_not(text, words):
 def test_a_quote_must_be_closed_before_a_substitution():
     with pytest.raises(ValueError, match='No closing quotation'):
         words_of('"a $(var b)"', Parser())
+
+
+def test_extensions_split_command_lines_by_the_name_of_the_original():
+    words = ExecuteProcess._parse_cmdline('$(var a)$(var b) c', Parser())
+    assert [[part.describe() for part in word] for word in words] == [["LaunchConfig('a')", "LaunchConfig('b')"], ["'c'"]]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..descriptions.executable import Executable, Substitutions, Variables
 from ..some_substitutions_type import SomeSubstitutionsType
 from .execute_local import ExecuteLocal
+
+if TYPE_CHECKING:
+    from ..frontend.parser import Parser
 
 Pairs = list[tuple[Substitutions, Substitutions]]
 
@@ -39,6 +42,13 @@ class ExecuteProcess(ExecuteLocal):
     ) -> None:
         executable = Executable(cmd=cmd, prefix=prefix, name=name, cwd=cwd, env=env, additional_env=additional_env)
         super().__init__(process_description=executable, **kwargs)
+
+    @classmethod
+    def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[Substitutions]:
+        """The words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
+        from ..frontend.command_line import words_of
+
+        return words_of(cmd, parser)
 
     @property
     def name(self) -> str | Substitutions | None:

@@ -43,13 +43,14 @@ def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) 
     evaluated = {}
     for substitutions, value in parameters.items():
         name = perform_substitutions(context, substitutions)
-        evaluated[name] = value.evaluate(context) if type(value) is ParameterValue else _evaluate_value(context, name, value)
+        evaluated[name] = _evaluate_value(context, name, value)
     return evaluated
 
 
 def _evaluate_value(context: LaunchContext, name: str, value: Any) -> Any:
     if isinstance(value, ParameterValue):
-        return value.evaluate(context)
+        given = value.evaluate(context)
+        return tuple(given) if isinstance(given, list) else given
     if not isinstance(value, tuple) or not value:
         ensure_argument_type(value, (float, int, str, bool, bytes), 'value')
         return value
