@@ -43,3 +43,24 @@ def test_an_install_folder_that_exists_is_used(workspace: Any) -> None:
 def test_a_folder_that_is_not_there_is_refused(desk: Any) -> None:
     with pytest.raises(UnusableInput, match="'my_wss': there is no such workspace"):
         desk.terminal.source('my_wss')
+
+
+@pytest.mark.parametrize(
+    ('line', 'part'),
+    [
+        ('colcon build --symlink-install', 'nothing has to be built here'),
+        ('colcon', 'nothing has to be built here'),
+        ('rosdep install -i --from-path src -y', 'nothing has to be installed'),
+        ('apt install ros-jazzy-turtlesim', 'turtlesim is here already'),
+    ],
+)
+def test_what_sets_up_a_real_machine_gets_one_sentence(desk: Any, line: str, part: str) -> None:
+    desk.terminal.set_up(line)
+    assert part in ''.join(desk.said) and ''.join(desk.said).count('\n') == 1
+
+
+def test_sourcing_ros_itself_is_not_needed_and_another_command_is_none_of_ours(desk: Any) -> None:
+    desk.terminal.source('/opt/ros/jazzy/setup.bash')
+    assert 'ROS 2 Jazzy has not to be sourced here' in ''.join(desk.said)
+    with pytest.raises(UnusableInput, match='sets up nothing of ROS 2'):
+        desk.terminal.set_up('apt install vim')
