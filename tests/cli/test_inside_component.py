@@ -72,3 +72,9 @@ def test_what_cannot_be_loaded_or_found(container) -> None:
         "Unable to find container node '/ComponentManger'\n  help: did you mean '/ComponentManager'?\n"
     )
     assert 'no log level' in container.fails('ros2 component load /ComponentManager demo demo::Talker --log-level loud')
+
+
+def test_types_are_listed_by_package(machine) -> None:
+    assert machine.read('ros2 component types').startswith('composition\n  composition::Talker\n')
+    assert 'composition::Listener\n' in machine.read('ros2 component types composition')
+    assert "did you mean 'composition'?" in machine.fails('ros2 component types compositon')

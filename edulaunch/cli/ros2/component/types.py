@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import os
 
 from edulaunch.cli.ros2.component_containers import RESOURCE_TYPE
 from edulaunch.cli.ros2.names import say_lines
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.nearest import did_you_mean
+from edulaunch.processes.current import current_process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -17,14 +19,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(arguments: argparse.Namespace) -> str | None:
     """Print the types, under the name of their package when no package is given."""
-    from ament_index_python import get_resource, get_resources
-
-    wanted, packages = arguments.package_name, sorted(get_resources(RESOURCE_TYPE))
+    wanted, packages = arguments.package_name, _registered()
     if wanted is not None and wanted not in packages:
         return with_help(f"Cannot find package '{wanted}' or it has no components", did_you_mean(wanted, packages))
-    for package in packages if wanted is None else [wanted]:
-        found = [line.partition(';')[0] for line in get_resource(RESOURCE_TYPE, package)[0].splitlines() if line.strip()]
+    for package in sorted(packages) if wanted is None else [wanted]:
+        found = packages[package]
         if wanted is None:
             say(package)
         say_lines(found if wanted is not None else [f'  {name}' for name in found])
     return None
+
+
+def _registered() -> dict[str, list[str]]:
+    """The types of each package, as its components.txt or, for an installed one, the ament index lists them."""
+    from ament_index_python import get_resource, get_resources
+
+    index, found = current_process().index, {}
+    for package in index.packages():
+        path = os.path.join(index.share(package) or '', 'components.txt')
+        if os.path.isfile(path):
+            with open(path, encoding='utf-8') as file:
+                found[package] = [line.partition(' = ')[0] for line in file.read().splitlines() if line.strip()]
+    for package in get_resources(RESOURCE_TYPE):
+        text = get_resource(RESOURCE_TYPE, package)[0]
+        found.setdefault(package, [line.partition(';')[0] for line in text.splitlines() if line.strip()])
+    return found
