@@ -241,7 +241,11 @@ class Executor(Waiting):
         :raises ExternalShutdownException: when ROS 2 is shut down from outside while nothing is executed.
         :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
         """
-        while self._context.alive and not self._is_shutdown:
+        context = self._context
+        if type(self).spin_once is Executor.spin_once:
+            self._spin(-1, lambda: not context.alive, (-1, never), once=False)
+            return
+        while context.alive and not self._is_shutdown:  # an executor of one's own
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
@@ -288,10 +292,12 @@ class Executor(Waiting):
     def spin_ready(self) -> None:
         """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
         self._run_tasks()
-        for entity in sorted(self._collect(), key=_rclcpp_order):
-            if not entity._destroyed:
-                self._run_entity(entity)
-        self._run_tasks()
+        batch = self._collect()
+        if batch:
+            for entity in sorted(batch, key=_rclcpp_order):
+                if not entity._destroyed:
+                    self._run_entity(entity)
+            self._run_tasks()
 
     def _run_tasks(self) -> None:
         """Execute the pending tasks, newest first."""

@@ -146,7 +146,9 @@ class Waiting:
         self._tasks = [task for task in self._tasks if not task.ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
-        """One wait, item by item: tasks first, then what is ready. With `poll` it does not wait, but gives out what is ready now.
+        """Item by item what one wait brings, and without a deadline what the next ones bring: tasks first, then what is ready.
+
+        With `poll` it does not wait, but gives out what is ready now.
 
         :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
         :raises ConditionReachedException: when `condition()` holds.
@@ -156,7 +158,10 @@ class Waiting:
         if not self._context.alive and (timed or not self._is_shutdown):
             raise without_context('create timer' if timed else 'initialize wait set')
         given_out = False
-        while not given_out and not self._is_shutdown and not condition():
+        while not (self._is_shutdown or condition()):
+            if given_out and deadline_ns is not None:
+                return  # the next call has a deadline of its own
+            given_out = False
             if self._tasks:
                 for task in self._tasks_to_run():
                     given_out = True
@@ -168,36 +173,27 @@ class Waiting:
                 batch = self._collect()
             elif not self._context.alive:
                 raise ExternalShutdownException()
-            given_out = (yield from self._give_out(batch)) or given_out
+            batch.reverse()
+            try:
+                while batch:
+                    entity = batch.pop()
+                    if entity._destroyed:
+                        continue
+                    if entity.callback_group.can_execute(entity):
+                        given_out = True
+                        yield entity
+                    else:
+                        self._put_back((entity,))
+            finally:
+                if batch:
+                    self._put_back(reversed(batch))
             if given_out:
                 self._let_time_pass()
             if poll or (deadline_ns is not None and not given_out and self._sim.now_ns >= deadline_ns):
                 raise TimeoutException()
         if self._is_shutdown:
             raise ShutdownException()
-        if condition():
-            raise ConditionReachedException()
-
-    def _give_out(self, batch: list[Entity]) -> Generator[Entity, None, bool]:
-        """The entities that can still be executed when their turn comes, and whether there was one.
-
-        What is left when this ends is put back.
-        """
-        given_out = False
-        batch.reverse()
-        try:
-            while batch:
-                entity = batch.pop()
-                if entity._destroyed:
-                    continue
-                if entity.callback_group.can_execute(entity):
-                    given_out = True
-                    yield entity
-                else:
-                    self._put_back((entity,))
-        finally:
-            self._put_back(reversed(batch))
-        return given_out
+        raise ConditionReachedException()
 
     def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
         """The next item; what one wait collected is given out over successive calls with the same `key`.
