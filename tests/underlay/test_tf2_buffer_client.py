@@ -101,3 +101,15 @@ def test_only_rclpy_times_are_taken(served):
     answers = ask(served, lambda client: client.lookup_transform('world', 'a', 5.0))
     served.until(1000)
     assert answers == [(200.0, 'TypeError: Must pass a rclpy.time.Time object')]
+
+
+def test_a_client_that_was_destroyed_has_left_the_action(served):
+    """What is asked afterwards finds no server, as the action client's own error says."""
+
+    def ask_late(client: Any) -> None:
+        client.destroy()
+        client.lookup_transform('world', 'a', Time())
+
+    answers = ask(served, ask_late)
+    served.until(1000)
+    assert [answer.partition(':')[0] for _, answer in answers] == ['InvalidHandle']

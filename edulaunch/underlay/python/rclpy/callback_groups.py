@@ -39,7 +39,7 @@ class ReentrantCallbackGroup(CallbackGroup):
     """Callbacks run in any number at the same time."""
 
     def can_execute(self, entity: Any) -> bool:
-        """Always."""
+        """True: nothing keeps its callbacks apart."""
         return True
 
 

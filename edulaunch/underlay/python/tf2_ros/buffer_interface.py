@@ -69,7 +69,7 @@ class BufferInterface:
         return convert(result, new_type) if new_type else result
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """For subclasses."""
+        """Look a transform up: a subclass says how. Raises NotImplementedException here."""
         raise NotImplementedException
 
     def lookup_transform_full(
@@ -81,11 +81,11 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """For subclasses."""
+        """Look a transform between two times up: a subclass says how. Raises NotImplementedException here."""
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """For subclasses."""
+        """Ask whether a transform can be looked up: a subclass says how. Raises NotImplementedException here."""
         raise NotImplementedException
 
     def can_transform_full(
@@ -97,7 +97,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """For subclasses."""
+        """Ask whether a transform between two times can be looked up: a subclass says how. Raises NotImplementedException here."""
         raise NotImplementedException
 
 
