@@ -179,10 +179,6 @@ class _EventCallbacks:
 
     def _attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
         """Watch an endpoint that was just made; partners that it found at once count too."""
-        if self.deadline is not None:
-            watch_deadline(impl, _missed(node, entity, group, self.deadline).add)
-        if self.liveliness is not None:
-            self._watch_liveliness(node, entity, impl, group, self.liveliness)
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
         if incompatible_qos is not None:
             self._watch_incompatible(node, entity, impl, group, incompatible_qos)
@@ -192,6 +188,10 @@ class _EventCallbacks:
                 _added(node, entity, EventHandler(group, callback, lambda: None))
         if self.matched is not None:
             self._watch_matched(node, entity, impl, group, self.matched)
+        if self.deadline is not None:
+            watch_deadline(impl, _missed(node, entity, group, self.deadline).add)
+        if self.liveliness is not None:
+            self._watch_liveliness(node, entity, impl, group, self.liveliness)
 
     def _warn_of(self, node: Any, entity: Any) -> EventCallback:
         """The default callback for incompatible quality of service: a warning in the node's log."""

@@ -97,7 +97,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Ask whether a transform between two times can be looked up: a subclass says how. Raises NotImplementedException here."""
+        """Ask whether :meth:`lookup_transform_full` can: a subclass says how. Raises NotImplementedException here."""
         raise NotImplementedException
 
 

@@ -133,19 +133,17 @@ class ActionClient(Waitable):
     def _run(self, executor: Executor) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
-        The answer to a goal and its status come before the goal's first feedback, as over a real network.
+        As over a real network the answer to a goal and its status come before the goal's first feedback, and its last feedback
+        before its result.
         """
         self.queued = False
-        sources = [
-            ('goal', self._goal_client),
-            ('cancel', self._cancel_client),
-            ('result', self._result_client),
-            ('feedback', self._feedback),
-            ('status', self._status),
-        ]
+        sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('feedback', self._feedback)]
+        if len(self._feedback.queue) <= 1:
+            sources.append(('result', self._result_client))
+        sources.append(('status', self._status))
         now = (sources[0], sources[-1]) if self._goal_client.queue else sources
         taken = [(kind, source.take()) for kind, source in now]
-        if any(source.queue for _, source in sources):
+        if self._result_client.queue or any(source.queue for _, source in sources):
             self.signal()
         return self._handle_all(taken, executor)
 
