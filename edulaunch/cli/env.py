@@ -32,6 +32,10 @@ function source {
     if [ -e "$1" ] || ! edulaunch env --answer source "$1"; then builtin source "$@"; fi
 }
 function . { source "$@"; }
+for name in rqt rqt_console rqt_graph rqt_plot rviz2; do
+    command -v $name > /dev/null 2>&1 || eval "$name() { edulaunch env --answer $name; }"
+done
+unset name
 """
 """The lines of a tutorial that set a computer up, as functions of bash and zsh. They step aside for what is really there."""
 

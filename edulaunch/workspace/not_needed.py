@@ -6,6 +6,8 @@ import os
 import re
 from collections.abc import Sequence
 
+from edulaunch.workspace.windows import WINDOWS, shown_by
+
 _DEBIAN = re.compile(r'ros-[a-z]+-(?P<package>[a-z0-9-]+)')
 _DISTRIBUTION = re.compile(r'/opt/ros/(?P<name>[a-z]+)/(local_)?setup\.\w+')
 _BUILDING = ('build', 'build-and-test')
@@ -13,7 +15,7 @@ _SHOWN = 5
 
 
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
-    """A friendly sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, and `source` of setup files.
+    """A friendly sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, and windows.
 
     :param words: the command line, `sudo` and all.
     :param folder: the current folder of the command.
@@ -27,6 +29,8 @@ def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
         return 'rosdep: nothing has to be installed; `rosdep check` names what a package needs and what is not here.'
     if command in ('apt', 'apt-get') and (names := [found['package'] for word in given if (found := _DEBIAN.fullmatch(word))]):
         return _apt([name.replace('-', '_') for name in names])
+    if command in WINDOWS:
+        return shown_by(command)
     if command in ('source', '.') and given:
         return _source(given[0])
     return None

@@ -21,6 +21,8 @@ from edulaunch.workspace.not_needed import answer
         ('sudo apt-get install ros-humble-turtlesim ros-humble-demo-nodes-py', 'turtlesim, demo_nodes_py are here already'),
         ('apt install ros-jazzy-gazebo-ros', 'gazebo_ros is not among it'),
         ('source /opt/ros/jazzy/setup.bash', 'ROS 2 Jazzy has not to be sourced'),
+        ('rqt_graph', '`edulaunch view --tab graph`'),
+        ('rviz2 -d turtle.rviz', '`edulaunch view --tab frames`'),
         ('. install/local_setup.sh', 'packages are found from the folder you are in upwards'),
     ],
 )

@@ -14,18 +14,7 @@ from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import current_task
-
-WINDOWS = {
-    'rqt': 'graph',
-    'rqt_console': 'log',
-    'rqt_graph': 'graph',
-    'rqt_plot': 'plot',
-    'rqt_publisher': 'terminal',
-    'rqt_reconfigure': 'parameters',
-    'rqt_service_caller': 'terminal',
-    'rqt_tf_tree': 'tree',
-}
-"""Packages whose programs are windows, and the tab of the live page that shows the same."""
+from edulaunch.workspace.windows import WINDOWS, shown_by
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -42,7 +31,7 @@ def main(arguments: argparse.Namespace) -> int | str:
     package, executable = arguments.package_name, arguments.executable_name
     path = process.index.find_executable(package, executable)
     if path is None and package in WINDOWS:
-        say(f'{package} opens a window, and there is none here: `edulaunch view --tab {WINDOWS[package]}` shows it in a browser')
+        say(shown_by(package))
         return 0
     if path is None:
         return _not_found(process.index, package, executable)
