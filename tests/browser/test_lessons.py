@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -50,7 +51,8 @@ def test_the_slider_of_a_replay_moves_the_turtle(lab: Lab) -> None:
         player.locator('.clock').filter(has_text='20.000 s').wait_for()
         after = picture.get_attribute('aria-label')
         page.show('square-picture', 'replay-at-the-end')
-    assert 'turtle1 at (5.54, 5.54)' in before and 'turtle1 at (5.53, 5.55)' in after
+    assert 'turtle1 at (5.54, 5.54)' in before
+    assert re.search(r'20\.00 seconds: turtle1 at \(5\.53, 5\.5[56]\)', after), after
 
 
 def test_a_check_passes_after_the_solution_is_put_in(lab: Lab, course: Path) -> None:
