@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 from collections.abc import Iterator
 
 import pytest
@@ -12,6 +13,11 @@ from hypothesis import settings
 import edulaunch
 
 edulaunch.source()
+# Whoever starts the tests in the background, or with nohup, has signals ignored: what is tested here is that they arrive.
+for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SIG_DFL), ('SIGQUIT', signal.SIG_DFL)):
+    number = getattr(signal, name, None)
+    if number is not None and signal.getsignal(number) is signal.SIG_IGN:
+        signal.signal(number, usual)
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')

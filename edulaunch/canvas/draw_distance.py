@@ -53,7 +53,7 @@ def draw(scene: DistanceScene, axes: Sequence[Axes]) -> None:
             markevery=[1],
             markersize=6,
         )
-    ax.set_title(f'distance from {scene.first} to {scene.second} [m]', loc='left')
+    ax.set_title(f'distance from {scene.first} to {scene.second} [m]', loc='left', y=1.0)
     ax.set_xlabel('time [s]', loc='right', fontsize=SMALL, color=rgb(MUTED), labelpad=1)
 
 

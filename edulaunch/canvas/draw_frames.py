@@ -30,7 +30,7 @@ def draw(scene: FramesScene, axes: Sequence[Axes]) -> None:
     """Each tree in axes of its own, and the time above the first."""
     for ax, view in zip(axes, scene.views, strict=True):
         _draw_view(ax, view)
-    axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED))
+    axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED), y=1.0)
     axes[-1].annotate(
         LEGEND, (0, 0), (0, -30), xycoords='axes fraction', textcoords='offset points', fontsize=SMALL - 1, color=rgb(MUTED)
     )
@@ -38,7 +38,7 @@ def draw(scene: FramesScene, axes: Sequence[Axes]) -> None:
 
 def _draw_view(ax: Axes, view: View) -> None:
     world(ax, view.limits, grid=True)
-    ax.set_title(f'fixed frame: {view.root}', family='DejaVu Sans Mono')
+    ax.set_title(f'fixed frame: {view.root}', family='DejaVu Sans Mono', y=1.0)
     places = {mark.name: (mark.x, mark.y) for mark in view.frames}
     pixels = dict(zip(places, points_of(ax, list(places.values())), strict=True))
     for mark in view.frames:

@@ -35,6 +35,6 @@ def draw(scene: SeriesScene, axes: Sequence[Axes]) -> None:
         colour, style = rgb(COLOURS[number % len(COLOURS)]), STYLES[number // len(COLOURS) % len(STYLES)]
         finite = [point for point in points if math.isfinite(point[1])]
         ax.plot(*zip(*thinned(finite), strict=True), color=colour, linestyle=style, linewidth=1.6, label=field)
-    ax.set_title(scene.topic, loc='left')
+    ax.set_title(scene.topic, loc='left', y=1.0)
     ax.set_xlabel('time [s]', loc='right', fontsize=SMALL, color=rgb(MUTED), labelpad=1)
     ax.legend(fontsize=SMALL, frameon=False, loc='best')

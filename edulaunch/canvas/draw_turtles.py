@@ -36,8 +36,8 @@ def draw(scene: TurtleScene, axes: Sequence[Axes]) -> None:
     """Each window in axes of its own, and the time above the first."""
     for ax, window in zip(axes, scene.windows, strict=True):
         draw_window(ax, window)
-        ax.set_title(window.title, family='DejaVu Sans Mono')
-    axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED))
+        ax.set_title(window.title, family='DejaVu Sans Mono', y=1.0)
+    axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED), y=1.0)
 
 
 def draw_window(ax: Axes, window: Window, names: bool = True) -> None:

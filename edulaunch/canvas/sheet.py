@@ -52,7 +52,7 @@ def png_of(sheet: Sheet, draw: Callable[[Sequence[Axes]], None], scale: float = 
         figure = Figure(figsize=(sheet.width / PER_INCH, sheet.height / PER_INCH), dpi=PER_INCH * scale)
         draw([figure.add_axes(_part(box, sheet)) for box in sheet.boxes])
         file = BytesIO()
-        figure.savefig(file, format='png', metadata={'Software': None})
+        figure.savefig(file, format='png', metadata={'Software': None}, pil_kwargs={'compress_level': 1})
     return file.getvalue()
 
 

@@ -21,18 +21,25 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
     """
     steps: list[Any] = []
     still = 0
+    last: float | None = None
     for value in values:
-        if not -9e15 < value * scale < 9e15:  # also false for NaN
+        if value == last:  # most of a turtle's numbers stand still for most of the time
+            still += 1
+            continue
+        scaled = value * scale
+        if not -9e15 < scaled < 9e15:  # also false for NaN
             _still(steps, still)
             still = 0
             steps.append(None)
             continue
-        whole = round(value * scale)
+        last = value
+        whole = round(scaled)
         if whole == before:
             still += 1
             continue
-        _still(steps, still)
-        still = 0
+        if still:
+            _still(steps, still)
+            still = 0
         steps.append(whole - before)
         before = whole
     _still(steps, still)
