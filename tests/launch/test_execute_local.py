@@ -12,6 +12,7 @@ from launch.actions import (
     ExecuteProcess,
     GroupAction,
     LogInfo,
+    OpaqueFunction,
     RegisterEventHandler,
     SetEnvironmentVariable,
     SetLaunchConfiguration,
@@ -20,6 +21,7 @@ from launch.actions import (
 )
 from launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO, OnProcessStart
 from launch.events import matches_action
+from launch.events.execution_complete import ExecutionComplete
 from launch.events.process import ShutdownProcess, SignalProcess
 from launch.substitutions import LaunchConfiguration
 
@@ -235,6 +237,17 @@ def test_handlers_see_start_output_completion_and_exit(launch_it: Any, host: Any
         RegisterEventHandler(OnProcessExit(target_action=talker, on_exit=[say('exited')])),
     )[1]
     assert said(lines) == ['started', 'one', 'exited', 'complete']
+
+
+def test_a_process_alone_wants_no_event_about_its_execution(launch_it: Any, host: Any) -> None:
+    quick, wanted = ExecuteProcess(cmd=['quick']), []
+
+    def ask(context: LaunchContext) -> None:
+        wanted.append(context.would_handle_event(ExecutionComplete(action=quick)))
+
+    listener = RegisterEventHandler(OnExecutionComplete(target_action=quick, on_completion=[say('complete')]))
+    launch_it(quick, OpaqueFunction(function=ask), listener, OpaqueFunction(function=ask))
+    assert wanted == [False, True]
 
 
 def test_events_can_signal_and_end_one_process(launch_it: Any, host: Any) -> None:

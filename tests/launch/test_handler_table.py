@@ -53,6 +53,7 @@ def test_the_same_handlers_in_the_same_order_as_a_plain_list(steps: list[Any]) -
     for event in (Event(), About('a'), AboutMore('b')):
         expected = [handler for handler in plain if handler.matches(event)]
         assert [handler for handler in table.candidates(event) if handler.matches(event)] == expected
+        assert table.matches(event) == bool(expected)
 
 
 def test_a_handler_that_is_not_there_cannot_be_removed() -> None:

@@ -8,6 +8,7 @@ are kept by that action, and asked about no other's, in the same order as upstre
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Collection
 from typing import Any
 
 from .event import Event
@@ -53,10 +54,21 @@ class HandlerTable:
 
     def candidates(self, event: Event) -> list[BaseEventHandler]:
         """The handlers that could accept the event, first asked first."""
+        return _in_order(*self._groups_for(event))
+
+    def matches(self, event: Event) -> bool:
+        """Whether any handler matches the event; every action that was executed asks."""
+        for group in self._groups_for(event):
+            for handler in list(group.values()):
+                if handler.matches(event):
+                    return True
+        return False
+
+    def _groups_for(self, event: Event) -> Collection[Ranked]:
         action = getattr(event, 'action', None)
         if action is None:
-            return _in_order(*self._groups.values())
-        return _in_order(self._groups[0], self._groups.get(id(action), {}))
+            return self._groups.values()
+        return self._groups[0], self._groups.get(id(action), {})
 
 
 def _key(handler: Any) -> int:

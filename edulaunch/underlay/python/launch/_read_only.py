@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar, overload
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 T = TypeVar('T')
 
@@ -17,17 +18,17 @@ class ReadOnly(Generic[T]):
         self.__doc__ = doc
 
     def __set_name__(self, owner: type, name: str) -> None:
-        self._name = name
-        self._attribute = f'_{owner.__name__.lstrip("_")}__{name}'
+        getter = attrgetter(f'_{owner.__name__.lstrip("_")}__{name}')
+        setattr(owner, name, property(getter, doc=self.__doc__))
 
-    @overload
-    def __get__(self, instance: None, owner: type | None = None) -> ReadOnly[T]: ...
+    if TYPE_CHECKING:
 
-    @overload
-    def __get__(self, instance: object, owner: type | None = None) -> T: ...
+        @overload
+        def __get__(self, instance: None, owner: type | None = None) -> ReadOnly[T]: ...
 
-    def __get__(self, instance: object | None, owner: type | None = None) -> Any:
-        return self if instance is None else getattr(instance, self._attribute)
+        @overload
+        def __get__(self, instance: object, owner: type | None = None) -> T: ...
 
-    def __set__(self, instance: object, value: object) -> None:
-        raise AttributeError(f"property '{self._name}' of '{type(instance).__name__}' object has no setter")
+        def __get__(self, instance: object | None, owner: type | None = None) -> Any: ...
+
+        def __set__(self, instance: object, value: object) -> None: ...

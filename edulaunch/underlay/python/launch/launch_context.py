@@ -188,7 +188,7 @@ class LaunchContext:
 
     def would_handle_event(self, event: Event) -> bool:
         """Whether any registered handler matches the event."""
-        return any(handler.matches(event) for handler in self.__handlers.candidates(event))
+        return self.__handlers.matches(event)
 
     def emit_event_sync(self, event: Event) -> None:
         """Put an event into the queue."""

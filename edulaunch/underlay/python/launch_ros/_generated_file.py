@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _WORD = re.compile(r'[A-Za-z_/](?:[A-Za-z0-9_/.*-]|[A-Za-z0-9_/.*-] (?=[A-Za-z0-9_/.*-])){0,59}')
 _MEANINGS = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null', 'y', 'n'))
 _LARGEST = 2**63
+_PATHS = 'launch_ros.parameter_files'
 
 
 class GeneratedFile:
@@ -29,7 +30,8 @@ class GeneratedFile:
     def __init__(self, path: str, text: str = '') -> None:
         self.path = path
         self._text = text
-        self._inode: int | None = None
+
+    _inode: int | None = None
 
     @property
     def text(self) -> str:
@@ -77,7 +79,7 @@ class GeneratedParameters(GeneratedFile):
     """
 
     def __init__(self, path: str, node_key: str, values: Mapping[str, Any]) -> None:
-        super().__init__(path)
+        self.path = path
         self._node_key = node_key
         self._values = values
 
@@ -131,16 +133,21 @@ def temporary_path(key: str, state: dict[str, Any]) -> str:
 
     :param state: of the process that runs launch.
     """
-    import tempfile
     import zlib
 
-    digest = zlib.crc32(
-        key.replace(tempfile.gettempdir(), '').encode()
-    )  # workspaces are presented there: another on each machine
-    keys: dict[int, str] = state.setdefault('launch_ros.parameter_files', {})
+    folder, keys = state.get(_PATHS) or _first_paths(state)
+    digest = zlib.crc32(key.replace(folder, '').encode())  # workspaces are presented there: another on each machine
     while keys.setdefault(digest, key) != key:
         digest = zlib.crc32(b'another', digest)
-    return f'{tempfile.gettempdir()}{os.sep}launch_params_{digest:08x}'
+    return f'{folder}{os.sep}launch_params_{digest:08x}'
+
+
+def _first_paths(state: dict[str, Any]) -> tuple[str, dict[int, str]]:
+    import tempfile
+
+    paths: tuple[str, dict[int, str]] = tempfile.gettempdir(), {}
+    state[_PATHS] = paths
+    return paths
 
 
 def _remove(path: str, inode: int) -> None:

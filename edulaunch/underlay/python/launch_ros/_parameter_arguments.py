@@ -11,7 +11,7 @@ from launch._engine import assumptions, generated_files, running_process, state_
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
-from .utilities.evaluate_parameters import evaluate_parameters
+from .utilities.evaluate_parameters import evaluate_parameter_dict
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -62,30 +62,30 @@ class ParameterArguments:
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
+        state, files = state_of(context), generated_files()
         for written in parameters:
-            if isinstance(written, ParameterFile):
+            if isinstance(written, dict):
+                values = evaluate_parameter_dict(context, written)
+                name = temporary_path(f'{self._owner} {len(self.items)} {values}', state)
+                self._add_generated(GeneratedParameters(name, self._node_key, values), files)
+                self._sources.append((values, written))
+            elif isinstance(written, ParameterFile):
                 path, file = written.performed(context)
                 if file is None:
                     self._add_file(path)
                 else:
-                    self._add_generated(file)
-                continue
-            (value,) = evaluate_parameters(context, (written,))
-            if isinstance(value, dict):
-                name = temporary_path(f'{self._owner} {len(self.items)} {value}', state_of(context))
-                self._add_generated(GeneratedParameters(name, self._node_key, value))
-                self._sources.append((value, written))
+                    self._add_generated(file, files)
             else:
-                self._add_rule(context, value)
+                self._add_rule(context, written)
 
     def write_files(self) -> None:
         """Put the generated files that :attr:`items` names on the disk, for somebody who looks."""
         for file in self._generated:
             file.write()
 
-    def _add_generated(self, file: GeneratedFile) -> None:
+    def _add_generated(self, file: GeneratedFile, files: dict[str, Any]) -> None:
         self._generated.append(file)
-        generated_files()[file.path] = file
+        files[file.path] = file
         self.items.append((file.path, True))
 
     def _add_file(self, path: Path) -> None:

@@ -15,6 +15,7 @@ from ..events.process.process_started import ProcessStarted
 from ..events.process.process_stderr import ProcessStderr
 from ..events.process.process_stdout import ProcessStdout
 from ..events.process.process_targeted_event import ProcessTargetedEvent
+from ..events.process.running_process_event import RunningProcessEvent
 from ..events.process.shutdown_process import ShutdownProcess
 from ..events.process.signal_process import SignalProcess
 from ..events.shutdown import Shutdown
@@ -206,7 +207,8 @@ class ProcessWatch(BaseEventHandler):
     def _concerns(self, event: Event) -> bool:
         if isinstance(event, ProcessTargetedEvent):
             return event.process_matcher(self._action)
-        return isinstance(event, Shutdown) or getattr(event, 'action', None) is self._action
+        # Not any event of the action: who waits for ExecutionComplete lets it be emitted and handled, once for each process.
+        return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:
         """React to an event of this process, or to one that is meant for it."""

@@ -12,7 +12,7 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
     :param caller: the function or class named in the message.
     :raises TypeError: naming the caller, the argument, the expected types, and what came.
     """
-    expected = (types,) if isinstance(types, type) else tuple(types)
+    expected = types if isinstance(types, tuple) else (types,) if isinstance(types, type) else tuple(types)
     if isinstance(argument, expected):
         return
     start = 'Expected' if caller is None else f"'{caller}' expected"

@@ -16,12 +16,10 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
         return [TextSubstitution(text=subs)]
     if isinstance(subs, Substitution):
         return [subs]
-    return [_normalize(item) for item in subs]
+    return [item if isinstance(item, Substitution) else _normalize(item) for item in subs]
 
 
 def _normalize(item: object) -> Substitution:
-    if isinstance(item, Substitution):
-        return item
     if isinstance(item, str):
         return TextSubstitution(text=item)
     raise TypeError(

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ..substitution import Substitution
+from ._plain_text import plain_text
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
@@ -13,4 +14,5 @@ if TYPE_CHECKING:
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
     """Evaluate each and join the texts without a separator."""
-    return ''.join([context.perform_substitution(sub) for sub in subs])
+    text = plain_text(subs)
+    return ''.join([context.perform_substitution(sub) for sub in subs]) if text is None else text

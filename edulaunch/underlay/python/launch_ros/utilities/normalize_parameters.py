@@ -18,6 +18,7 @@ from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_t
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from ..parameters_type import Parameters, ParametersDict, SomeParameters, SomeParametersDict
 
+_LITERALS = (str, bool, int, float, bytes, ParameterValue)
 _ITEM_TYPES = (float, int, str, bool, *SomeSubstitutionsType_types_tuple)
 
 
@@ -32,7 +33,7 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
 
 
 def _normalize(item: Any) -> Any:
-    if isinstance(item, Mapping):
+    if isinstance(item, (dict, Mapping)):  # a dict is known sooner than a Mapping
         return normalize_parameter_dict(item)
     return item if isinstance(item, (ParameterFile, Parameter)) else ParameterFile(item)
 
@@ -42,12 +43,16 @@ def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequenc
 
     :raises TypeError: for a value of no kind that can be used.
     """
-    ensure_argument_type(parameters, Mapping, 'parameters')
+    if not isinstance(parameters, dict):
+        ensure_argument_type(parameters, Mapping, 'parameters')
     normalized: ParametersDict = {}
     for name, value in parameters.items():
-        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
+        if not isinstance(name, (str, tuple)):
+            ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
         full_name = (*_prefix, *normalize_to_list_of_substitutions(name))
-        if isinstance(value, Mapping):
+        if isinstance(value, _LITERALS):
+            normalized[full_name] = value
+        elif isinstance(value, Mapping):
             normalized.update(normalize_parameter_dict(value, _prefix=(*full_name, *normalize_to_list_of_substitutions('.'))))
         else:
             normalized[full_name] = _normalize_value(value)
@@ -55,8 +60,6 @@ def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequenc
 
 
 def _normalize_value(value: Any) -> Any:
-    if isinstance(value, (str, bool, int, float, bytes, ParameterValue)):
-        return value
     if isinstance(value, Substitution):
         return (value,)
     if isinstance(value, Sequence):
