@@ -81,7 +81,6 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
 
     _esm = module()
     tab = traitlets.Unicode('graph').tag(sync=True)
-    film = traitlets.Unicode('').tag(sync=True)
 
     def __init__(self, machine: Host, tab: str) -> None:
         super().__init__(tab=tab)

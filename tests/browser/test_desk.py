@@ -54,12 +54,19 @@ def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
 
 def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) -> None:
     """Watch, drive, pause, step, go back, ask tf, change a parameter, plot, read the log, type a command."""
+    drive_and_stop(desk)
+    look_back(desk, shots / f'{name}-frames.png', can_continue=can_continue)
+    use_the_tabs(desk)
+    desk.page.screenshot(path=shots / f'{name}-graph.png')
+    assert desk.errors == []
+
+
+def drive_and_stop(desk: Desk) -> None:
+    """One arrow key, the space bar, and one tick."""
     page = desk.page
     desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
     page.locator('.worlds canvas').first.click()
     page.keyboard.press('ArrowUp')
-    page.wait_for_timeout(1500)
-    print(desk.label(), desk.errors)
     desk.until_js("parseFloat(root.querySelector('.worlds canvas').ariaLabel.match(/turtle1 at .([0-9.]+)/)[1]) > 7.4")
 
     page.keyboard.press(' ')
@@ -72,6 +79,10 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     red, green, blue = desk.pixel(x, y)
     assert green > red and green > blue, 'the first turtle is green where its pose says that it is'
 
+
+def look_back(desk: Desk, shot: Path, *, can_continue: bool) -> None:
+    """An instant near the start, tf asked there, and from there on, or back to now."""
+    page = desk.page
     desk.seek(0.02)
     assert desk.pose('turtle1') == (5.54, 5.54)
     desk.until('.state', 'looking back')
@@ -81,7 +92,7 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     desk.until('.probe output', 'translation [5.544, 5.544, 0.000]')
     page.get_by_label('time in seconds').fill('99')
     desk.until('.probe output', 'ExtrapolationException: Lookup would require extrapolation')
-    page.screenshot(path=shots / f'{name}-frames.png')
+    page.screenshot(path=shot)
     if can_continue:
         desk.press('run the launch again')
         desk.until_js("root.querySelector('.state').textContent === 'paused'")
@@ -89,6 +100,10 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     else:
         page.get_by_text('● Live').click()
 
+
+def use_the_tabs(desk: Desk) -> None:
+    """A colour changes the picture; a plot, the log, a command, and edges of the graph that light up."""
+    page = desk.page
     desk.press('play or pause')
     desk.open('parameters')
     page.get_by_label('/sim background_r').evaluate('e => { e.value = 250; e.dispatchEvent(new Event("change")); }')
@@ -110,8 +125,6 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     desk.until('.terminal', '/broadcaster2')
     desk.open('graph')
     page.locator('svg path.lit').first.wait_for()
-    page.screenshot(path=shots / f'{name}-graph.png')
-    assert desk.errors == []
 
 
 def test_the_page_beside_a_terminal(beside_terminal: Desk, shots: Path) -> None:

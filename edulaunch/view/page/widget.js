@@ -4,10 +4,6 @@
 const ASK_EVERY_MS = 500;
 
 function render({ model, el }) {
-  if (model.get('film')) {
-    unpacked(model.get('film')).then(film => openDesk(el, null, { tab: model.get('tab') }).load(film));
-    return undefined;
-  }
   const handlers = [], page = Math.random().toString(36).slice(2), send = words => model.send({ ...words, page });
   const take = message => { if (message.page === page) handlers.forEach(handler => handler(message)); };
   model.on('msg:custom', take);

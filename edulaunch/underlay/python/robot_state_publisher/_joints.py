@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import cos, sin
 from typing import Any, NamedTuple
 
+from edulaunch.tf.quaternions import multiply
+
 MOVING = ('revolute', 'continuous', 'prismatic')
 """Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
 Quaternion = tuple[float, float, float, float]
@@ -52,7 +54,7 @@ class Joint(NamedTuple):
             return self.origin, self.turn
         half = sin(position / 2.0)
         x, y, z = self.axis
-        return self.origin, product(self.turn, (x * half, y * half, z * half, cos(position / 2.0)))
+        return self.origin, multiply(self.turn, (x * half, y * half, z * half, cos(position / 2.0)))
 
 
 def read_joints(description: str) -> list[Joint]:
@@ -98,23 +100,11 @@ def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
     about_x = (sin(roll / 2), 0.0, 0.0, cos(roll / 2))
     about_y = (0.0, sin(pitch / 2), 0.0, cos(pitch / 2))
     about_z = (0.0, 0.0, sin(yaw / 2), cos(yaw / 2))
-    return product(about_z, product(about_y, about_x))
-
-
-def product(a: Quaternion, b: Quaternion) -> Quaternion:
-    """The rotation b, then a."""
-    ax, ay, az, aw = a
-    bx, by, bz, bw = b
-    return (
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-        aw * bw - ax * bx - ay * by - az * bz,
-    )
+    return multiply(about_z, multiply(about_y, about_x))
 
 
 def rotated(turn: Quaternion, vector: Any) -> tuple[float, float, float]:
     """A vector after a rotation."""
     x, y, z, w = turn
-    rx, ry, rz, _ = product(product(turn, (*vector, 0.0)), (-x, -y, -z, w))
+    rx, ry, rz, _ = multiply(multiply(turn, (*vector, 0.0)), (-x, -y, -z, w))
     return rx, ry, rz
