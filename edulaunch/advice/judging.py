@@ -1,0 +1,82 @@
+"""Asking the rules: findings in order, the worst first, none of them twice."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.failure import Failure, failure_of
+from edulaunch.advice.finding import Finding
+from edulaunch.advice.registry import rule_named, rules_over
+from edulaunch.advice.rule import CONFIDENCES, LEVELS, Rule
+
+if TYPE_CHECKING:
+    from edulaunch.plan import Rehearsal
+    from edulaunch.recording import Recording
+
+MOST = 20
+"""Findings of one rule: more of the same tell nobody anything."""
+
+
+def judge(recording: Recording) -> list[Finding]:
+    """What is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
+    found = list(_asked('recordings', recording))
+    for failure in failures(recording):
+        found += _asked('errors', failure)
+    return in_order(found)
+
+
+def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
+    """What is wrong with a launch file, by its dry run."""
+    return in_order(_asked('plans', rehearsal))
+
+
+def judge_failure(error: Failure | BaseException) -> list[Finding]:
+    """What is behind an error."""
+    return in_order(_asked('errors', error if isinstance(error, Failure) else failure_of(error)))
+
+
+def judge_sources(path: str) -> list[Finding]:
+    """What is wrong with the packages of a workspace or package folder; nothing of them is executed."""
+    from edulaunch.advice.source_package import packages_at
+
+    return in_order([finding for package in packages_at(path) for finding in _asked('sources', package)])
+
+
+def failures(recording: Recording) -> Iterator[Failure]:
+    """The errors that ended programs of a run, in order of the programs."""
+    for process in recording.processes:
+        error = process.exception
+        if error:
+            yield Failure(
+                error['type'],
+                error['message'],
+                error['file'],
+                error['line'],
+                process.ended_s,
+                process.name,
+                error.get('facts') or {},
+            )
+
+
+def in_order(findings: Iterable[Finding]) -> list[Finding]:
+    """The worst first, then what is sure, then by time; one of each, and nothing that only follows from another."""
+    rules = {finding.rule: rule_named(finding.rule) for finding in findings}
+    hidden = {name for rule in rules.values() for name in rule.hides}
+    first: dict[tuple[Any, ...], Finding] = {}
+    for finding in sorted(findings, key=lambda one: _rank(rules[one.rule], one)):
+        if finding.rule not in hidden:
+            first.setdefault((finding.rule, finding.kind, finding.name, finding.file, finding.line), finding)
+    return list(first.values())
+
+
+def _asked(kind: str, thing: Any) -> list[Finding]:
+    """What all rules over that kind of thing say of it."""
+    return [finding._replace(rule=rule.name) for rule in rules_over(kind) for finding in islice(rule.look(thing), MOST)]
+
+
+def _rank(rule: Rule, finding: Finding) -> tuple[Any, ...]:
+    late = finding.time_s if finding.time_s is not None else 0.0
+    place = (finding.file or '', finding.line or 0)
+    return (LEVELS.index(rule.level), CONFIDENCES.index(rule.confidence), late, rule.name, finding.kind, finding.name, place)

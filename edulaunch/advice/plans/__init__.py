@@ -1,0 +1,1 @@
+"""Rules over dry runs of launch files (`edulaunch.plan.Rehearsal`)."""

@@ -1,0 +1,1 @@
+"""Rules over runs (`edulaunch.recording.Recording`)."""

@@ -1,0 +1,92 @@
+"""The examples: for each rule a failing and a healthy one, as a student would write it, and what is told of the failing one.
+
+`examples/RULE/` has `failing` and `healthy` (`.py`: a program; `.launch.py`, `.launch.xml`, `.launch.yaml`: a launch file; a folder:
+`main.launch.*` or `main.py` in it is run, or, for rules over sources, it is the workspace) and `told.txt`.
+A first line `# run: radius:=3 --for 10` gives launch arguments, and simulated seconds (default: 5).
+
+`python -m tests.advice.harness [RULE...]` writes `told.txt` anew: read what changed before you commit it.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from functools import cache
+from pathlib import Path
+
+import edulaunch
+from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
+from edulaunch.advice.registry import KINDS, all_rules, rules_over
+from edulaunch.session import Session
+
+EXAMPLES = Path(__file__).parent / 'examples'
+ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.py', '')
+
+
+def example(rule: str, which: str) -> Path:
+    """The file or folder of a rule's 'failing' or 'healthy' example."""
+    places = [EXAMPLES / rule / f'{which}{ending}' for ending in ENDINGS]
+    return next((place for place in places if place.exists()), places[0])
+
+
+@cache
+def findings(rule: str, which: str) -> list[Finding]:
+    """All that is found in an example, not by its own rule alone."""
+    path = example(rule, which)
+    kind = next(kind for kind in KINDS if any(one.name == rule for one in rules_over(kind)))
+    if kind == 'sources':
+        return judge_sources(str(path))
+    file = _main(path)
+    arguments, seconds = _wanted(file)
+    if kind == 'plans':
+        from edulaunch.plan import rehearse
+
+        with Session(workspaces=[path] if path.is_dir() else []) as session:
+            return judge_plan(rehearse(str(file), arguments, session.index, session.host.env, ros2=session.host.ros2))
+    return judge(_run(path, file, arguments, seconds))
+
+
+def _run(path: Path, file: Path, arguments: dict[str, str], seconds: float) -> edulaunch.Recording:
+    with Session(workspaces=[path] if path.is_dir() else []) as session:
+        if '.launch.' in file.name:
+            session.launch(file, None, arguments)
+        else:
+            session.launch(EXAMPLES / 'program.launch.py', None, {'file': str(file)})
+        session.run(seconds)
+        return session.recording()
+
+
+def _main(path: Path) -> Path:
+    return next(iter(sorted(path.glob('main.*'))), path) if path.is_dir() else path
+
+
+def _wanted(file: Path) -> tuple[dict[str, str], float]:
+    """Launch arguments and simulated seconds from the first line."""
+    try:
+        words = file.read_text(encoding='utf-8').partition('\n')[0].split()
+    except UnicodeDecodeError:
+        return {}, 5.0
+    seconds = float(words[words.index('--for') + 1]) if '--for' in words else 5.0
+    return dict(word.split(':=') for word in words if ':=' in word), seconds
+
+
+def told_text(rule: str, found: list[Finding]) -> str:
+    """Findings as `told.txt` has them: each with its sentences, the example's folder left out."""
+    blocks = []
+    for one in found:
+        words = told(one)
+        parts = (f'[{one.rule}] {words.what}', f'where: {words.where}', f'why: {words.why}', f'do: {words.do}')
+        blocks.append('\n'.join(part for part in parts if not part.endswith(': ')))
+    folder = str(EXAMPLES / rule)
+    return '\n\n'.join(blocks).replace(folder + os.sep, '').replace(str(EXAMPLES) + os.sep, '') + '\n'
+
+
+def main(names: list[str]) -> None:
+    """Write the golden texts."""
+    for name in names or all_rules():
+        (EXAMPLES / name / 'told.txt').write_text(told_text(name, findings(name, 'failing')), encoding='utf-8')
+
+
+if __name__ == '__main__':
+    edulaunch.source()
+    main(sys.argv[1:])
