@@ -49,13 +49,12 @@ def show(arguments: argparse.Namespace) -> int:
 
 def write_page(recording: Recording, path: str, tab: str = 'graph') -> str:
     """Write the page that plays a recording in any browser, without a network; returns the path."""
-    from edulaunch.view.film import Film
     from edulaunch.view.page import recorded_page
-    from edulaunch.view.sources import OfRecording
+    from edulaunch.view.sources import film_of
 
     name = os.path.basename(recording.launch.file or '') or 'recording'
     with open(path, 'w', encoding='utf-8') as file:
-        file.write(recorded_page(Film(OfRecording(recording)).piece(), name, tab))
+        file.write(recorded_page(film_of(recording), name, tab))
     return path
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.place import Address, UnsafePlace, domain, folder, locked, read_address, remove_address, write_address
 from edulaunch.machine.server import LOOK_EVERY_S, Server
+from edulaunch.machine.snapshot import snapshot
 from edulaunch.machine.starting import listen
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session
@@ -23,6 +24,7 @@ from edulaunch.sim.pacing import RealTime
 
 if TYPE_CHECKING:
     from edulaunch.machine.desk_widget import Page
+    from edulaunch.recording import Recording
     from edulaunch.view.viewer import Viewer
 
 SHOWN_EVERY_S = 1 / 30
@@ -58,6 +60,10 @@ class Hosting:
         """How its time passes while somebody looks."""
         assert self._server is not None
         return self._server.time
+
+    def recording(self) -> Recording:
+        """What happened until now."""
+        return snapshot(self.session)
 
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this; cells cannot be repeated."""

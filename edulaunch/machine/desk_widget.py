@@ -17,6 +17,7 @@ from edulaunch.view.page import module
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
+    from edulaunch.recording import Recording
     from edulaunch.session import Session
     from edulaunch.sim.pacing import RealTime
 
@@ -39,6 +40,9 @@ class Host(Protocol):
     @property
     def time(self) -> RealTime:
         """How its time passes."""
+
+    def recording(self) -> Recording:
+        """See `Living`."""
 
     def took(self, words: dict[str, Any]) -> None:
         """See `Living`."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.machine import wire
 from edulaunch.machine.remote_input import RemoteInput
+from edulaunch.machine.snapshot import snapshot
 from edulaunch.machine.words import run_words
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.process import Process
@@ -19,6 +20,7 @@ from edulaunch.sim.pacing import RealTime
 if TYPE_CHECKING:
     from edulaunch.machine.connection import Connection
     from edulaunch.machine.desk import Desk
+    from edulaunch.recording import Recording
 
 NOT_FOUND = 127
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
@@ -38,6 +40,10 @@ class Terminals:
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
         self._count = 0
+
+    def recording(self) -> Recording:
+        """What happened until now."""
+        return snapshot(self.session)
 
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this; with other terminals around nobody can repeat it."""

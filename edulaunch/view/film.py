@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, Protocol
 
 from edulaunch.recording.frames import TF_TYPE
+from edulaunch.view.advice import Mark, told
 from edulaunch.view.columns import FINE, number_steps, text_steps
 
 NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
@@ -59,16 +60,22 @@ class Film:
 
     def __init__(self, source: Source) -> None:
         self._source = source
+        self._marks: list[dict[str, Any]] | None = None
         self._told: dict[tuple[str, str], int] = {}
         self._layout: dict[str, list[_Column]] = {}
         self._last: dict[Any, Any] = {}
         self._rows: dict[str, int] = {}
         self._open: dict[str, list[int]] = {}
 
+    def mark(self, marks: Iterable[Mark] | None) -> None:
+        """What the rules say is told with the next piece, in place of what they said before; None: they were not asked."""
+        self._marks = None if marks is None else told(marks)
+
     def piece(self) -> dict[str, Any]:
         """What came since the last call, ready for JSON.
 
-        `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else.
+        `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else; `advice` after
+        :meth:`mark`.
         """
         source = self._source
         piece: dict[str, Any] = {
@@ -91,9 +98,12 @@ class Film:
         piece['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
         for name in ('parameters', 'logs', 'output', 'notes'):
             piece[name] = [_event(row) for row in self._new(name)]
-        for name, told, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
-            piece[name] = self._living(name, told, end)
-        return {name: value for name, value in piece.items() if value != []}
+        for name, row_of, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
+            piece[name] = self._living(name, row_of, end)
+        piece = {name: value for name, value in piece.items() if value != []}
+        if self._marks is not None:
+            piece['advice'], self._marks = self._marks, None
+        return piece
 
     def _new(self, name: str) -> Sequence[Any]:
         rows, gone = self._source.part(name), self._source.forgotten(name)

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-FILES = ('dom.js', 'data.js', 'tf.js', 'turtles.js', 'frames.js', 'graph.js', 'charts.js', 'tables.js', 'desk.js')
+FILES = ('dom.js', 'data.js', 'tf.js', 'turtles.js', 'advice.js', 'frames.js', 'graph.js', 'charts.js', 'tables.js', 'desk.js')
 """In the order in which they build on each other; together they are one script."""
 
 

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.canvas.filmstrip import filmstrip
 from edulaunch.canvas.picture import digest
 from edulaunch.canvas.worlds import World, read_worlds
-from edulaunch.view.film import Film
 from edulaunch.view.page import recorded_page
-from edulaunch.view.sources import OfRecording
+from edulaunch.view.sources import film_of
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -35,7 +34,7 @@ class Replay:
         self._worlds: list[World] = read_worlds(recording)
         self._title = os.path.basename(recording.launch.file or '') or 'replay'
         self.duration_s = recording.duration_s
-        self.film: dict[str, Any] = Film(OfRecording(recording)).piece()
+        self.film: dict[str, Any] = film_of(recording)
 
     @property
     def caption(self) -> str:

@@ -5,10 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.view.advice import marks_of
+from edulaunch.view.film import Film
+
 if TYPE_CHECKING:
     from edulaunch.recording import Recorder, Recording
 
 _PARTS = {'output': 'output_lines'}
+
+
+def film_of(recording: Recording) -> dict[str, Any]:
+    """All of a recording as one piece of film, with what the rules say of it."""
+    film = Film(OfRecording(recording))
+    film.mark(marks_of(recording))
+    return film.piece()
 
 
 class OfRecording:

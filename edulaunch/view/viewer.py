@@ -15,10 +15,12 @@ from edulaunch.attached import attached
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.view.advice import marks_of
 from edulaunch.view.film import Film
 from edulaunch.view.sources import OfRecorder
 
 if TYPE_CHECKING:
+    from edulaunch.recording import Recording
     from edulaunch.session import Session
     from edulaunch.sim.pacing import RealTime
 
@@ -44,6 +46,9 @@ class Living(Protocol):
     @property
     def time(self) -> RealTime:
         """How its time passes."""
+
+    def recording(self) -> Recording:
+        """What happened until now."""
 
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this."""
@@ -196,6 +201,12 @@ class Viewer:
         if running:
             running[-1].send_signal(signal.SIGINT)
 
+    def _advise(self, words: dict[str, Any]) -> None:
+        """Let the rules look at what has happened until now."""
+        marks = marks_of(self._machine.recording()) or []
+        self._film.mark(marks)
+        self._say({'said': f'to look at: {len(marks)}' if marks else 'the rules find nothing to say'})
+
     def _tell(self, stream: str, text: str) -> None:
         self._say({'text': text})
 
@@ -226,6 +237,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'line': Viewer._line,
     'complete': Viewer._complete,
     'interrupt': Viewer._interrupt,
+    'advise': Viewer._advise,
 }
 
 

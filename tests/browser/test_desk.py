@@ -14,9 +14,8 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.view.film import Film
 from edulaunch.view.page import recorded_page
-from edulaunch.view.sources import OfRecording
+from edulaunch.view.sources import film_of
 from tests.browser.desk import Desk
 from tests.browser.lab import Lab
 
@@ -118,7 +117,7 @@ def use_the_tabs(desk: Desk) -> None:
     desk.open('log')
     page.get_by_placeholder('word').fill('turtle2')
     desk.until('.log td', 'Spawning turtle [turtle2]')
-    assert page.locator('.log td').filter(has_text='[turtle1]').count() == 0
+    desk.until_js("!root.querySelector('.log').textContent.includes('[turtle1]')")
     desk.open('terminal')
     page.get_by_label('a command for the machine').fill('ros2 node list')
     page.keyboard.press('Enter')
@@ -134,7 +133,7 @@ def test_the_page_beside_a_terminal(beside_terminal: Desk, shots: Path) -> None:
 def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path) -> None:
     recording = edulaunch.run(*DEMO, duration_s=20)
     file = tmp_path / 'demo.html'
-    file.write_text(recorded_page(Film(OfRecording(recording)).piece(), 'demo'), encoding='utf-8')
+    file.write_text(recorded_page(film_of(recording), 'demo'), encoding='utf-8')
     assert file.stat().st_size < 400_000
     desk = Desk(page, (file.as_uri(),))
     page.goto(file.as_uri())
@@ -157,7 +156,7 @@ def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path
 def test_dark_and_narrow(browser: Any, tmp_path: Path, shots: Path, scheme: str, width: int) -> None:
     recording = edulaunch.run(*DEMO, duration_s=8)
     file = tmp_path / 'demo.html'
-    file.write_text(recorded_page(Film(OfRecording(recording)).piece(), 'demo'), encoding='utf-8')
+    file.write_text(recorded_page(film_of(recording), 'demo'), encoding='utf-8')
     context = browser.new_context(viewport={'width': width, 'height': 900}, color_scheme=scheme)
     desk = Desk(context.new_page())
     desk.page.goto(file.as_uri())

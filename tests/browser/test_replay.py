@@ -13,6 +13,10 @@ import edulaunch
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
 from edulaunch.recording import Recording
+from edulaunch.view.advice import Mark
+from edulaunch.view.film import Film
+from edulaunch.view.page import recorded_page
+from edulaunch.view.sources import OfRecording
 from tests.browser.desk import Desk
 
 
@@ -137,4 +141,37 @@ def test_where_frames_are_taken_out_the_filmstrip_is_seen(browser: Any, cell: Pa
     strip = page.locator('img')
     assert strip.is_visible() and strip.evaluate('image => image.naturalWidth') > 500
     assert str(strip.get_attribute('alt')).startswith('replay of 6.50 s: /sim with turtle1, turtle2')
+    page.close()
+
+
+ADVICE = [
+    Mark(1.0, ('node', '/sim'), 'this window is a fine one', 'fine-window'),
+    Mark(1.0, ('topic', '/turtle2/cmd_vel'), 'somebody follows here', 'following'),
+    Mark(2.0, ('frame', 'turtle2'), 'this frame came late', 'late-frame'),
+]
+
+
+def test_what_the_rules_say_stands_on_what_it_is_about(browser: Any, tmp_path: Path, recording: Recording, shots: Path) -> None:
+    film = Film(OfRecording(recording))
+    film.mark(ADVICE)
+    file = tmp_path / 'advice.html'
+    file.write_text(recorded_page(film.piece(), 'advice'), encoding='utf-8')
+    page = browser.new_page(viewport={'width': 1200, 'height': 800})
+    desk = Desk(page)
+    page.goto(file.as_uri())
+    desk.seek(1.0)
+    desk.until('svg .mark', 'fine-window')
+    page.get_by_role('button', name='/turtle2/cmd_vel').click()
+    desk.until('.told', 'somebody follows here (following)')
+    page.locator('.alerts summary').click()
+    page.screenshot(path=shots / 'advice.png')
+    page.locator('.alerts button').filter(has_text='late').click()
+    desk.until('.pane .told', 'this frame came late')
+    desk.until('table td', '⚠ turtle2')
+    desk.seek(0.2)
+    assert page.locator('table td').filter(has_text='⚠').count() == 0, 'before its time nothing is said'
+    desk.seek(1.0)
+    desk.open('tree')
+    desk.until('.tree .box', '⚠ turtle2')
+    assert desk.errors == []
     page.close()

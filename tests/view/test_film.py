@@ -9,17 +9,39 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.attached import PLACES
 from edulaunch.recording import Recording
 from edulaunch.session import Session
+from edulaunch.view.advice import Mark
 from edulaunch.view.columns import FINE, numbers
 from edulaunch.view.film import SCAN_TYPE, Film
 from edulaunch.view.page import packed
-from edulaunch.view.sources import OfRecorder, OfRecording
+from edulaunch.view.sources import OfRecorder, OfRecording, film_of
 
 
 @pytest.fixture(scope='module')
 def recording() -> Recording:
     return edulaunch.run('turtle_tf2_py', 'turtle_tf2_demo.launch.py', duration_s=3, seed=0)
+
+
+def test_what_the_rules_say_is_told_once_as_plain_data(recording: Recording) -> None:
+    film = Film(OfRecording(recording))
+    film.mark([Mark(1.5, ('topic', '/tf'), 'nobody listens', 'lonely-topic'), Mark(0, ('', ''), 'all is well', 'fine')])
+    assert film.piece()['advice'] == [
+        {'time': 1_500_000, 'subject': {'topic': '/tf'}, 'text': 'nobody listens', 'rule': 'lonely-topic'},
+        {'time': 0, 'subject': {}, 'text': 'all is well', 'rule': 'fine'},
+    ]
+    assert 'advice' not in film.piece()
+
+
+def test_rules_that_are_attached_are_asked(recording: Recording, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert 'advice' not in film_of(recording) or 'advice_marks' in PLACES
+    monkeypatch.setitem(PLACES, 'advice_marks', (__name__, 'every_frame'))
+    assert [row['subject'] for row in film_of(recording)['advice']] == [{'frame': 'turtle1'}, {'frame': 'turtle2'}]
+
+
+def every_frame(recording: Recording) -> list[Mark]:
+    return [Mark(0.0, ('frame', name), 'a frame', 'frames') for name in recording.frames_at(3)]
 
 
 def whole(recording: Recording) -> dict[str, Any]:

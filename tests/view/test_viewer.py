@@ -9,9 +9,13 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from edulaunch.attached import PLACES
+from edulaunch.machine.snapshot import snapshot
 from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.recording import Recording
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
+from edulaunch.view.advice import Mark
 from edulaunch.view.viewer import TICK_NS, Viewer
 
 
@@ -26,6 +30,9 @@ class Desk:
         self.time = RealTime(session.sim, clock=lambda: self.wall_s)
         self.said: list[dict[str, Any]] = []
         self.viewer = Viewer(self, self.said.append)
+
+    def recording(self) -> Recording:
+        return snapshot(self.session)
 
     def took(self, words: dict[str, Any]) -> None:
         pass
@@ -123,6 +130,18 @@ def test_the_tab_key_knows_verbs_packages_and_names_of_the_machine(desk: Desk, l
     assert desk.said[-1]['completed'][0] == sure
 
 
+def test_the_rules_look_when_somebody_asks(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(PLACES, 'advice_marks', (__name__, 'one_mark'))
+    desk.ask('advise')
+    desk.viewer.show()
+    assert desk.said[-2:][0] == {'said': 'to look at: 1'}
+    assert desk.said[-1]['piece']['advice'] == [{'time': 1_000_000, 'subject': {}, 'text': 'so long already', 'rule': 'length'}]
+
+
+def one_mark(recording: Recording) -> list[Mark]:
+    return [Mark(recording.duration_s, ('', ''), 'so long already', 'length')]
+
+
 def test_another_command_is_refused_with_a_sentence(desk: Desk) -> None:
     desk.ask('line', line='rm -rf /')
     assert desk.text() == 'rm: this terminal knows ros2 ... only\n'
@@ -143,7 +162,21 @@ ANYTHING = st.recursive(
     max_leaves=5,
 )
 OPS = st.sampled_from(
-    ['pause', 'play', 'continue', 'speed', 'step', 'drive', 'teleport', 'param', 'line', 'complete', 'interrupt', 'what']
+    [
+        'pause',
+        'play',
+        'continue',
+        'advise',
+        'speed',
+        'step',
+        'drive',
+        'teleport',
+        'param',
+        'line',
+        'complete',
+        'interrupt',
+        'what',
+    ]
 )
 FIELDS = st.sampled_from(
     ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']

@@ -94,7 +94,7 @@ class Store {
   constructor() {
     Object.assign(this, {
       start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), nodes: [], processes: [], endpoints: [],
-      parameters: [], logs: [], output: [], notes: [], calls: [], version: 0, publisherNode: new Map(),
+      parameters: [], logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
   apply(piece) {
@@ -127,6 +127,7 @@ class Store {
     living('calls', ([, t, service, type, client, request, served, replied]) =>
       ({ t: t / 1e6, service, type, client, request, served, replied: seconds(replied) }));
     for (const end of piece.endpoints || []) this.publisherNode.set(end[5], end[4]);
+    if (piece.advice) { this.advice = piece.advice.map(row => ({ ...row, t: row.time / 1e6 })); this.version++; }
     if (!this.grows) return;
     if (this.from === 0 && piece.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
     if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);

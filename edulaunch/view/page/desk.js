@@ -25,9 +25,9 @@ class Desk {
   head() {
     this.title = make('strong', {}, 'edulaunch');
     this.state = make('span', { class: 'state', role: 'status' });
-    this.alerts = make('details', { class: 'alerts', hidden: true });
+    this.alerts = new AlertsView(this);
     this.dark = button('◐', 'dark or light', () => this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'));
-    this.box.append(make('header', {}, this.title, this.state, this.alerts, this.dark));
+    this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.dark));
   }
   stage() {
     this.worlds = make('div', { class: 'worlds' });
@@ -126,6 +126,13 @@ class Desk {
     return this.known;
   }
   plot(topic, path) { this.views.plot[0].add(topic.name, path); this.open('plot'); }
+  /* Show what a sentence is about. */
+  point(kind, name, time) {
+    if (!this.live && this.time < time) this.seek(time);
+    const tab = kind === 'frame' ? 'frames' : 'graph';
+    this.open(tab);
+    this.views[tab][0].point(kind, name);
+  }
   select(mover) { if (mover) this.who.value = mover.path; }
   canMove(mover) { return this.live && !this.machine.running && this.follow && mover.world.kind === 'turtlesim'; }
   drive(linear, angular) { if (this.live) this.send({ op: 'drive', turtle: this.who.value, linear, angular }); }
@@ -229,12 +236,7 @@ class Desk {
       const movers = worlds.flatMap(world => world.movers), before = this.who.value;
       this.who.replaceChildren(...movers.map(mover => make('option', { value: mover.path }, mover.path)));
       if (movers.some(mover => mover.path === before)) this.who.value = before;
-      const warned = [...new Set(this.store.notes.filter(row => ['deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'incompatible'].includes(row.kind)).map(row => `${row.process ?? ''}: ${row.text}`))];
-      this.alerts.hidden = !warned.length;
-      if (warned.length !== this.warned) {
-        this.warned = warned.length;
-        this.alerts.replaceChildren(make('summary', {}, `⚠ ${warned.length}`), make('ul', {}, ...warned.map(text => make('li', {}, text))));
-      }
+      this.alerts.update();
     }
     const room = this.left.clientWidth, count = this.worldViews.length;
     if (room) for (const view of this.worldViews) view.resize(Math.floor(Math.max(180, Math.min(count > 1 ? (room - 14) / 2 : room - 4, count > 1 ? 360 : 560))));

@@ -15,7 +15,8 @@ class FramesView {
     this.table = make('table', { class: 'small' });
     const bar = make('div', { class: 'tools' });
     bar.append(make('label', {}, 'seen from ', this.fixed), this.mode, make('span', { class: 'soft' }, 'drag to turn, wheel to zoom'));
-    this.box.append(bar, this.canvas, this.probe(), this.table);
+    this.told = make('div', { class: 'told', 'aria-live': 'polite', hidden: true });
+    this.box.append(bar, this.canvas, this.told, this.probe(), this.table);
     this.zoom = 1;
     this.canvas.addEventListener('pointermove', event => {
       if (!event.buttons) return;
@@ -76,7 +77,8 @@ class FramesView {
     strokes(pen, between(true), this.desk.colours.soft, 1.2, [5, 3]);
     const taken = [];
     this.axes(pen, [...seen.values()]);
-    for (const [name, pose] of [...seen].slice(0, MOST_NAMES)) this.label(pen, name, this.at(pose.p), taken, width, height);
+    for (const [name, pose] of [...seen].slice(0, MOST_NAMES)) this.label(pen, this.marked(name, time) ? `⚠ ${name}` : name, this.at(pose.p), taken, width, height);
+    this.tell(time);
     if (seen.size > MOST_NAMES) note(pen, `${seen.size} frames, the first ${MOST_NAMES} with their names`, width, 24, this.desk.colours.soft);
     this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].slice(0, MOST_NAMES).map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
     if (this.desk.isTimeToTell(this)) this.rows(tree, seen, time);
@@ -129,11 +131,24 @@ class FramesView {
     pen.fillStyle = this.desk.colours.ink;
     pen.fillText(text, left + 3, top + 12);
   }
+  marked(name, time) { return sayingsOf(this.desk.store, 'frame', name, time).length > 0; }
+  point(kind, name) { this.chosen = name; this.desk.redraw(); }
+  tell(time) {
+    const rows = this.chosen ? sayingsOf(this.desk.store, 'frame', this.chosen, time) : [];
+    this.told.hidden = !rows.length;
+    if (rows.length && this.desk.isTimeToTell(this.told)) this.told.replaceChildren(make('b', {}, this.chosen), ...sentences(rows));
+  }
   rows(tree, seen, time) {
     const head = make('tr', {}, ...['frame', 'parent', 'x', 'y', 'z', 'yaw', 'age'].map(text => make('th', {}, text)));
+    const name = frame => {
+      if (!this.marked(frame, time)) return frame;
+      const mark = make('button', { type: 'button', class: 'field bad', title: 'what is to be said of this frame' }, `⚠ ${frame}`);
+      mark.addEventListener('click', () => this.point('frame', frame));
+      return mark;
+    };
     const rows = [...tree.links.values()].map(link => {
       const pose = seen.get(link.child), age = time - (link.stamp - this.desk.store.start);
-      const cells = [link.child + (link.parents > 1 ? ' ⚠ two parents' : ''), link.parent,
+      const cells = [link.parents > 1 ? `${link.child} ⚠ two parents` : name(link.child), name(link.parent),
         ...(pose ? [...pose.p, yawOf(pose.q)].map(value => value.toFixed(3)) : ['another', 'tree', '', '']),
         link.fixed ? 'static' : `${Math.max(0, age).toFixed(2)} s`];
       return make('tr', { class: !link.fixed && age > 1 ? 'old' : '' }, ...cells.map(text => make('td', {}, text)));
@@ -183,9 +198,15 @@ class TreeView {
     this.desk = desk;
     this.box = make('div', { class: 'pane scroll' });
   }
+  mark(name, time) {
+    if (!sayingsOf(this.desk.store, 'frame', name, time).length) return name;
+    const mark = make('button', { type: 'button', class: 'field bad', title: 'what is to be said of this frame' }, `⚠ ${name}`);
+    mark.addEventListener('click', () => this.desk.point('frame', name, time));
+    return mark;
+  }
   draw(time) {
     const { store } = this.desk, tree = this.desk.tree(time);
-    const key = store.version + ' ' + tree.names().join();
+    const key = store.version + ' ' + tree.names().join() + (store.advice || []).filter(row => row.t <= time).length;
     const rates = link => link.fixed ? 'static' : `${(link.track.c[0].upTo(time) - link.track.c[0].upTo(time - 1)).toFixed(0)} Hz`;
     if (key !== this.key) {
       this.key = key;
@@ -195,7 +216,7 @@ class TreeView {
       const item = (name, link) => {
         const about = make('span', { class: 'soft' });
         if (link) this.said.push([link.child, about]);
-        const entry = make('li', {}, make('span', { class: 'box' }, name), about);
+        const entry = make('li', {}, make('span', { class: 'box' }, this.mark(name, time)), about);
         const below = (children.get(name) || []).map(next => item(next.child, next));
         if (below.length) entry.append(make('ul', {}, ...below));
         return entry;

@@ -42,7 +42,7 @@ class GraphView {
       (asks ? box.from : box.to).add('n' + end.node);
     }
     for (const box of ends.values()) {
-      if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked) continue;
+      if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked && !sayingsOf(store, 'topic', box.name, time).length) continue;
       if (box.kind === 'service' && !box.from.size) continue;
       box.mark = box.kind === 'service' ? (box.to.size ? '' : 'no server')
         : !box.from.size ? 'no publisher' : !box.to.size && box.name !== '/tf_static' ? 'no subscriber' : this.misfit(box, time);
@@ -50,6 +50,7 @@ class GraphView {
       for (const node of box.from) edges.push({ from: node, to: box.id, box });
       for (const node of box.to) edges.push({ from: box.id, to: node, box });
     }
+    for (const box of boxes.values()) box.mark ||= sayingsOf(store, box.kind, box.name, time)[0]?.rule || '';
     return { boxes, edges };
   }
   misfit(box, time) {
@@ -59,7 +60,7 @@ class GraphView {
   draw(time) {
     const { store } = this.desk, stops = store.nodes.filter(node => node && store.alive(node, time)).map(node => node.index).join();
     const known = store.endpoints.filter(end => end.t <= time + 1e-7).length;
-    const key = [stops, known, store.notes.length, this.unused.checked, this.services.checked].join(';');
+    const key = [stops, known, store.notes.length, (store.advice || []).filter(row => row.t <= time).length, this.unused.checked, this.services.checked].join(';');
     if (key !== this.key) { this.key = key; this.lay(this.read(time)); }
     for (const { box, path } of this.paths) {
       let lit = 0;
@@ -72,6 +73,14 @@ class GraphView {
       if (path.getAttribute('class') !== strength) path.setAttribute('class', strength);
     }
     if (this.chosen) this.tell(time);
+  }
+  /* A sentence is about this box: it is chosen, and told of. */
+  point(kind, name) {
+    const { boxes } = this.read(this.desk.time), box = [...boxes.values()].find(found => found.kind === kind && found.name === name);
+    if (!box) return;
+    this.chosen = box;
+    this.tell(this.desk.time, true);
+    this.told.scrollIntoView({ block: 'nearest' });
   }
   /* Ranks from left to right by the longest way from a source, rings cut where they are met again; rows by neighbours' middle. */
   lay({ boxes, edges }) {
@@ -172,7 +181,8 @@ class GraphView {
       const last = calls[calls.length - 1];
       if (last) rows.push(make('p', { class: 'mono' }, `${last.t.toFixed(3)} s  ${last.client}: ${JSON.stringify(last.request)}  ${last.replied <= time ? 'answered' : 'no answer yet'}`));
     }
-    if (box.mark) rows.push(make('p', { class: 'bad' }, `⚠ ${box.mark}`));
+    const said = sayingsOf(store, box.kind, box.name, time);
+    rows.push(...(said.length || !box.mark ? sentences(said) : [make('p', { class: 'bad' }, `⚠ ${box.mark}`)]));
     this.told.replaceChildren(...rows);
   }
   /* The fields of a message; a number can be dragged to the plot. */
