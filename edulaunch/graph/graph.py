@@ -80,6 +80,7 @@ class Graph:
         """Let a node leave, with all its endpoints. Doing it twice is doing it once."""
         if node not in self.nodes:
             return
+        self.tracer.node_leaving(node)
         for endpoint in list(node.endpoints):
             endpoint.destroy()
         self.nodes.remove(node)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable, Iterable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -10,6 +10,10 @@ if TYPE_CHECKING:
 
 Record = tuple[int, int, Any]
 """One publication: (time in ns, number of the publisher, wire tuple)."""
+
+
+Look = Callable[[], Iterable[tuple[str, dict[str, Any]]]]
+"""What is odd about a node at this moment: facts as (kind, plain data)."""
 
 
 def _forget(_: Record) -> None:
@@ -61,3 +65,15 @@ class Tracer:
 
     def note(self, process: Any, kind: str, text: str) -> None:
         """The engine saw something that the user should hear about."""
+
+    def fact(self, process: Any, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        """Something odd happened in a program: plain data, no words. With a key that came before it happened once more."""
+
+    def fact_over(self, process: Any, kind: str, key: Hashable) -> None:
+        """What was noted under that key has come right after all: it never was."""
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        """`look()` tells what is odd about a node; it is called when the node leaves, or when the record ends before that."""
+
+    def node_leaving(self, node: NodeEntry) -> None:
+        """A node is about to leave, with all its endpoints."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,8 @@ MOST_TEXT = 4_000_000
 """How many times, and how many characters, a program may write while no simulated time passes; and for each that it started."""
 DEADLY = (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP, signal.SIGALRM, signal.SIGUSR1, signal.SIGUSR2)
 """What ends a program that has no handler for it."""
+LAST_WORDS = (signal.SIGTERM, signal.SIGKILL)
+"""What comes when a program does not end by itself."""
 OnOutput = Callable[[str, str], object]
 OnExit = Callable[[int], object]
 
@@ -38,7 +40,7 @@ class Process:
     many programs it may have to write the output), `is_gone` (dead, yet its stack unwinds), `is_heard` (its output is recorded;
     that of a child is, as far as it reaches the program that started it), `loader`,
     `group` (the program that a terminal started, whose Ctrl-C reaches this one), `is_passed_on` (the program that started this
-    one hands it the Ctrl-C that it gets).
+    one hands it the Ctrl-C that it gets), `on_sleep` (told of each `time.sleep`).
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -63,6 +65,7 @@ class Process:
         self.on_exit: OnExit | None = None
         self.signal_handlers: dict[int, Callable[[int], object]] = {}
         self.at_exit: list[Callable[[], object]] = []
+        self.on_sleep: Callable[[float], object] | None = None
         self.before_join: list[Callable[[], object]] = []
         self.exit_calls: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any]]] = []
         self.cwd = spec.cwd
@@ -152,6 +155,19 @@ class Process:
             return
         self.tracer.note(self, kind, text)
 
+    def fact(self, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        """Record something odd in plain data, without words (`edulaunch.advice` has those); counted when the key came before.
+
+        File and line of the student's code stand in it as `file` and `line`; times are seconds since the start.
+        """
+        if not self.is_gone:
+            self.tracer.fact(self, kind, key, data)
+
+    def fact_over(self, kind: str, key: Hashable) -> None:
+        """Take such a fact back: what looked odd has come right."""
+        if not self.is_gone:
+            self.tracer.fact_over(self, kind, key)
+
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
         """A further task of this program. The program does not end before its threads do, unless they are daemons.
 
@@ -185,6 +201,8 @@ class Process:
         signum = int(signum)
         if self.returncode is not None:
             return
+        if signum in LAST_WORDS:
+            self._note_waits(signum)
         handler = self.signal_handlers.get(signum)
         if handler is not None and signum != signal.SIGKILL:
             self.task.interrupt(lambda: handler(signum))
@@ -194,6 +212,13 @@ class Process:
             self.die_of(signum)
         if running_task() is self.task:
             self.task.attend()
+
+    def _note_waits(self, signum: int) -> None:
+        """SIGTERM or SIGKILL: it did not heed Ctrl-C. Where each of its threads stands, main first."""
+        from edulaunch.processes.student_line import waiting_line
+
+        waits = [{'thread': task.name, **waiting_line(task)} for task in (self.task, *self.threads) if not task.finished]
+        self.fact('ended by force', signum, {'signal': signum, 'waits': waits})
 
     def die_of(self, signum: int) -> None:
         """End by a signal without a handler: Python has no time for `finally` blocks then."""

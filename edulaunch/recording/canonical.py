@@ -25,6 +25,7 @@ def canonical(content: dict[str, Any]) -> dict[str, Any]:
     short = {part: shorten(content[part]) for part in TEXT_PARTS}
     topics = [{**topic, 'messages': shorten(topic['messages'])} if _has_text(topic) else topic for topic in content['topics']]
     output = _without_library_frames(shorten(content['output']))
+    short['facts'] = shorten(content.get('facts') or [])
     return {**content, **short, 'output': output, 'topics': topics, 'roots': []}
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.graph import NodeEntry
-from edulaunch.graph.tracer import Record, Tracer
+from edulaunch.graph.tracer import Look, Record, Tracer
 
 if TYPE_CHECKING:
     from edulaunch.processes.overlay import Overlay
@@ -38,6 +38,8 @@ class Recorder(Tracer):
         self.logs: list[list[Any]] = []
         self.output_lines: list[list[Any]] = []
         self.notes: list[list[Any]] = []
+        self.facts: dict[tuple[Any, str, Hashable], list[Any]] = {}
+        self.looks: dict[NodeEntry, Look] = {}
         self.forgotten: dict[Any, int] = {}
         self._node_row: dict[NodeEntry, list[Any]] = {}
         self._process_row: dict[Any, dict[str, Any]] = {}
@@ -79,9 +81,19 @@ class Recorder(Tracer):
             'logs': self.logs,
             'output': self.output_lines,
             'notes': self.notes,
+            'facts': self.facts_now(),
             'interfaces': self._interfaces(),
             'topics': topics,
         }
+
+    def facts_now(self) -> list[list[Any]]:
+        """The facts that still hold, with what is to be seen of the nodes that are alive; in order of their first time."""
+        seen = [
+            [self._now(), node.process.name, kind, data, 1, self._now()]
+            for node, look in self.looks.items()
+            for kind, data in look()
+        ]
+        return sorted([*self.facts.values(), *seen], key=lambda row: row[0])
 
     def _interfaces(self) -> dict[str, str]:
         """The texts of the student's own types that were used, so that messages can be read without the workspace."""
@@ -121,6 +133,15 @@ class Recorder(Tracer):
             row = [node.fully_qualified_name, node.process.name, self._now(), None, node.index]
             self._node_row[node] = row
             self.nodes.append(row)
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        self.looks[node] = look
+
+    def node_leaving(self, node: NodeEntry) -> None:
+        look = self.looks.pop(node, None)
+        if self.on and look is not None:
+            for number, (kind, data) in enumerate(look()):
+                self.fact(node.process, kind, (node.index, number), data)
 
     def node_removed(self, node: NodeEntry) -> None:
         if self.on and node in self._node_row:
@@ -195,6 +216,18 @@ class Recorder(Tracer):
     def note(self, process: Process | None, kind: str, text: str) -> None:
         if self.on:
             self.notes.append([self._now(), process.name if process is not None else None, kind, text])
+
+    def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        if self.on:
+            row = self.facts.get((process, kind, key))
+            if row is None:
+                self.facts[process, kind, key] = [self._now(), process.name, kind, data, 1, self._now()]
+            else:
+                row[3:] = [data, row[4] + 1, self._now()]
+
+    def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
+        if self.on:
+            self.facts.pop((process, kind, key), None)
 
 
 def _column(topic: str, kind: str, flat: list[Any], start_ns: int, end_ns: int) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from edulaunch.recording import file_format
 from edulaunch.recording.absent import NoMessages, not_recorded
 from edulaunch.recording.records import (
     DeclaredArgument,
+    Fact,
     Frame,
     LaunchRecord,
     LogRecord,
@@ -343,6 +344,12 @@ class Recording:
     def notes(self) -> list[Note]:
         """What the engine noticed, in order."""
         return [Note(row[0] / 1e9, *row[1:]) for row in self._content['notes']]
+
+    @cached_property
+    def facts(self) -> list[Fact]:
+        """Odd things that programs did, each with how often, in order of their first time: what advice is made of."""
+        rows = self._content.get('facts') or ()
+        return [Fact(time / 1e9, process, kind, data, times, last / 1e9) for time, process, kind, data, times, last in rows]
 
     @cached_property
     def misfits(self) -> list[Misfit]:

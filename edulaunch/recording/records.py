@@ -113,6 +113,20 @@ class Note(NamedTuple):
     text: str
 
 
+class Fact(NamedTuple):
+    """Something odd that happened in a program, in plain data and without a word; how often, first and last.
+
+    :ivar kind: 'lookup failed', 'timer skipped' ...: what `data` holds is said where the fact is noted (`Process.fact`).
+    """
+
+    time_s: float
+    process: str | None
+    kind: str
+    data: dict[str, Any]
+    times: int
+    last_s: float
+
+
 class ServiceCall(NamedTuple):
     """A request and when its reply came (None: never). `served` is False when no server existed."""
 

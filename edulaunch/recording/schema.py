@@ -114,4 +114,6 @@ PARTS: dict[str, Check] = {
     'output': each(row(number, text, text, text)),
     'notes': each(row(number, _word, text, text)),
 }
+FACTS: Check = each(row(number, _word, text, table(anything), number, number))
+"""A part that is only there when something odd has happened: time, process, kind, data, how often, last time."""
 TOPIC: dict[str, Check] = {'topic': text, 'type': text, 'times': each(number), 'publishers': each(number), 'messages': each(wire)}

@@ -38,6 +38,11 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     def strftime(form: str, when: Any = None) -> str:
         return real.strftime(form, real.gmtime(sim.now_ns // 10**9) if when is None else when)
 
+    def sleep(seconds: float, /) -> None:
+        if process.on_sleep is not None:
+            process.on_sleep(seconds)
+        sync.sleep(seconds)
+
     functions: dict[str, Any] = {
         'time': lambda: time_ns() / 1e9,
         'time_ns': time_ns,
@@ -51,7 +56,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         'thread_time_ns': monotonic_ns,
         'clock_gettime_ns': lambda clock, /: time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns(),
         'clock_gettime': lambda clock, /: (time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns()) / 1e9,
-        'sleep': sync.sleep,
+        'sleep': sleep,
         'mktime': lambda when, /: float(timegm(when)),
         'strftime': strftime,
         'gmtime': seconds(real.gmtime),

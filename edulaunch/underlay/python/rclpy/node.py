@@ -81,6 +81,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         if use_global_arguments:
             arguments.append(context._arguments)
         core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
+        core.graph.tracer.watch(core.entry, core.odd_facts)
         core.logger = RcutilsLogger(core.logger_name)
         core.default_callback_group = MutuallyExclusiveCallbackGroup()
         core.clock = ROSClock()
@@ -163,6 +164,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         core = self._rclpy
         if core.destroyed:
             return
+        core.graph.tracer.node_leaving(core.entry)
         core.destroyed = True
         for rate in list(core.rates):
             self.destroy_rate(rate)

@@ -118,12 +118,23 @@ class Timer(Entity):
         next_ns += period
         if next_ns <= now:
             next_ns = now + period - (now - next_ns) % period if period else now
+            if clock.override_ns is None and period:
+                self._note_skipped(now)
         self._last_ns = now
         self._next_ns = next_ns
         self.due_ns = next_ns if clock.override_ns is None or next_ns <= now else NEVER_NS
         self.ready_list.plan()
         self.ready_list.notify()
         return self.callback() if self.callback is not None else None
+
+    def _note_skipped(self, now_ns: int) -> None:
+        """The executor comes a whole period late, or later: something holds it up."""
+        from rclpy.execution.names import callback_name, node_name
+        from rclpy.process_state import process_state
+
+        late_s = round((now_ns - self._next_ns) / 1e9, 9)
+        data = {'callback': callback_name(self), 'node': node_name(self), 'period_s': self._period_ns / 1e9, 'late_s': late_s}
+        process_state().process.fact('timer skipped', self.order, data)
 
     def cancel(self) -> None:
         """Call back no more, until `reset`."""

@@ -18,6 +18,7 @@ from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
 from edulaunch.tf import TransformFailure
 from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
+from tf2_ros.failed_lookups import of_next_buffer
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
@@ -41,6 +42,7 @@ class Buffer(BufferCore, BufferInterface):
         BufferCore.__init__(self, cache_time)
         BufferInterface.__init__(self)
         self._new_data_callbacks: list[Callable[[], None]] = []
+        self._failed = of_next_buffer()
         from rclpy.clock import Clock, JumpThreshold
 
         if node is not None:
@@ -102,7 +104,10 @@ class Buffer(BufferCore, BufferInterface):
                 target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time)
             )
         except TransformFailure as failure:
+            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), failure.kind, str(failure))
             raise exception_of(failure) from None
+        if self._failed.pairs:
+            self._failed.found(target_frame, source_frame)
         return message(target_frame, source_frame, stamp_ns, pose)
 
     def lookup_transform_full(
@@ -124,6 +129,10 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Any:
         """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
+        if not answer[0]:
+            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), 'asked', answer[1])
+        elif self._failed.pairs:
+            self._failed.found(target_frame, source_frame)
         return answer if return_debug_tuple else answer[0]
 
     def can_transform_full(
@@ -163,10 +172,15 @@ class Buffer(BufferCore, BufferInterface):
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
         """A future that is done, with the transform, as soon as the transform is there; it has no timeout."""
-        return self._future(
+        future = self._future(
             lambda: self.can_transform_core(target_frame, source_frame, time),
             lambda: self.lookup_transform_core(target_frame, source_frame, time),
         )
+        if not future.done():
+            text = self.can_transform_core(target_frame, source_frame, time)[1]
+            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), 'asked', text)
+            future.add_done_callback(lambda _: self._failed.found(target_frame, source_frame))
+        return future
 
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str

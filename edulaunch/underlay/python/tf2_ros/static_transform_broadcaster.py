@@ -34,8 +34,20 @@ class StaticTransformBroadcaster:
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
         """Publish one transform or several, together with all earlier ones."""
         for one in as_list(transform):
-            self._sent.setdefault(one.child_frame_id, one)
+            if self._sent.setdefault(one.child_frame_id, one) is not one:
+                self._note_repeated(one)
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
+
+    def _note_repeated(self, new: TransformStamped) -> None:
+        """A frame is sent again, with other values: nobody will hear of them."""
+        old = self._sent[new.child_frame_id]
+        if (old.header.frame_id, old.transform) == (new.header.frame_id, new.transform):
+            return
+        from edulaunch.processes.current import current_process
+        from edulaunch.processes.student_line import student_line
+
+        frames = {'child': new.child_frame_id, 'parent': new.header.frame_id, 'first_parent': old.header.frame_id}
+        current_process().fact('static transform repeated', new.child_frame_id, {**frames, **student_line()})
 
 
 __getattr__ = passed_on(__name__)

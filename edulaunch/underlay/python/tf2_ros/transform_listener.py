@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.impl.passed_on import passed_on
+from rclpy.node_parts.core import core_of
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from edulaunch.processes.current import current_process
+from edulaunch.processes.student_line import student_line
 from tf2_ros.buffer import fills_directly
 
 if TYPE_CHECKING:
@@ -51,6 +53,7 @@ class TransformListener:
             TFMessage, '/tf_static', _nowhere, static_qos, callback_group=self.group
         )
         self.buffer = buffer
+        self._line = student_line()
         self.executor: Any = None
         if spin_thread:
             self._start_thread()
@@ -98,6 +101,8 @@ class TransformListener:
     def __del__(self) -> None:
         if getattr(self, 'executor', None) is not None:
             self.executor.shutdown()
+        if getattr(self, 'tf_sub', None) is not None:
+            _note_dropped(self.node, getattr(self, '_line', {}))
         self.unregister()
 
     def unregister(self) -> None:
@@ -107,6 +112,13 @@ class TransformListener:
             if subscription is not None:
                 setattr(self, name, None)
                 self.node.destroy_subscription(subscription)
+
+
+def _note_dropped(node: Node, line: dict[str, Any]) -> None:
+    """A listener goes although its node lives on: nobody has kept it."""
+    core = core_of(node)
+    if not core.destroyed and core.context.alive and core.process.returncode is None:
+        core.process.fact('listener dropped', core.full_name, {'node': core.full_name, **line})
 
 
 def _nowhere(message: TFMessage) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
+from rclpy.execution.names import callback_name, node_name
 from rclpy.impl.student_place import student_place
 from rclpy.node_parts.core import core_of
 
@@ -111,14 +111,10 @@ def _running_entity(entity: Entity) -> Any:
 
 def _name_of(entity: Any) -> str:
     """The name of an entity's callback, as people call it."""
-    callback: Any = getattr(entity, 'callback', None)
-    while isinstance(callback, partial):
-        callback = callback.func
-    name = getattr(callback, '__name__', None)
+    name = callback_name(entity)
     return 'a callback' if name is None else 'a lambda' if name == '<lambda>' else f'{name}()'
 
 
 def _node_of(entity: Entity) -> str:
-    executor = entity.ready_list.executor
-    nodes = [] if executor is None else executor.get_nodes()
-    return next((f"'{core_of(node).full_name}'" for node in nodes if core_of(node).ready_list is entity.ready_list), '?')
+    name = node_name(entity)
+    return '?' if name is None else f"'{name}'"

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.execution.exceptions import ConditionReachedException, ShutdownException, TimeoutException
+from rclpy.execution.sleeps import note_sleep
 from rclpy.execution.unfit import check_future, check_node, stopped
 from rclpy.execution.waiting import Item, Waiting, never
 from rclpy.impl.hints import hinted
@@ -48,6 +50,7 @@ class Executor(Waiting):
         super().__init__(context=context)
         self._nodes: list[Node] = []
         self._nested_noted = False
+        current_process().on_sleep = note_sleep
         self._context.executors.append(self)
 
     @property
@@ -74,6 +77,7 @@ class Executor(Waiting):
         if ready_list.executor is self:
             return False
         ready_list.executor = self
+        core.was_spun = True
         self._nodes.append(node)
         if core.executor is not self:
             node.executor = self

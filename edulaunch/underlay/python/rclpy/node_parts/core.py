@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.names import (
@@ -78,6 +79,8 @@ class NodeCore:
         self.ready_list = ReadyList()
         self.executor: Executor | None = None
         self.destroyed = False
+        self.was_spun = False
+        self.declared: set[str] = set()  # every parameter that ever was
         self.takes_any_type = False  # a built-in stand-in for several robots may use one name for two types
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
@@ -98,6 +101,12 @@ class NodeCore:
     def logger_name(self) -> str:
         """The full name with dots: `a.b.c` for node c in /a/b."""
         return self.entry.logger_name
+
+    def odd_facts(self) -> Iterator[tuple[str, dict[str, Any]]]:
+        """What is odd about the node now: (kind, plain data); see `node_parts.odd_facts`."""
+        from rclpy.node_parts.odd_facts import odd_facts
+
+        return odd_facts(self)
 
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""

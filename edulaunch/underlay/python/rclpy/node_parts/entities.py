@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
     from rclpy.qos_overriding_options import QoSOverridingOptions
 
+SHORT_NS, LONG_NS = 100_000, 45_000_000_000
+"""Periods of timers that somebody may have meant."""
+
 
 class NodeEntities:
     """The part of `Node` that makes and destroys publishers, subscriptions, clients, services, timers and the like."""
@@ -347,7 +350,18 @@ def _new_timer(
     )
     group.add_entity(timer)
     core.timers.append(timer)
+    if not SHORT_NS <= period_ns <= LONG_NS:
+        _note_period(core, timer)
     return timer
+
+
+def _note_period(core: NodeCore, timer: Timer) -> None:
+    """A period as nobody means it: 0, or minutes where milliseconds were thought of."""
+    from edulaunch.processes.student_line import student_line
+    from rclpy.execution.names import callback_name
+
+    data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}
+    core.process.fact('timer period', (core.entry.index, timer.order), {**data, **student_line()})
 
 
 def _check_callback(core: NodeCore, callback: Any, function: str) -> None:

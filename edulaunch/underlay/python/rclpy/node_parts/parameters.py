@@ -66,6 +66,7 @@ class NodeParameters:
         if declared:
             raise ParameterAlreadyDeclaredException(declared)
         for parameter, descriptor in prepared:
+            core.declared.add(parameter.name)
             core.parameters.declare(parameter, descriptor)
         return [core.parameters.values[parameter.name] for parameter, _ in prepared]
 
