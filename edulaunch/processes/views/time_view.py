@@ -38,11 +38,6 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     def strftime(form: str, when: Any = None) -> str:
         return real.strftime(form, real.gmtime(sim.now_ns // 10**9) if when is None else when)
 
-    def sleep(seconds: float, /) -> None:
-        if process.on_sleep is not None:
-            process.on_sleep(seconds)
-        sync.sleep(seconds)
-
     functions: dict[str, Any] = {
         'time': lambda: time_ns() / 1e9,
         'time_ns': time_ns,
@@ -56,7 +51,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         'thread_time_ns': monotonic_ns,
         'clock_gettime_ns': lambda clock, /: time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns(),
         'clock_gettime': lambda clock, /: (time_ns() if clock == real.CLOCK_REALTIME else monotonic_ns()) / 1e9,
-        'sleep': sleep,
+        'sleep': _sleep_of(process),
         'mktime': lambda when, /: float(timegm(when)),
         'strftime': strftime,
         'gmtime': seconds(real.gmtime),
@@ -69,3 +64,12 @@ def make(view: ModuleType, process: Process) -> ModuleType:
     view.__dict__.update(timezone=0, altzone=0, daylight=0, tzname=('UTC', 'UTC'))
     copy_names(view, real)
     return view
+
+
+def _sleep_of(process: Process) -> Any:
+    def sleep(seconds: float, /) -> None:
+        if process.on_sleep is not None:
+            process.on_sleep(seconds)
+        sync.sleep(seconds)
+
+    return sleep
