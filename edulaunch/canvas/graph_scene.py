@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -22,8 +24,8 @@ PARAMETER_SERVICES = (
     'set_parameters_atomically',
     'get_type_description',
 )
-Key = tuple[str, str]
-"""Kind ('node', 'topic' or 'service') and name."""
+Key = tuple[str, str, int]
+"""Kind ('node', 'topic' or 'service'), name, and the how-many-eth node of that name."""
 
 
 class Box(NamedTuple):
@@ -62,54 +64,78 @@ def graph_scene(recording: Recording, *, unused: bool = False, services: bool = 
 
     Nodes that have ended are gone, as in `rqt_graph`; when all have, the graph shows what there was.
     """
-    nodes = {node.name: node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')}
-    nodes = {name: node for name, node in nodes.items() if node.ended_s is None} or nodes
+    nodes = _shown(recording)
     edges, marks = _topics(recording, nodes, unused)
     if services:
         calls, unserved = _services(nodes)
         edges, marks = edges + calls, {**marks, **unserved}
-    keys = list(dict.fromkeys([*(('node', name) for name in nodes), *(key for edge in edges for key in edge)]))
+    marks |= {key: 'two nodes have this name' for key in nodes if ('node', key[1], 1) in nodes}
+    keys = list(dict.fromkeys([*nodes, *(key for edge in edges for key in edge)]))
     place = {key: number for number, key in enumerate(keys)}
     arrows = list(dict.fromkeys((place[start], place[end]) for start, end in edges))
-    sizes = [_size(*key, marks.get(key, '')) for key in keys]
+    sizes = [_size(kind, name, marks.get((kind, name, which), '')) for kind, name, which in keys]
     layout = lay_out(sizes, arrows)
-    boxes = [Box(*key, *corner, *size, marks.get(key, '')) for key, corner, size in zip(keys, layout.corners, sizes, strict=True)]
+    boxes = [
+        Box(*key[:2], *corner, *size, marks.get(key, '')) for key, corner, size in zip(keys, layout.corners, sizes, strict=True)
+    ]
     return GraphScene(layout.width, layout.height, boxes, arrows, [route.points for route in layout.routes], layout.direction)
 
 
-def _topics(recording: Recording, nodes: Mapping[str, NodeRecord], unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+def _shown(recording: Recording) -> dict[Key, NodeRecord]:
+    """The nodes that are there at the end, or when none is, that were; two that had one name at the same time are two."""
+    nodes = [node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')]
+    alive = [node for node in nodes if node.ended_s is None]
+    if not alive:  # of one that was started again only the last life is shown
+        alive = [
+            node for node in nodes if not any(node.name == other.name and _ended(node) <= other.started_s for other in nodes)
+        ]
+    count: Counter[str] = Counter()
+    found: dict[Key, NodeRecord] = {}
+    for node in alive:
+        found['node', node.name, count[node.name]] = node
+        count[node.name] += 1
+    return found
+
+
+def _ended(node: NodeRecord) -> float:
+    return math.inf if node.ended_s is None else node.ended_s
+
+
+def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
     """Arrows from publishers to topics to subscriptions; and what is wrong with topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
     misfits = {misfit.topic: misfit.why.lower() for misfit in recording.misfits}
-    for topic in recording.topics.values():
-        publishers = [node for node in topic.publishers if node in nodes]
-        subscribers = [node for node in topic.subscriptions if node in nodes]
-        if topic.name in HIDDEN or not (subscribers or (unused and publishers)):
+    for topic in recording.topics:
+        publishers = [key for key, node in nodes.items() if topic in dict(node.publishers)]
+        subscribers = [key for key, node in nodes.items() if topic in dict(node.subscriptions)]
+        if topic in HIDDEN or not (subscribers or (unused and publishers)):
             continue
-        key = ('topic', topic.name)
-        edges += [(('node', node), key) for node in publishers] + [(key, ('node', node)) for node in subscribers]
+        key = ('topic', topic, 0)
+        edges += [(node, key) for node in publishers] + [(key, node) for node in subscribers]
+        if topic == '/tf_static' and not (publishers and subscribers):
+            continue  # every tf listener hears it, and without static frames nobody speaks: that is no mistake
         if not publishers:
             marks[key] = 'no publisher'
         elif not subscribers:
             marks[key] = 'no subscriber'
-        elif topic.name in misfits:
-            marks[key] = f'{misfits[topic.name]} does not fit'
+        elif topic in misfits:
+            marks[key] = f'{misfits[topic]} does not fit'
     return edges, marks
 
 
-def _services(nodes: Mapping[str, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
+def _services(nodes: Mapping[Key, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
     """Arrows from clients to services to servers; and which services nobody serves."""
-    servers = {name: node.name for node in nodes.values() for name, _ in node.services}
+    servers = {name: key for key, node in nodes.items() for name, _ in node.services}
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
-    for node in nodes.values():
+    for client, node in nodes.items():
         for name, _ in node.clients:
-            key = ('service', name)
+            key = ('service', name, 0)
             if name.rpartition('/')[2] not in PARAMETER_SERVICES:
-                edges.append((('node', node.name), key))
+                edges.append((client, key))
                 if name in servers:
-                    edges.append((key, ('node', servers[name])))
+                    edges.append((key, servers[name]))
                 else:
                     marks[key] = 'no server'
     return edges, marks

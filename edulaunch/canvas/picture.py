@@ -11,12 +11,14 @@ from typing import Any
 
 from edulaunch.canvas.style import SCALE
 
+SCENE_TYPE = 'application/vnd.edulaunch.scene+json'
+
 
 class Picture:
-    """A drawing of a scene. A notebook shows the image; `repr()` is one line with a digest of the scene.
+    """A drawing of a scene. A notebook shows the image; `repr()` is one line that says the same.
 
-    The digest covers what is shown (positions to a micrometre), not pixels: it is equal on all machines, and a notebook test
-    that compares text notices when a picture would look different.
+    A digest of what is shown (positions to a micrometre, no pixels) goes with it as data that no front end shows: it is equal on
+    all machines, and a notebook test (nbval) notices when a picture would look different.
     """
 
     def __init__(self, draw: Callable[[], bytes], caption: str, scene: Any) -> None:
@@ -31,7 +33,7 @@ class Picture:
         return digest(self.scene)
 
     def __repr__(self) -> str:
-        return f'{self.caption} [scene {self.digest}]'
+        return self.caption
 
     def png(self) -> bytes:
         """The image as PNG, drawn once."""
@@ -41,7 +43,8 @@ class Picture:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
         """The image, and the caption for those who cannot see it: as plain text and as the image's alternative text."""
-        return {'text/plain': repr(self), 'image/png': self.png()}, {'image/png': png_metadata(self.png(), self.caption)}
+        data = {'text/plain': repr(self), 'image/png': self.png(), **scene_data(self.scene)}
+        return data, {'image/png': png_metadata(self.png(), self.caption)}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the image as a PNG file."""
@@ -80,6 +83,11 @@ def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str
     """What a notebook needs to know of an image: its size on the screen, and the text that says the same."""
     width, height = struct.unpack('>II', png[16:24])
     return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
+
+
+def scene_data(scene: Any) -> dict[str, Any]:
+    """What an output carries for tests: a digest of what is shown, as data of a type that no front end displays."""
+    return {SCENE_TYPE: {'digest': digest(scene)}}
 
 
 def digest(scene: Any) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.canvas.picture import digest
+from edulaunch.canvas.picture import scene_data
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
@@ -25,7 +25,7 @@ class Row(NamedTuple):
 
 
 class Table:
-    """Rows for people: a notebook shows them as a table, `print()` as text; `repr()` is one line with a digest of the rows."""
+    """Rows for people: a notebook shows them as a table, `print()` as text; `repr()` is one line."""
 
     def __init__(self, rows: list[Row]) -> None:
         self.rows = rows
@@ -33,7 +33,7 @@ class Table:
     def __repr__(self) -> str:
         nodes = len({row.node for row in self.rows})
         given = sum(row.origin != 'default' for row in self.rows)
-        return f'{len(self.rows)} parameters of {nodes} nodes, {given} of them not at their default [scene {digest(self.rows)}]'
+        return f'{len(self.rows)} parameters of {nodes} nodes, {given} of them not at their default'
 
     def __str__(self) -> str:
         widths = [max(len(line[column]) for line in (HEADS, *self.rows)) for column in range(len(HEADS))]
@@ -42,8 +42,8 @@ class Table:
             '  '.join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
         )
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        return {'text/plain': f'{self}\n{self!r}', 'text/html': self.html()}
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        return {'text/plain': f'{self}\n{self!r}', 'text/html': self.html(), **scene_data(self.rows)}
 
     def html(self) -> str:
         """The rows as an HTML table. A value that somebody gave is bold."""

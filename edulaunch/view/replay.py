@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.canvas.filmstrip import filmstrip
-from edulaunch.canvas.picture import digest
+from edulaunch.canvas.picture import scene_data
 from edulaunch.canvas.worlds import World, read_worlds
 from edulaunch.view.page import recorded_page
 from edulaunch.view.sources import film_of
@@ -25,7 +25,7 @@ class Replay:
     """Everything of a run over time: turtles, frames, graph, numbers, log, parameters, with play, pause, steps and a slider.
 
     A notebook or an HTML page made from it shows the desk; where scripts do not run there is a filmstrip of small pictures;
-    `repr()` is one line with a digest of what moved.
+    `repr()` is one line; a digest of what moved goes with it, for tests of notebooks.
 
     :raises NothingToDraw: when nothing moved in the recording.
     """
@@ -46,8 +46,7 @@ class Replay:
         return f'replay of {self.duration_s:.2f} s: {"; ".join(worlds)}'
 
     def __repr__(self) -> str:
-        moved = [topic for topic in self.film['topics'] if topic['type'] in MOVING]
-        return f'{self.caption} [scene {digest([moved, self.film.get("tf")])}]'
+        return self.caption
 
     def filmstrip(self) -> str:
         """Small pictures of the run as an SVG."""
@@ -70,7 +69,8 @@ class Replay:
         )
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
-        return {'text/plain': repr(self), 'text/html': self.html()}
+        moved = [topic for topic in self.film['topics'] if topic['type'] in MOVING]
+        return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.film.get('tf')])}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the desk as an HTML file that any browser plays, without a network."""

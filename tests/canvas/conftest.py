@@ -33,10 +33,11 @@ class Maker:
         hears: dict[str, str] | None = None,
         serves: dict[str, str] | None = None,
         calls: dict[str, str] | None = None,
+        started: int = 0,
         ended: int | None = None,
     ) -> None:
         number = len(self.nodes) + 1
-        self.nodes.append([name, name.strip('/') + '-1', 0, ended, number])
+        self.nodes.append([name, name.strip('/') + '-1', started, ended, number])
         for kind, ends in (('publisher', publishes), ('subscription', hears), ('service', serves), ('client', calls)):
             for topic, type_name in (ends or {}).items():
                 self.endpoints.append([kind, topic, type_name, number, 100 + len(self.endpoints), 0, []])

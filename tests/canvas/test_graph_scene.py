@@ -79,3 +79,28 @@ def test_ends_that_cannot_talk_are_marked_unless_the_node_also_hears_with_the_ri
             [0, 'driver-1', 'incompatible', f'{topic}: /driver ({TWIST}) and /robot ({kind}) cannot talk because of TYPE']
         )
     assert marks(graph_scene(maker.done(1.0))) == {'/cmd_vel': 'type does not fit'}
+
+
+def test_two_nodes_of_one_name_are_two_and_marked(maker: Any) -> None:
+    maker.node('/talker', publishes={'/chatter': 'std_msgs/msg/String'})
+    maker.node('/talker', publishes={'/chatter': 'std_msgs/msg/String'})
+    maker.node('/listener', hears={'/chatter': 'std_msgs/msg/String'})
+    scene = graph_scene(maker.done(1.0))
+    assert [(box.name, box.mark) for box in scene.boxes] == [
+        ('/talker', 'two nodes have this name'),
+        ('/talker', 'two nodes have this name'),
+        ('/listener', ''),
+        ('/chatter', ''),
+    ]
+    assert scene.arrows == [(0, 3), (1, 3), (3, 2)]
+
+
+def test_a_node_that_was_started_again_is_one(maker: Any) -> None:
+    maker.node('/talker', ended=500_000_000)
+    maker.node('/talker', started=600_000_000, ended=900_000_000)
+    assert [(box.name, box.mark) for box in graph_scene(maker.done(1.0)).boxes] == [('/talker', '')]
+
+
+def test_an_empty_tf_static_is_no_alarm(maker: Any) -> None:
+    maker.node('/listener', hears={'/tf_static': 'tf2_msgs/msg/TFMessage', '/tf': 'tf2_msgs/msg/TFMessage'})
+    assert marks(graph_scene(maker.done(1.0))) == {'/tf': 'no publisher'}

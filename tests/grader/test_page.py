@@ -30,7 +30,7 @@ def shown(**changes: Any) -> Outcome:
             return b'PNG'
 
         def __repr__(self) -> str:
-            return 'one turtle [scene 12]'
+            return 'one turtle'
 
     recording: Any = SimpleNamespace(
         **{
@@ -47,7 +47,7 @@ def shown(**changes: Any) -> Outcome:
 
 def test_a_run_shows_its_picture_with_words_for_it_and_its_replay() -> None:
     text = run_html(shown(), is_open=True)
-    assert '<img src="data:image/png;base64,UE5H" alt="one turtle [scene 12]">' in text
+    assert '<img src="data:image/png;base64,UE5H" alt="one turtle">' in text
     assert 'turtle1 at (1, 2) &amp; more' in text
     assert '<iframe sandbox="allow-scripts">' in text
 

@@ -8,6 +8,7 @@ import statistics
 import pytest
 import yaml
 
+from edulaunch.canvas.picture import SCENE_TYPE
 from tests.lessons.notebook import LESSONS, ORDER, Cell, Lesson
 
 FIRST_USES = {
@@ -75,9 +76,13 @@ def test_a_mistake_on_purpose_shows_no_traceback(lesson: Lesson) -> None:
 
 
 def test_a_picture_says_in_text_what_it_shows(lesson: Lesson) -> None:
-    pictures = [cell for cell in lesson.code for output in cell.outputs if 'image/png' in output.get('data', {})]
+    pictures = [output for cell in lesson.code for output in cell.outputs if 'image/png' in output.get('data', {})]
     assert len(pictures) >= 3
-    assert all(re.search(r'\[scene [0-9a-f]{8}\]', cell.text) for cell in pictures)
+    for output in pictures:
+        caption = ''.join(output['data']['text/plain'])
+        assert len(caption) > 20 and 'scene' not in caption
+        assert output['metadata']['image/png']['alt'] == caption
+        assert re.fullmatch('[0-9a-f]{8}', output['data'][SCENE_TYPE]['digest'])
 
 
 def test_outputs_are_equal_on_every_machine(lesson: Lesson) -> None:

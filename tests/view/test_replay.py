@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 
 import edulaunch
+from edulaunch.canvas.picture import SCENE_TYPE
 
 
 @pytest.fixture(scope='module')
@@ -19,8 +20,8 @@ def large() -> Any:
     return edulaunch.run(Path(__file__).parents[2] / 'benchmarks' / 'large_project.launch.py', duration_s=20.0)
 
 
-def test_the_repr_is_one_line_with_a_digest(walk: Any) -> None:
-    assert re.fullmatch(r'replay of 2\.00 s: /sim with turtle1 \[scene [0-9a-f]{8}\]', repr(walk(0.0, 2.0).replay()))
+def test_the_repr_is_one_line(walk: Any) -> None:
+    assert repr(walk(0.0, 2.0).replay()) == 'replay of 2.00 s: /sim with turtle1'
 
 
 def test_the_cell_shows_a_frame_over_the_filmstrip(walk: Any) -> None:
@@ -33,7 +34,7 @@ def test_the_cell_shows_a_frame_over_the_filmstrip(walk: Any) -> None:
 def test_twenty_seconds_take_less_than_400_kilobytes(large: Any) -> None:
     bundle = large.replay()._repr_mimebundle_()
     assert sum(map(len, bundle.values())) < 400_000
-    assert set(bundle) == {'text/plain', 'text/html'} and bundle['text/plain'].startswith('replay of 20.00 s')
+    assert set(bundle) == {'text/plain', 'text/html', SCENE_TYPE} and bundle['text/plain'].startswith('replay of 20.00 s')
 
 
 def test_the_filmstrip_shows_eight_times_with_what_moved(walk: Any) -> None:

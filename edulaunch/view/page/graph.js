@@ -45,7 +45,8 @@ class GraphView {
       if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked && !sayingsOf(store, 'topic', box.name, time).length) continue;
       if (box.kind === 'service' && !box.from.size) continue;
       box.mark = box.kind === 'service' ? (box.to.size ? '' : 'no server')
-        : !box.from.size ? 'no publisher' : !box.to.size && box.name !== '/tf_static' ? 'no subscriber' : this.misfit(box, time);
+        : box.name === '/tf_static' && !(box.from.size && box.to.size) ? ''  /* every tf listener hears it; without static frames nobody speaks */
+          : !box.from.size ? 'no publisher' : !box.to.size ? 'no subscriber' : this.misfit(box, time);
       boxes.set(box.id, box);
       for (const node of box.from) edges.push({ from: node, to: box.id, box });
       for (const node of box.to) edges.push({ from: box.id, to: node, box });
