@@ -1,18 +1,19 @@
-"""A finding in words, in the reader's language: the only place of the house where facts become sentences of advice."""
+"""A finding in words: the only place of the house where facts become sentences of advice."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Sequence
-from functools import cache
-from gettext import NullTranslations
+from collections.abc import Iterable, Sequence
 from string import Formatter
 from typing import Any, NamedTuple
 
 from edulaunch.advice.finding import Finding
+from edulaunch.advice.reader import Reader, reader_here
 from edulaunch.advice.registry import rule_named
 
-LOCALE = os.path.join(os.path.dirname(__file__), 'locale')
+MOST_TOLD = 5
+"""Findings that are told where nobody asked for them."""
+SIGNS = {'error': 'warning', 'warning': 'warning', 'info': 'note'}
+"""How a line begins: an error is the reader's program's, not that of the command that says it."""
 
 
 class Told(NamedTuple):
@@ -23,40 +24,42 @@ class Told(NamedTuple):
     why: str
     do: str
     lesson: str | None
+    sign: str = 'warning'
+
+    def __str__(self) -> str:
+        """What is wrong, where, and what to do, as errors tell it."""
+        return f'{self.what}{self.where and f" ({self.where})"}\n  help: {self.do}'
 
 
-def told(finding: Finding) -> Told:
+def told(finding: Finding, reader: Reader | None = None) -> Told:
     """What is wrong, where, why that matters, and what to do."""
     rule = rule_named(finding.rule)
+    reader = reader_here() if reader is None else reader
     facts = {**finding.facts, finding.kind: finding.name}
-    return Told(_worded(rule.what, facts), place(finding), _worded(rule.why, facts), _worded(rule.do, facts), rule.lesson)
+    what, why, do = (_worded(templates, facts, reader) for templates in (rule.what, rule.why, rule.do))
+    return Told(what, place(finding, reader), why, do, rule.lesson, reader.says(SIGNS[rule.level]))
 
 
-def translated(text: str) -> str:
-    """A sentence of ours in the language that `EDULAUNCH_LANG` names (default: English, as it is written)."""
-    language = os.environ.get('EDULAUNCH_LANG', '').partition('.')[0]
-    return _catalogue(language).gettext(text) if language and text else text
+def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, most: int = MOST_TOLD) -> list[str]:
+    """What is said at the end of a run, each with what to do; the worst, and how many more there are."""
+    reader = reader_here() if reader is None else reader
+    lines = [f'{words.sign}: {words}' for words in (told(finding, reader) for finding in findings[:most])]
+    if len(findings) > most:
+        lines.append(reader.says('and {count} more').format(count=len(findings) - most))
+    return lines
 
 
-@cache
-def _catalogue(language: str) -> NullTranslations:
-    from gettext import translation
-
-    return translation('advice', LOCALE, [language, language.partition('_')[0]], fallback=True)
-
-
-def place(finding: Finding) -> str:
+def place(finding: Finding, reader: Reader) -> str:
     """File and line, and the simulated time: 'follow.launch.py:12, at 0.50 s'."""
-    where = '' if finding.file is None else finding.file if finding.line is None else f'{finding.file}:{finding.line}'
-    when = '' if finding.time_s is None else translated('at {time:.2f} s').format(time=finding.time_s)
-    return ', '.join(filter(None, (where, when)))
+    when = '' if finding.time_s is None else reader.says('at {time:.2f} s').format(time=finding.time_s)
+    return ', '.join(filter(None, (reader.place(finding.file, finding.line), when)))
 
 
-def _worded(templates: Sequence[str], facts: dict[str, Any]) -> str:
+def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
     """The first of the templates whose facts are all known, with the facts in it; '' when there is none."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields(template)):
-            return translated(template).format_map({name: _listed(value) for name, value in facts.items()})
+            return reader.says(template).format_map({name: _listed(value) for name, value in facts.items()})
     return ''
 
 
