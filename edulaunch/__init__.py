@@ -44,6 +44,9 @@ _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
 attached.PLACES.update({name: ('edulaunch.canvas.text_table', name) for name in ('message_table', 'log_table')})
 attached.PLACES.update(
+    judge=('edulaunch.advice', 'judge'),
+    told=('edulaunch.advice', 'told'),
+    said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
     replay=('edulaunch.view.replay', 'Replay'),
     ros2=('edulaunch.cli.inside', 'main'),
     completions=('edulaunch.cli.ros2_candidates', 'candidates'),

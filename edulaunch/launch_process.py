@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.nearest import nearest
 from edulaunch.packages import Index
 from edulaunch.processes.current import current_process
 from edulaunch.processes.origin import Origin
@@ -55,11 +53,10 @@ def explain(error: BaseException, index: Index) -> Explanation:
 
 def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
-    from launch._run_notes import undeclared_warnings
-
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := first_error(launch)) is None else explain(error, launch.process.index)
+    unread = [*_unknown_arguments(launch, [row[0] for row in declared]), *_undeclared_there(launch)]
     return {
         'file': launch.path,
         'arguments': launch.arguments,
@@ -70,11 +67,7 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
         'error_file': told.file if told else None,
         'error_line': told.line if told else None,
         'help': told.help if told else None,
-        'warnings': [
-            *_unknown_arguments(launch, [row[0] for row in declared]),
-            *undeclared_warnings(state),
-            *_dead_programs(launch),
-        ],
+        **({'unread': unread} if unread else {}),
     }
 
 
@@ -84,63 +77,22 @@ def _declared(argument: Any) -> list[Any]:
     return [argument.name, default, argument.description, argument.choices, place[0], place[1]]
 
 
-def _unknown_arguments(launch: LaunchRun, declared: list[str]) -> list[str]:
-    """ROS 2 accepts a misspelt launch argument in silence; we say so."""
+def _unknown_arguments(launch: LaunchRun, declared: list[str]) -> list[list[Any]]:
+    """Launch arguments that no launch file declares or reads; ROS 2 accepts them in silence."""
     known = {*declared, *launch.process.state.get('launch.read', ())}
-    lines = []
-    for name in launch.arguments:
-        if name not in known and declared:
-            near = nearest(name, declared)
-            lines.append(
-                f"launch argument '{name}' is not declared by any of the launch files; "
-                + (f"did you mean '{near}'?" if near else f'declared are: {", ".join(declared)}')
-            )
-        elif name not in known:
-            lines.append(f"launch argument '{name}' is not declared: these launch files declare no arguments")
-    return lines
+    return [[name, declared, None, None, None] for name in launch.arguments if name not in known]
 
 
-def _dead_programs(launch: LaunchRun) -> list[str]:
-    """A node that died leaves launch's exit code at 0; we say which and why."""
-    lines = []
-    for row in launch.recorder.processes:
-        if row['returncode'] in (None, 0, -2, -15) or row['name'] == launch.process.name:
-            continue
-        if not _is_child(launch, row) and not _is_interrupted_command(launch, row):
-            error = row['exception']
-            place = error if error and error['file'] else row
-            where = f' at {launch.process.index.source_path(place["file"])}:{place["line"]}' if place['file'] else ''
-            said = _said(launch, row['name'])
-            why = f'{error["type"]}: {error["message"]}' if error else next((line for line in said if not _is_help(line)), '')
-            help = f'; {said[0]}' if said and _is_help(said[0]) else ''
-            lines.append(f'{row["name"]} died with exit code {row["returncode"]}{f" ({why})" if why else ""}{where}{help}')
-    return list(dict.fromkeys(lines))  # one that was started again may have died again
-
-
-def _is_child(launch: LaunchRun, row: dict[str, Any]) -> bool:
-    """Whether a program of the launch started it (`subprocess`), goes under that one's name, and hears of its end itself."""
-    return any(
-        other['name'] == row['name']
-        and other['started'] <= row['started']
-        and (other['ended'] is None or row['started'] < other['ended'] or row['ended'] == other['ended'])
-        for other in launch.recorder.processes[: launch.recorder.processes.index(row)]
-    )
-
-
-def _is_interrupted_command(launch: LaunchRun, row: dict[str, Any]) -> bool:
-    """Whether this is a `ros2` command after Ctrl-C: it returns 2 then, and after wrong words, which it complains of."""
-    is_command = os.path.basename(row['argv'][0]) == 'ros2'
-    return is_command and row['returncode'] == 2 and not any(': error: ' in line for line in _said(launch, row['name']))
-
-
-def _said(launch: LaunchRun, name: str) -> list[str]:
-    """The lines that a program wrote to its error stream, the last one first."""
-    text = ''.join(row[3] for row in launch.recorder.output_lines if row[1] == name and row[2] == 'stderr')
-    return [line.strip() for line in reversed(text.splitlines()) if line.strip()]
-
-
-def _is_help(line: str) -> bool:
-    return line.startswith('help: ')
+def _undeclared_there(launch: LaunchRun) -> list[list[Any]]:
+    """Arguments that were given to an included file which does not declare them, and that nothing has read."""
+    state, source = launch.process.state, launch.process.index.source_path
+    found = []
+    for name, declared, file, origin in state.get('launch.undeclared', ()):
+        if name not in state.get('launch.read', ()):
+            place = [None, None] if origin is None else [source(origin.file), origin.line]
+            row = [name, list(declared), source(file), *place]
+            found += [row] if row not in found else []
+    return found
 
 
 def show_arguments(session: Session, package_or_path: str, file: str | None) -> int:

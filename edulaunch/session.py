@@ -141,6 +141,7 @@ class Session:
         """Tell the recorder what was launched until now, and which folders its digest leaves out."""
         for launch in self.launches:
             launch.describe(self.recorder)
+        self.recorder.use_sources(self.index.source_path)
         self.recorder.roots += [root for root in self._installed_roots() if root not in self.recorder.roots]
 
     def recording(self) -> Recording:
@@ -196,8 +197,8 @@ def run(
         launch.raise_error()
         recording = session.recording()
     if console is None:
-        for line in recording.warnings:
-            print(f'warning: {line}', file=sys.stderr)
+        for line in attached('said_at_the_end')(recording):
+            print(line, file=sys.stderr)
     return recording
 
 

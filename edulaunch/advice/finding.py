@@ -14,6 +14,7 @@ class Finding(NamedTuple):
     :ivar file: the student's file, where one is to be looked at, and its line.
     :ivar time_s: simulated seconds since the start, when it happened at a time.
     :ivar rule: which rule found it: 'tf.unknown-frame'. Set by the judge.
+    :ivar process: launch name of the program whose error it explains. Set by the judge.
     """
 
     kind: str
@@ -23,6 +24,7 @@ class Finding(NamedTuple):
     line: int | None = None
     time_s: float | None = None
     rule: str = ''
+    process: str | None = None
 
 
 def found(

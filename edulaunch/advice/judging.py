@@ -7,7 +7,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.failure import Failure, failure_of
-from edulaunch.advice.finding import Finding
+from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.registry import rule_named, rules_over
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Rule
 
@@ -15,16 +15,20 @@ if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
     from edulaunch.recording import Recording
 
+DIED = 'programs.died'
+"""Is not told of a program whose error another rule explains."""
 MOST = 20
 """Findings of one rule: more of the same tell nobody anything."""
 
 
 def judge(recording: Recording) -> list[Finding]:
     """What is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
-    found = list(_asked('recordings', recording))
-    for failure in failures(recording):
-        found += _asked('errors', failure)
-    return in_order(found)
+    explained = [
+        finding._replace(process=failure.process) for failure in failures(recording) for finding in _asked('errors', failure)
+    ]
+    causes = {finding.process for finding in explained}
+    others = [one for one in _asked('recordings', recording) if one.rule != DIED or one.name not in causes]
+    return in_order([*explained, *others])
 
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
@@ -73,7 +77,15 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 def _asked(kind: str, thing: Any) -> list[Finding]:
     """What all rules over that kind of thing say of it."""
-    return [finding._replace(rule=rule.name) for rule in rules_over(kind) for finding in islice(rule.look(thing), MOST)]
+    return [finding for rule in rules_over(kind) for finding in _said(rule, thing)]
+
+
+def _said(rule: Rule, thing: Any) -> list[Finding]:
+    """What one rule says. One that fails is told as such: nobody's run ends because of advice."""
+    try:
+        return [finding._replace(rule=rule.name) for finding in islice(rule.look(thing), MOST)]
+    except Exception as error:
+        return [found('rule', rule.name, error=f'{type(error).__name__}: {error}')._replace(rule='programs.rule-failed')]
 
 
 def _rank(rule: Rule, finding: Finding) -> tuple[Any, ...]:

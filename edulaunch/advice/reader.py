@@ -32,10 +32,8 @@ class Reader(NamedTuple):
         """A sentence of ours in the reader's language."""
         return _catalogue(self.language).gettext(text) if text and self.language != ENGLISH else text
 
-    def place(self, file: str | None, line: int | None) -> str:
+    def place(self, file: str, line: int | None) -> str:
         """A place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
-        if file is None:
-            return ''
         below = os.path.join(self.folder, '')
         short = file.removeprefix(below) if self.folder else file
         if line is None:
@@ -70,11 +68,11 @@ class _CellsOf:
         self._reader = reader
 
     def __call__(self, file: str, line: int) -> str:
-        cells = self._shell.user_ns.get('In', ())
+        cells = self._shell.history_manager.input_hist_raw
         for number in range(len(cells) - 1, 0, -1):
             first, _, body = cells[number].partition('\n')
             words = first.split()
-            if words[:1] == ['%%writefile'] and os.path.abspath(words[-1].strip('\'"')) == file:
+            if words[:1] in (['%%writefile'], ['%%file']) and os.path.abspath(words[-1].strip('\'"')) == file:
                 if '-a' in words or line > body.count('\n') + 1:
                     return ''
                 return self._reader.says('line {line} of cell [{number}]').format(line=line + 1, number=number)

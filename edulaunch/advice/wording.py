@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from string import Formatter
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.advice.finding import Finding
 from edulaunch.advice.reader import Reader, reader_here
 from edulaunch.advice.registry import rule_named
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
 
 MOST_TOLD = 5
 """Findings that are told where nobody asked for them."""
@@ -37,7 +40,9 @@ def told(finding: Finding, reader: Reader | None = None) -> Told:
     reader = reader_here() if reader is None else reader
     facts = {**finding.facts, finding.kind: finding.name}
     what, why, do = (_worded(templates, facts, reader) for templates in (rule.what, rule.why, rule.do))
-    return Told(what, place(finding, reader), why, do, rule.lesson, reader.says(SIGNS[rule.level]))
+    who = (finding.process,) if finding.process and finding.process not in what else ()
+    where = ', '.join((*who, *place(finding, reader)))
+    return Told(what, where, why, do, rule.lesson, reader.says(SIGNS[rule.level]))
 
 
 def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, most: int = MOST_TOLD) -> list[str]:
@@ -49,10 +54,18 @@ def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, mos
     return lines
 
 
-def place(finding: Finding, reader: Reader) -> str:
-    """File and line, and the simulated time: 'follow.launch.py:12, at 0.50 s'."""
-    when = '' if finding.time_s is None else reader.says('at {time:.2f} s').format(time=finding.time_s)
-    return ', '.join(filter(None, (reader.place(finding.file, finding.line), when)))
+def said_at_the_end(recording: Recording, reader: Reader | None = None, since_s: float = 0.0) -> list[str]:
+    """What is said where a run has ended; of a machine that went on from before, what came since."""
+    findings = [one for one in recording.advice if one.time_s is None or one.time_s >= since_s]
+    return [*warning_lines(findings, reader), *(f'warning: {line}' for line in recording.silent_notes)]
+
+
+def place(finding: Finding, reader: Reader) -> Iterator[str]:
+    """File and line, and the simulated time: 'follow.launch.py:12', 'at 0.50 s'."""
+    if finding.file is not None:
+        yield reader.place(finding.file, finding.line)
+    if finding.time_s is not None:
+        yield reader.says('at {time:.2f} s').format(time=finding.time_s)
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:

@@ -9,6 +9,7 @@ import sys
 from types import FrameType
 from typing import TextIO
 
+from edulaunch.advice.wording import said_at_the_end
 from edulaunch.cli import launch_options
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
@@ -78,8 +79,10 @@ def main(arguments: argparse.Namespace) -> int:
         terminal = Terminal(session, arguments.seconds)
         terminal.run(0.0 if arguments.fast else 1.0)
         recording = session.recording()
-        for line in (*recording.warnings, *map(str, session.index.warnings)):
-            print(f'warning: {line}', file=sys.stderr)
+        for line in [] if arguments.quiet else said_at_the_end(recording):
+            print(line, file=sys.stderr)
+        for warning in session.index.warnings:
+            print(f'warning: {warning}', file=sys.stderr)
         for name in session.host.unread_stdin:
             print(f'warning: --stdin {name}: no program of that name was started', file=sys.stderr)
         if arguments.record:

@@ -25,6 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
     )
+    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
     parser.add_argument('--launch-prefix', help="Words in front of each program, in quotes, such as 'xterm -e gdb --args'")
     parser.add_argument('--launch-prefix-filter', help='Regular expression for the names of the programs that get the prefix')
 

@@ -10,6 +10,7 @@ from edulaunch.errors import UnusableInput
 from edulaunch.processes.shell_grammar import stands_for_more
 
 SHELL_SIGNS = '|&;<>'
+QUIET = '--quiet'
 _OURS = re.compile(r'\s--(for|seed)\s+\S+')
 
 
@@ -19,6 +20,7 @@ class Line(NamedTuple):
     :ivar words: behind `ros2`, without our own options and the last `&`.
     :ivar seconds, seed: of `--for` and `--seed`, if they are given.
     :ivar stays: whether it ends in `&`: the command goes on beside the next ones.
+    :ivar quiet: whether a launch or a run is to say nothing about mistakes that are found (`--quiet`).
     :ivar shell: the text, when commands are joined as in a shell; else empty.
     """
 
@@ -27,6 +29,7 @@ class Line(NamedTuple):
     seed: int
     stays: bool
     shell: str
+    quiet: bool = False
 
 
 def read_line(text: str) -> Line:
@@ -48,7 +51,10 @@ def read_line(text: str) -> Line:
         words = shlex.split(text)
     seconds, seed = _take_number(words, '--for'), _take_number(words, '--seed')
     shell = _OURS.sub('', text).strip() if signs or stands_for_more(text) else ''
-    return Line(words, seconds, int(seed or 0), stays, shell)
+    quiet = QUIET in words and words[:1] in (['launch'], ['run'])
+    if quiet:
+        words.remove(QUIET)
+    return Line(words, seconds, int(seed or 0), stays, shell, quiet)
 
 
 def _take_number(words: list[str], option: str) -> float | None:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from edulaunch.advice.wording import said_at_the_end
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.hosting import Hosting
@@ -19,7 +20,7 @@ from edulaunch.machine import wire
 from edulaunch.machine.asking import ask, has_terminals_machine
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.remote_input import RemoteInput
-from edulaunch.machine.snapshot import snapshot
+from edulaunch.machine.snapshot import glance, snapshot
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
@@ -85,6 +86,7 @@ class Machine:
         here = self.session
         stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_terminals())
         session = here if here is not None and stays else self._new_session(line.seed)
+        began_s = session.sim.elapsed_s
         launch = self._begin(session, words, stays)
         note = OTHER_MACHINE if here is None and has_terminals_machine() else ''
         if line.stays:
@@ -104,8 +106,9 @@ class Machine:
         self._foreground = launch
         self._write('stderr', note)
         found = snapshot(session)
-        for text in found.warnings:
-            self._write('stderr', f'warning: {text}\n')
+        if not line.quiet:
+            for text in said_at_the_end(found, since_s=began_s):
+                self._write('stderr', f'{text}\n')
         return found
 
     def _begin(self, session: Session, words: list[str], beside: bool) -> LaunchRun:
@@ -171,6 +174,7 @@ class Machine:
         if is_guest and ask(['ros2', *words], self._write, seconds=limit_s) is not None:
             return
         session = self._use(self.session or self._new_session(0))
+        began_s = session.sim.elapsed_s
         argv = (f'ros2 {line.shell}',) if line.shell else ('ros2', *words)
         spec = ProcessSpec(argv=argv, name='ros2', cwd=os.getcwd(), shell=bool(line.shell))
         if not session.host.knows(spec):
@@ -202,3 +206,6 @@ class Machine:
             session.run(PATIENCE_S)
         if process.returncode is None:
             process.send_signal(signal.SIGKILL)
+        if words[:1] == ['run'] and not line.quiet:
+            for text in said_at_the_end(glance(session), since_s=began_s):
+                self._write('stderr', f'{text}\n')

@@ -7,9 +7,11 @@ import signal
 from codecs import getincrementaldecoder
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.reader import reader_of
+from edulaunch.advice.wording import said_at_the_end
 from edulaunch.machine import wire
 from edulaunch.machine.remote_input import RemoteInput
-from edulaunch.machine.snapshot import snapshot
+from edulaunch.machine.snapshot import glance, snapshot
 from edulaunch.machine.words import run_words
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.process import Process
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
 NOT_FOUND = 127
+ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
+"""Commands behind which it is said what is wrong."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
 
 
@@ -30,6 +34,7 @@ class Terminals:
     """All terminals of a machine, in the order in which they came.
 
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
+    :ivar said: advice that was given in one of them: it is not given again.
     """
 
     can_continue = False
@@ -39,6 +44,7 @@ class Terminals:
         self.time = time
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
+        self.said: set[str] = set()
         self._count = 0
 
     def recording(self) -> Recording:
@@ -105,7 +111,9 @@ class Terminal:
             self._connection.send(wire.ERRORS, f'{words[0]}: not a command of the simulated machine\n'.encode())
             self.ended(NOT_FOUND)
             return
-        process = host.start(spec, self._show, self.ended, index=index)
+        self._reader = reader_of(env, cwd)
+        self._began_s = self._terminals.session.sim.elapsed_s
+        process = host.start(spec, self._show, self._finished, index=index)
         assert isinstance(process, Process)
         process.stdin = self.input
         process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
@@ -114,6 +122,14 @@ class Terminal:
 
     def _show(self, stream: str, text: str) -> None:
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
+
+    def _finished(self, code: int) -> None:
+        """The command has run to its end: what it launched or ran is judged."""
+        if self.words[:2] in ADVISED and '--quiet' not in self.words:
+            said = said_at_the_end(glance(self._terminals.session), self._reader, self._began_s)
+            self._show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
+            self._terminals.said.update(said)
+        self.ended(code)
 
     def ended(self, code: int) -> None:
         """The command has ended; so does the terminal."""

@@ -205,6 +205,13 @@ class Recorder(Tracer):
                 file, line = error['place'] or (None, None)
                 row['exception'] = {'type': error['type'], 'message': error['message'], 'file': file, 'line': line}
 
+    def use_sources(self, source_path: Callable[[str], str]) -> None:
+        """Name the files that the student wrote, instead of their links in the folders where packages are installed."""
+        for row in self.processes:
+            for place in (row, row['exception']):
+                if place and place['file']:
+                    place['file'] = source_path(place['file'])
+
     def output(self, process: Process, stream: str, text: str) -> None:
         if self.on:
             self.output_lines.append([self._now(), process.name, stream, text])

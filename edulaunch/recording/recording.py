@@ -23,6 +23,7 @@ from edulaunch.recording.records import (
     ProcessRecord,
     ServiceCall,
     TopicRecord,
+    UnreadArgument,
 )
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from edulaunch.recording.trajectory import Trajectory
 
 
-SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'interrupted', 'waits for input')
+SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'waits for input')
 """Kinds of notes that people should hear of, and of which ROS 2 says nothing."""
 
 
@@ -113,8 +114,10 @@ class Recording:
     @cached_property
     def launch(self) -> LaunchRecord:
         """What was launched, its declared arguments, and launch's return code."""
-        fields = dict(self._content['launch'])
+        fields = {**self._content['launch']}
+        fields.pop('warnings', None)  # of recordings of old: they are found anew
         fields['declared'] = [DeclaredArgument(*row) for row in fields.get('declared', ())]
+        fields['unread'] = [UnreadArgument(*row) for row in fields.get('unread', ())]
         return LaunchRecord(**fields)
 
     @property
@@ -365,16 +368,23 @@ class Recording:
         """
         return list(dict.fromkeys(note.text for note in self.notes if note.kind in UNREPEATABLE))
 
+    @cached_property
+    def advice(self) -> list[Any]:
+        """What the rules of :mod:`edulaunch.advice` find in this run, as its Findings, the worst first."""
+        found: list[Any] = attached('judge')(self)
+        return found
+
     @property
     def warnings(self) -> list[str]:
-        """What people should hear of after the run: dead programs, misspelt arguments, and what went wrong in silence."""
+        """What people should hear of after the run, in words: dead programs, misspelt names, and what went wrong in silence."""
+        return [*map(str, map(attached('told'), self.advice)), *self.silent_notes]
+
+    @property
+    def silent_notes(self) -> list[str]:
+        """What the engine noticed and ROS 2 says nothing of."""
         strangers = [misfit.note for misfit in self.misfits if misfit.why == 'TYPE']
-        silent = [
-            note.text if note.process is None else f'{note.process}: {note.text}'
-            for note in self.notes
-            if note.kind in SILENT or note in strangers
-        ]
-        return [*self.launch.warnings, *dict.fromkeys(silent)]
+        notes = [note for note in self.notes if note.kind in SILENT or note in strangers]
+        return list(dict.fromkeys(note.text if note.process is None else f'{note.process}: {note.text}' for note in notes))
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:

@@ -16,6 +16,19 @@ class DeclaredArgument(NamedTuple):
     line: int | None
 
 
+class UnreadArgument(NamedTuple):
+    """A launch argument that was given, and that no launch file declares or reads; what is declared where it was given.
+
+    `included` is the launch file it was given to, when that was an include, which stands at `file` and `line`.
+    """
+
+    name: str
+    declared: list[str]
+    included: str | None
+    file: str | None
+    line: int | None
+
+
 class LaunchRecord(NamedTuple):
     """What was launched and how that went. `error` is launch's own text when a description failed, with its place."""
 
@@ -28,7 +41,7 @@ class LaunchRecord(NamedTuple):
     error_file: str | None = None
     error_line: int | None = None
     help: str | None = None
-    warnings: list[str] = []
+    unread: list[UnreadArgument] = []
 
 
 class ProcessRecord(NamedTuple):

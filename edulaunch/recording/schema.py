@@ -86,6 +86,7 @@ PARTS: dict[str, Check] = {
             'error_line': _count,
             'help': _word,
             'warnings': _words,
+            'unread': each(row(text, _words, _word, _word, _count)),
         },
     ),
     'processes': each(

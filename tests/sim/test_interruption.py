@@ -58,9 +58,10 @@ def test_run_returns_what_was_recorded_and_says_so(
     recording = edulaunch.run(launch_file, duration_s=8.0)
     said = [(row.time_s, row.text) for row in recording.output if row.process == 'python3-1']
     assert said[-1][1] in ('step 2\n', 'step 3\n') and len(said) <= 4 and recording.duration_s == pytest.approx(3.0, abs=0.2)
-    assert recording.warnings == [f'interrupted at {recording.duration_s:.2f} s of simulated time']
+    assert [one.rule for one in recording.advice] == ['programs.interrupted']
+    assert f'(at {recording.duration_s:.2f} s)' in recording.warnings[0]
     assert recording.processes[1].ended_s is None
-    assert capsys.readouterr().err == f'warning: {recording.warnings[0]}\n'
+    assert capsys.readouterr().err == f'note: {recording.warnings[0]}\n'
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 

@@ -20,6 +20,7 @@ from edulaunch.workspace.windows import WINDOWS, shown_by
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 run`."""
     parser.add_argument('--prefix', help='Prefix command, which should go before the executable')
+    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
     parser.add_argument('package_name', help='Name of the ROS package')
     parser.add_argument('executable_name', help='Name of the executable')
     parser.add_argument('argv', nargs=argparse.REMAINDER, help='Pass arbitrary arguments to the executable')

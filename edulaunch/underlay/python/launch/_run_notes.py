@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ._engine import process_state
 
@@ -30,31 +29,11 @@ def note_include(path: str) -> None:
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
     """Arguments were given to an included file that declares no such argument; ROS 2 sets them in silence.
 
-    They are kept in `launch.undeclared`, for :func:`undeclared_warnings`.
+    They are kept in `launch.undeclared`.
     """
     known = list(declared)
     noted: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
     noted += [(name, known, file, origin) for name in names if name not in known]
-
-
-def undeclared_warnings(state: dict[str, Any]) -> list[str]:
-    """One line for each undeclared argument that nothing has read.
-
-    :param state: of the process that ran launch.
-    """
-    lines = []
-    for name, declared, file, origin in state.get('launch.undeclared', ()):
-        if name not in state.get('launch.read', ()):
-            from edulaunch.nearest import nearest
-
-            near = nearest(name, declared)
-            known = f'it declares: {", ".join(declared)}' if declared else 'it declares none'
-            place = '' if origin is None else f' at {os.path.basename(origin.file)}:{origin.line}'
-            lines.append(
-                f"launch argument '{name}', given to {os.path.basename(file)}{place}, is not declared there; "
-                + (f"did you mean '{near}'?" if near is not None else known)
-            )
-    return list(dict.fromkeys(lines))
 
 
 def names_read() -> dict[str, bool]:

@@ -1,0 +1,100 @@
+"""Programs that ended by an error, of which launch's own exit code says nothing; and runs that were broken off."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import ProcessRecord
+
+ENDED_WELL = (None, 0, -2, -15)
+"""Still running, finished, ended by Ctrl-C or by launch."""
+LONGEST = 160
+
+
+@rule(
+    'programs.died',
+    what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
+    why='the other programs go on without it, and launch itself ends as if all were well',
+    do=(
+        'see what line {at} does: there the program ended',
+        'look at what it printed last: {said}',
+        'look at what it printed last',
+    ),
+    lesson='01_first_launch',
+    level='error',
+)
+def died(recording: Recording) -> Iterator[Finding]:
+    """Not a program that another one started under its own name, which hears of its end itself; nor a `ros2` command after
+    Ctrl-C, which returns 2. One that was started again and again is told once.
+    """
+    for process in recording.processes:
+        if process.returncode in ENDED_WELL or _is_child(recording, process) or _is_launch(recording, process):
+            continue
+        said = _said(recording, process)
+        if _is_command(process) and process.returncode == 2 and not any(': error: ' in line for line in said):
+            continue
+        error = process.exception or {}
+        file, line = (error['file'], error['line']) if error.get('file') else (process.file, process.line)
+        yield found(
+            'process',
+            process.name,
+            file=file,
+            line=line,
+            time_s=process.ended_s,
+            code=process.returncode,
+            at=error.get('line'),
+            error=_short(f'{error["type"]}: {error["message"]}') if error else None,
+            said=_short(said[-1]) if said else None,
+        )
+
+
+def _short(text: str) -> str:
+    """Its first line, and not too much of that."""
+    line = text.partition('\n')[0]
+    return line if len(line) <= LONGEST else f'{line[: LONGEST - 3]}...'
+
+
+def _is_launch(recording: Recording, process: ProcessRecord) -> bool:
+    """Whether this is the `ros2 launch` itself: what it says of its end is said otherwise."""
+    return process.argv[:3] == ['ros2', 'launch', recording.launch.file]
+
+
+def _is_command(process: ProcessRecord) -> bool:
+    return os.path.basename(process.argv[0]) == 'ros2'
+
+
+def _is_child(recording: Recording, process: ProcessRecord) -> bool:
+    """Whether a program that ran before, and still ran, goes under the same name."""
+    for other in recording.processes:
+        if other is process:
+            return False
+        runs_on = other.ended_s is None or process.started_s < other.ended_s or process.ended_s == other.ended_s
+        if other.name == process.name and other.started_s <= process.started_s and runs_on:
+            return True
+    return False
+
+
+def _said(recording: Recording, process: ProcessRecord) -> list[str]:
+    """The lines that a program wrote to its error stream."""
+    text = ''.join(row.text for row in recording.output if row.process == process.name and row.stream == 'stderr')
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
+@rule(
+    'programs.interrupted',
+    what='the run was interrupted, and what would have come later is not recorded',
+    do='run it again, with a smaller duration_s if it takes too long',
+    level='info',
+)
+def interrupted(recording: Recording) -> Iterator[Finding]:
+    """Ctrl-C, or the interrupt button of a notebook."""
+    for note in recording.notes:
+        if note.kind == 'interrupted':
+            yield found('run', recording.launch.file, time_s=note.time_s)

@@ -1,0 +1,6 @@
+# run: --for 2 --interrupted
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+rclpy.spin(Node('waiting'))
