@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.advice import Finding
 
 SEEDS = Path(__file__).resolve().parents[2] / 'shared' / 'seeds'
 OURS = {'tuos_simulations', 'turtlebot3_gazebo', 'part3_beyond_basics'}
@@ -78,13 +79,13 @@ def test_what_runs_with_ros_runs_here(file: str, oracle: dict[str, Any], workspa
     names = [node.name for node in recording.nodes]
     expected = [re.sub(r'^/student_', f'/{user()}_', name) for name in oracle.get('nodes', ())]
     missing = [name for name in expected if name not in names and not name.startswith('(')]
-    dead = [line for line in recording.launch.warnings if 'died' in line and not dies_in_ros_too(oracle, line)]
+    dead = [one for one in recording.advice if one.rule == 'programs.died' and not dies_in_ros_too(oracle, one)]
     assert (missing, dead, recording.launch.error) == ([], [], None)
 
 
-def dies_in_ros_too(oracle: dict[str, Any], line: str) -> bool:
+def dies_in_ros_too(oracle: dict[str, Any], found: Finding) -> bool:
     """A whole number for a parameter of type double ends the node in ROS 2 as well; launch's plan does not show that."""
-    return oracle['args'] == ['circle_radius:=2'] and "'2' of type 'INTEGER', expecting type 'DOUBLE'" in line
+    return oracle['args'] == ['circle_radius:=2'] and "'2' of type 'INTEGER', expecting type 'DOUBLE'" in found.facts['error']
 
 
 def user() -> str:
