@@ -81,19 +81,17 @@ class Planner:
         plan = {
             'format': FORMAT,
             'file': self._path,
-            'given': self._given,
-            'arguments': self._arguments,
+            'given': _plain(self._given),
+            'arguments': _plain(self._arguments),
             'configurations': self._configurations,
             'items': self._items,
-            'error': self._error,
+            'error': _plain(self._error),
             'log': self._notes.logs,
             'shutdown_reason': self._reason,
             'stdout': self._notes.stdout,
             'warnings': [str(warning.message) for warning in caught],
         }
-        with collector_paused():
-            sorted_plan: Plan = _sorted(plan)
-        return sorted_plan
+        return dict(sorted(plan.items()))
 
     def _endless_error(self, text: str) -> Plan:
         branch = self._watch.branch
@@ -140,8 +138,10 @@ class Planner:
         from edulaunch.plan.watching import Watch
 
         launch.logging.launch_config.dry = True
+        launch.logging.launch_config.level = logging.WARNING  # what a plan keeps; a line for each start takes its time
         launch.logging.launch_config.get_screen_handler().setLevel(logging.CRITICAL + 1)
-        self._arguments = self._declared_arguments()
+        source = AnyLaunchDescriptionSource(self._path)
+        self._arguments = _declared_arguments(source)
         self._service = LaunchService(noninteractive=True)
         instead: dict[str, Any] = {'LoadComposableNodes': lambda action, context: None}
         if self.assumptions is not None:
@@ -150,35 +150,13 @@ class Planner:
         context = self._service.context
         self._watch.context(context)
         context.register_event_handler(OnShutdown(on_shutdown=self._note_reason))
-        include = IncludeLaunchDescription(AnyLaunchDescriptionSource(self._path), launch_arguments=list(self._given.items()))
+        include = IncludeLaunchDescription(source, launch_arguments=list(self._given.items()))
         self._service.include_launch_description(LaunchDescription([self._watch.entity(include), self._end_of_first_visit()]))
         code: int = self._service.run()
         return code
 
     def _note_reason(self, event: Any, context: Any) -> None:
         self._reason = self._reason or event.reason
-
-    def _declared_arguments(self) -> list[Plan]:
-        from launch.launch_context import LaunchContext
-        from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
-
-        try:
-            description = AnyLaunchDescriptionSource(self._path).get_launch_description(LaunchContext())
-            found = description.get_launch_arguments()
-        except Exception:
-            return []  # the visit meets the same error, and reports it
-        return [
-            {
-                'name': argument.name,
-                'description': argument.description,
-                'choices': argument.choices,
-                'conditional': argument._conditionally_included,
-                'default': None
-                if argument.default_value is None
-                else ' + '.join(part.describe() for part in argument.default_value),
-            }
-            for argument in found
-        ]
 
     def _end_of_first_visit(self) -> Any:
         from launch.actions.opaque_function import OpaqueFunction
@@ -200,9 +178,7 @@ class Planner:
         if self._watch.phase == 'timer':
             item['time'] = self._sim.elapsed_s
         if item['kind'] == 'node':
-            branch.file_origins = add_names_and_parameters(item, self._host)
-            branch.origins = branch.action.process_spec_details()['parameter_origins']
-            branch.missing_files = branch.action.missing_parameter_files()
+            add_names_and_parameters(item, self._host)
         branch.item = _plain(item)
         self._items.append(branch.item)
 
@@ -220,16 +196,34 @@ class Planner:
             }
 
 
+def _declared_arguments(source: Any) -> list[Plan]:
+    """The arguments that the launch file declares; the source keeps what it has loaded for the visit."""
+    from launch.launch_context import LaunchContext
+
+    try:
+        found = source.get_launch_description(LaunchContext()).get_launch_arguments()
+    except Exception:
+        return []  # the visit meets the same error, and reports it
+    return [
+        {
+            'name': argument.name,
+            'description': argument.description,
+            'choices': argument.choices,
+            'conditional': argument._conditionally_included,
+            'default': None if argument.default_value is None else ' + '.join(part.describe() for part in argument.default_value),
+        }
+        for argument in found
+    ]
+
+
 def _plain(value: Any) -> Any:
-    """The value as JSON can hold it."""
-    if isinstance(value, (dict, Mapping)):  # the first is answered ten times as fast
-        return {str(key): item if type(item) in _SCALARS else _plain(item) for key, item in value.items()}
+    """The value as JSON can hold it, keys sorted."""
+    kind = type(value)
+    if kind in _SCALARS:
+        return value
+    if kind is dict or isinstance(value, Mapping):  # the first is answered ten times as fast
+        texts = sorted([(str(key), item) for key, item in value.items()], key=_KEY)
+        return {key: item if type(item) in _SCALARS else _plain(item) for key, item in texts}
     if isinstance(value, (list, tuple)):
         return [item if type(item) in _SCALARS else _plain(item) for item in value]
-    return value if value is None or isinstance(value, (str, int, float)) else str(value)
-
-
-def _sorted(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: item if type(item) in _SCALARS else _sorted(item) for key, item in sorted(value.items(), key=_KEY)}
-    return [item if type(item) in _SCALARS else _sorted(item) for item in value] if isinstance(value, list) else value
+    return value if isinstance(value, (str, int, float)) else str(value)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from launch._engine import assumptions, generated_files, running_process, state_of
 
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
+from ._given_parameters import Given, ParameterOrigins
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
 from .utilities.evaluate_parameters import evaluate_parameter_dict
@@ -40,16 +41,15 @@ class ParameterArguments:
         self._node_key = node_key
         self._sources: list[tuple[Any, Any]] = []
         self._generated: list[GeneratedFile] = []
-        self._has_files = False
-        self._origins: dict[str, str] | None = None
+        self._entries_of = running_process().host.parameter_entries
+        self._origins: ParameterOrigins | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
         """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
         for entry in entries:
             if isinstance(entry, tuple):
                 name, value = entry
-                self.items.append((f'{name}:={value}', False))
-                self._sources.append((name, entry))
+                self._add((f'{name}:={value}', False), written=entry)
             else:
                 path = os.path.abspath(entry)
                 assumed = assumptions()
@@ -57,8 +57,7 @@ class ParameterArguments:
                     self.missing_files.append(path)
                     continue
                 assert os.path.isfile(path), f'{path} is not a file'
-                self.items.append((path, True))
-                self._has_files = True
+                self._add((path, True))
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
         """The node's own, normalized ones."""
@@ -67,8 +66,7 @@ class ParameterArguments:
             if isinstance(written, dict):
                 values = evaluate_parameter_dict(context, written)
                 name = temporary_path(f'{self._owner} {len(self.items)} {values}', state)
-                self._add_generated(GeneratedParameters(name, self._node_key, values), files)
-                self._sources.append((values, written))
+                self._add_generated(GeneratedParameters(name, self._node_key, values), files, values, written)
             elif isinstance(written, ParameterFile):
                 path, file = written.performed(context)
                 if file is None:
@@ -83,15 +81,18 @@ class ParameterArguments:
         for file in self._generated:
             file.write()
 
-    def _add_generated(self, file: GeneratedFile, files: dict[str, Any]) -> None:
+    def _add(self, item: tuple[str, bool], values: dict[str, Any] | None = None, written: Any = None) -> None:
+        self.items.append(item)
+        self._sources.append((values, written))
+
+    def _add_generated(self, file: GeneratedFile, files: dict[str, Any], values: Any = None, written: Any = None) -> None:
         self._generated.append(file)
         files[file.path] = file
-        self.items.append((file.path, True))
+        self._add((file.path, True), values, written)
 
     def _add_file(self, path: Path) -> None:
         if path.is_file():
-            self.items.append((str(path), True))
-            self._has_files = True
+            self._add((str(path), True))
             return
         import launch.logging
 
@@ -102,43 +103,28 @@ class ParameterArguments:
         import yaml
 
         name, value = parameter.evaluate(context)
-        self.items.append((f'{name}:={yaml.safe_dump(value)}', False))
-        self._sources.append((name, parameter))
+        self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
-    def origins(self, node: Origin | None) -> dict[str, str]:
+    def given(self, node: Origin | None) -> list[Given]:
+        """Everything that is given to parameters, in the order of the command line.
+
+        :param node: where the launch file made the node.
+        """
+        from ._parameter_origins import given_by_file, given_by_global, given_by_launch_file
+
+        found: list[Given] = []
+        for (text, is_file), (values, written) in zip(self.items, self._sources, strict=True):
+            if isinstance(written, dict):
+                found += given_by_launch_file(self._node_key if is_file else '/**', values, written, node)
+            else:
+                found += given_by_file(text, self._entries_of) if is_file else given_by_global(written)
+        return found
+
+    def origins(self, node: Origin | None) -> ParameterOrigins:
         """Parameter name -> where its value was written, for values that do not come from a parameter file.
 
         :param node: where the launch file made the node.
         """
         if self._origins is None:  # a plan, and a program that is started again, asks once more
-            self._origins = self._found_origins(node)
+            self._origins = ParameterOrigins(lambda: self.given(node), self._full_name)
         return self._origins
-
-    def _found_origins(self, node: Origin | None) -> dict[str, str]:
-        from ._parameter_origins import origin_of_global, origins_of
-
-        found: dict[str, str] = {}
-        for what, written in self._sources:
-            if isinstance(what, dict):
-                found.update(origins_of(what, written, node))
-            elif isinstance(written, tuple):
-                found[what] = origin_of_global(written)
-            else:
-                found.update(origins_of({what: None}, {what: written}, node))
-        return self._without_overridden(found) if self._has_files else found
-
-    def _without_overridden(self, origins: dict[str, str]) -> dict[str, str]:
-        """Those whose value is not overridden by a parameter file, by the rules of rcl."""
-        from edulaunch.graph.ros_arguments import RosArgumentsError, parse_ros_arguments
-
-        words = [word for text, is_file in self.items for word in ('--params-file' if is_file else '-p', text)]
-        try:
-            given = parse_ros_arguments(['--ros-args', *words], running_process().host.parameter_entries)
-        except (RosArgumentsError, OSError, ValueError):
-            return origins  # the node says what is wrong
-        values = given.overrides_for(self._full_name)
-        return {
-            name: text
-            for name, text in origins.items()
-            if name not in values or values[name].origin.startswith(('launch_params_', 'command line'))
-        }

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from launch.substitutions.launch_configuration import LaunchConfiguration
 
+from ._given_parameters import Given
 from ._written_lines import key_lines
 
 if TYPE_CHECKING:
+    from edulaunch.graph.parameter_files import Entry
     from edulaunch.processes import Origin
 
 
@@ -28,31 +30,45 @@ def place_text(file: str, line: int) -> str:
     return f'{os.path.basename(file)} line {line}'
 
 
-def origin_of_global(parameter: tuple[str, Any]) -> str:
-    """Of a value that SetParameter gave."""
+def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
+    """By SetParameter."""
+    name, value = parameter
     origin = getattr(parameter, 'origin', None)
-    return 'SetParameter' if origin is None else f'SetParameter in {place_text(*origin)}'
+    if origin is None:
+        return [Given('/**', name, value, 'SetParameter')]
+    return [Given('/**', name, value, f'SetParameter in {place_text(*origin)}', *origin)]
 
 
-def origins_of(values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None) -> dict[str, str]:
-    """Of the values of one dict: the launch argument that decides it, else the line that names it, else that
-    of the node.
+def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> list[Given]:
+    """By a parameter file; nothing when it cannot be read, for then the node says what is wrong."""
+    try:
+        entries = entries_of(path)
+    except (OSError, ValueError):
+        return []
+    return [Given(one.pattern, one.name, one.value, place_text(path, one.line), path, one.line, True) for one in entries]
+
+
+def given_by_launch_file(
+    pattern: str, values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None
+) -> Iterator[Given]:
+    """By one dict: the origin is the launch argument that decides a value, else the line that names it, else that of the node.
 
     :param values: evaluated.
     :param written: normalized; in the same order, unless two names came out equal.
     """
     if len(values) != len(written) or node is None:
-        return dict.fromkeys(values, 'launch file' if node is None else place_text(*node))
+        origin = 'launch file' if node is None else place_text(*node)
+        for name, value in values.items():
+            yield Given(pattern, name, value, origin, *(node or ()))
+        return
     lines: dict[str, int] | None = None
-    origins: dict[str, str] = {}
-    for name, value in zip(values, written.values(), strict=True):
-        argument = _argument_in(value)
-        line = getattr(value, 'line', 0)
-        if argument is None and not line:
+    for (name, value), text in zip(values.items(), written.values(), strict=True):
+        argument = _argument_in(text)
+        line = getattr(text, 'line', 0)
+        if not line:
             lines = key_lines(*node) if lines is None else lines
             line = lines.get(name) or lines.get(name.rpartition('.')[2]) or node.line
-        origins[name] = argument or place_text(node.file, line)
-    return origins
+        yield Given(pattern, name, value, argument or place_text(node.file, line), node.file, line)
 
 
 def _argument_in(value: Any) -> str | None:
