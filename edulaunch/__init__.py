@@ -22,12 +22,24 @@ if TYPE_CHECKING:
 
     from edulaunch.checking import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
+    from edulaunch.explaining import explain
     from edulaunch.machine.started import start
     from edulaunch.recording import Recording
     from edulaunch.session import Session, run
     from edulaunch.sourcing import source
 
-__all__ = ['EdulaunchError', 'LaunchFileError', 'Recording', 'Session', 'UnusableInput', 'check', 'run', 'source', 'start']
+__all__ = [
+    'EdulaunchError',
+    'LaunchFileError',
+    'Recording',
+    'Session',
+    'UnusableInput',
+    'check',
+    'explain',
+    'run',
+    'source',
+    'start',
+]
 
 _PLACES = {
     'EdulaunchError': ('errors', 'EdulaunchError'),
@@ -36,6 +48,7 @@ _PLACES = {
     'Session': ('session', 'Session'),
     'UnusableInput': ('errors', 'UnusableInput'),
     'check': ('checking', 'check'),
+    'explain': ('explaining', 'explain'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),
     'start': ('machine.started', 'start'),

@@ -14,7 +14,7 @@ from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file, launch_files_
 if TYPE_CHECKING:
     from edulaunch.packages import Index
 
-LAUNCHING = ('launch', 'plan')
+LAUNCHING = ('launch', 'explain', 'plan')
 """Verbs that take a launch file."""
 
 

@@ -13,7 +13,7 @@ from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
 from edulaunch.plan.endless import run_to_rest, still_busy
 from edulaunch.plan.lifecycles import ImaginedLifecycles
-from edulaunch.plan.outline import Branch
+from edulaunch.plan.outline import Branch, Setters
 from edulaunch.plan.rehearsal import Notes, RehearsalHost
 from edulaunch.sim.simulation import Simulation
 
@@ -53,6 +53,7 @@ class Planner:
         self._broken: Exception | None = None
         self._service: Any = None
         self._watch: Any = None
+        self._setters = Setters()
         self.assumptions: Assumptions | None = None
 
     @property
@@ -172,6 +173,7 @@ class Planner:
 
         item = item_of(branch.action, context, self._host.env, self._processes)
         if item is None or (branch.origin is None and item['kind'] in _OF_LAUNCH):
+            self._setters.executed(branch)
             return
         self._processes += item['kind'] in ('node', 'process')
         item['phase'] = self._watch.phase
@@ -181,6 +183,7 @@ class Planner:
             add_names_and_parameters(item, self._host)
         branch.item = _plain(item)
         self._items.append(branch.item)
+        self._setters.executed(branch)
 
     def _failed(self, error: BaseException) -> None:
         from launch._help import launch_help, launch_origin

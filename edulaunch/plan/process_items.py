@@ -96,12 +96,9 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
     return arguments, others
 
 
-def add_names_and_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
+def add_names_and_parameters(item: Item, host: RehearsalHost) -> None:
     """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
-    parameters, and each parameter file with its content.
-
-    :returns: where each parameter was given: 'file.yaml line 12' or 'command line'.
-    """
+    parameters, and each parameter file with its content."""
     command = item['cmd'][len(item['prefix']) :]
     item['parameter_sources'] = [
         {'file': path, 'content': host.parameter_content(path)}
@@ -119,4 +116,3 @@ def add_names_and_parameters(item: Item, host: RehearsalHost) -> dict[str, str]:
     item['name'], item['namespace'] = name, namespace
     item['runtime_name'] = None if name is None else full_name
     item['parameters'] = {parameter: override.value for parameter, override in sorted(overrides.items())}
-    return {parameter: override.origin for parameter, override in overrides.items()}

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import random
+import re
 from typing import Any
 
 import pytest
 
+from edulaunch.graph import ros_arguments
 from edulaunch.graph.names import RemapRule
 from edulaunch.graph.parameter_files import read_parameter_file
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
@@ -154,3 +157,21 @@ def test_values_know_where_they_came_from() -> None:
 def test_levels_and_switches() -> None:
     result = parsed('--log-level', 'DEBUG', '--log-level', 'a.b:=warn', '--disable-stdout-logs', '--enable-rosout-logs')
     assert (result.log_levels, result.outputs) == ({'': 10, 'a.b': 30}, {'stdout': False, 'rosout': True})
+
+
+def test_plain_rules_read_at_one_look_are_what_the_reader_reads_lexeme_by_lexeme(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = ['a', 'a', 'b1', 'cd', 'e', '_', '__', '__node', '__name', '__ns', '/', '~/', ':', ':=', 'rostopic://', '*', '\\1', '1', '.', 'x_y_']
+    choose = random.Random(7)
+    texts = [''.join(choose.choices(parts, k=choose.randint(1, 2))) for _ in range(3000)]
+    rules = [f'{old}:={new}' for old, new in zip(texts, reversed(texts), strict=True)]
+
+    def read(text: str) -> object:
+        try:
+            return ros_arguments.remap_rule(text)
+        except ros_arguments.RuleError as error:
+            return str(error)
+
+    quickly = [read(rule) for rule in rules]
+    monkeypatch.setattr(ros_arguments, '_PLAIN_RULE', re.compile('(?!)'))
+    assert quickly == [read(rule) for rule in rules]
+    assert sum(isinstance(rule, RemapRule) for rule in quickly) > 100

@@ -42,16 +42,15 @@ def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
 class ParameterOrigins(Mapping[str, str]):
     """Parameter name -> origin, of the values that count and that no parameter file gives; found out when somebody asks.
 
-    :param given: gives everything that is given.
+    :param in_force: gives everything that is given, as :func:`in_force` orders it.
     """
 
-    def __init__(self, given: Callable[[], Sequence[Given]], full_name: str) -> None:
-        self._given = given
-        self._full_name = full_name
+    def __init__(self, in_force: Callable[[], Sequence[Given]]) -> None:
+        self._in_force = in_force
 
     @cached_property
     def _found(self) -> dict[str, str]:
-        winners = {one.name: one for one in in_force(self._given(), self._full_name)}
+        winners = {one.name: one for one in self._in_force()}
         return {name: one.origin for name, one in winners.items() if not one.is_of_a_file}
 
     def __getitem__(self, name: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from launch._engine import assumptions, generated_files, running_process, state_of
 
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
-from ._given_parameters import Given, ParameterOrigins
+from ._given_parameters import Given, ParameterOrigins, in_force
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
 from .utilities.evaluate_parameters import evaluate_parameter_dict
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
     from edulaunch.processes import Origin
+
+
+NO_NAMESPACE = '<node_namespace_unspecified>'
+"""As the node action has it: the program's own namespace, which is nearly always the root."""
 
 
 class ParameterArguments:
@@ -36,7 +40,7 @@ class ParameterArguments:
     def __init__(self, number: int, node_name: str, node_key: str) -> None:
         self.items: list[tuple[str, bool]] = []
         self.missing_files: list[str] = []
-        self._full_name = node_name.replace('<', '').replace('>', '')
+        self._full_name = node_name.replace(f'{NO_NAMESPACE}/', '/').replace('<', '').replace('>', '')
         self._owner = f'{number} {node_name} {node_key}'
         self._node_key = node_key
         self._sources: list[tuple[Any, Any]] = []
@@ -105,8 +109,8 @@ class ParameterArguments:
         name, value = parameter.evaluate(context)
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
-    def given(self, node: Origin | None) -> list[Given]:
-        """Everything that is given to parameters, in the order of the command line.
+    def in_force(self, node: Origin | None) -> list[Given]:
+        """Everything that is given to this node's parameters, the last for each is the one that counts.
 
         :param node: where the launch file made the node.
         """
@@ -118,7 +122,7 @@ class ParameterArguments:
                 found += given_by_launch_file(self._node_key if is_file else '/**', values, written, node)
             else:
                 found += given_by_file(text, self._entries_of) if is_file else given_by_global(written)
-        return found
+        return in_force(found, self._full_name)
 
     def origins(self, node: Origin | None) -> ParameterOrigins:
         """Parameter name -> where its value was written, for values that do not come from a parameter file.
@@ -126,5 +130,5 @@ class ParameterArguments:
         :param node: where the launch file made the node.
         """
         if self._origins is None:  # a plan, and a program that is started again, asks once more
-            self._origins = ParameterOrigins(lambda: self.given(node), self._full_name)
+            self._origins = ParameterOrigins(lambda: self.in_force(node))
         return self._origins

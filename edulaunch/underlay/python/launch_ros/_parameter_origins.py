@@ -63,7 +63,7 @@ def given_by_launch_file(
         return
     lines: dict[str, int] | None = None
     for (name, value), text in zip(values.items(), written.values(), strict=True):
-        argument = _argument_in(text)
+        argument = argument_in(text)
         line = getattr(text, 'line', 0)
         if not line:
             lines = key_lines(*node) if lines is None else lines
@@ -71,7 +71,7 @@ def given_by_launch_file(
         yield Given(pattern, name, value, argument or place_text(node.file, line), node.file, line)
 
 
-def _argument_in(value: Any) -> str | None:
+def argument_in(value: Any) -> str | None:
     """'launch argument x', when a launch configuration decides the value."""
     value = getattr(value, 'written', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):
@@ -79,7 +79,7 @@ def _argument_in(value: Any) -> str | None:
             names = [getattr(text, 'text', '') for text in part.variable_name]
             return f'launch argument {"".join(names)}'
         if isinstance(part, (list, tuple)):
-            found = _argument_in(part)
+            found = argument_in(part)
             if found is not None:
                 return found
     return None

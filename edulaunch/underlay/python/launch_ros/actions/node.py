@@ -18,7 +18,7 @@ from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from .._names import validated_name, validated_namespace
 from .._node_words import NODE_NAME, NODE_NAMESPACE
-from .._parameter_arguments import ParameterArguments
+from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
 from ..parameters_type import SomeParameters
 from ..remap_rule_type import SomeRemapRules
 from ..substitutions.executable_in_package import ExecutableInPackage
@@ -31,6 +31,8 @@ from ._node_extensions import NodeActionExtension, get_extensions, instantiate_e
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
+
+    from .._given_parameters import Given
 
 __all__ = ['Node', 'NodeActionExtension', 'get_extensions', 'instantiate_extension']
 
@@ -58,7 +60,7 @@ class Node(ExecuteProcess):
     """
 
     UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
-    UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
+    UNSPECIFIED_NODE_NAMESPACE = NO_NAMESPACE
 
     def __init__(
         self,
@@ -164,6 +166,11 @@ class Node(ExecuteProcess):
         """Files that were given and are not there, once the action was executed."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.missing_files
+
+    def given_parameters(self) -> list[Given]:
+        """All that is given to its parameters, in rcl's order: of two for one parameter the later one counts."""
+        arguments = self.__parameter_arguments
+        return [] if arguments is None else arguments.in_force(self.origin)
 
     def process_spec_details(self) -> dict[str, Any]:
         """What a checker may want to know of the node: package, executable, and where its parameter values

@@ -1,4 +1,4 @@
-"""The plan in words."""
+"""A launch file explained: the tree, and where every value comes from."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from edulaunch.plan import rehearse
-from edulaunch.plan.telling import Line, told_launch
+from edulaunch.plan.explanation import Entry, explanation_of
 from edulaunch.session import index_for
 
 HEAD = """
@@ -23,8 +23,8 @@ def generate_launch_description():
 """
 
 
-def flat(lines: list[Line], depth: int = 0) -> list[str]:
-    return [text for line in lines for text in ('  ' * depth + line.text, *flat(line.below, depth + 1))]
+def flat(entries: list[Entry], depth: int = 0) -> list[str]:
+    return [text for entry in entries for text in ('  ' * depth + entry['text'], *flat(entry['children'], depth + 1))]
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def told(tmp_path: Path):
     def tell(body: str, *, given: dict[str, str] | None = None) -> list[str]:
         path = tmp_path / 'my.launch.py'
         path.write_text(HEAD + body)
-        return flat(told_launch(rehearse(path, given or {}, index_for([]), {}).outline))
+        return flat(explanation_of(rehearse(path, given or {}, index_for([]), {}))['tree'])
 
     return tell
 
@@ -43,7 +43,7 @@ def test_a_condition_is_shown_with_its_outcome(told) -> None:
         LogInfo(msg='yes', condition=IfCondition(LaunchConfiguration('gui'))),
         LogInfo(msg='no', condition=UnlessCondition(LaunchConfiguration('gui')))])"""
     assert told(text) == [
-        "argument gui = 'false'",
+        "argument gui = 'false'  (default)",
         "LogInfo 'yes'  [if LaunchConfig('gui'): not taken]",
         "log 'no'  [unless LaunchConfig('gui'): taken]",
     ]
@@ -153,6 +153,22 @@ def test_the_parameters_of_composable_nodes_are_shown(told) -> None:
     """)
     assert [line.strip() for line in lines[-3:]] == [
         'composable node /cam: image_tools image_tools::Cam2Image',
-        'with parameter rate = 5',
         "with parameter names = ['a']",
+        'with parameter rate = 5',
     ]
+
+
+def test_a_parameter_file_that_names_the_node_wins_over_the_launch_file_as_in_rcl(told, tmp_path: Path) -> None:
+    (tmp_path / 'p.yaml').write_text('/sim:\n  ros__parameters:\n    background_g: 1\n')
+    lines = told(f"""
+    return LaunchDescription([SetParameter('use_sim_time', False), Node(package='turtlesim', executable='turtlesim_node', name='sim',
+        parameters=[{str(tmp_path / 'p.yaml')!r}, {{'background_g': 3}}])])""")
+    assert lines[2] == '  parameter background_g = 1  (p.yaml line 3, instead of 3 from my.launch.py line 13)'
+
+
+def test_the_value_of_an_argument_outlives_its_scope_only_without_one(told) -> None:
+    lines = told("""
+    return LaunchDescription([GroupAction([SetLaunchConfiguration('green', '1')]),
+        GroupAction([SetLaunchConfiguration('red', '1')], scoped=False),
+        DeclareLaunchArgument('green', default_value='2'), DeclareLaunchArgument('red', default_value='2')])""")
+    assert lines[-2:] == ["argument green = '2'  (default)", "argument red = '1'  (set in my.launch.py line 13, instead of '2')"]
