@@ -64,7 +64,7 @@ def frame_links(recording: Recording) -> dict[str, FrameLink]:
     """The links of the tf tree over the whole run, by child frame in order of first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:
-        for time_ns, node, wire in _with_publishers(recording, topic):
+        for time_ns, node, wire in recording.published(topic, TF_TYPE):
             published_s = time_ns / 1e9
             for _, _, parent, child, *_ in wire[0]:
                 link = found.get(child)
@@ -77,18 +77,3 @@ def frame_links(recording: Recording) -> dict[str, FrameLink]:
                     messages=link.messages + 1, last_s=published_s, is_static=link.is_static and is_static
                 )
     return found
-
-
-def _with_publishers(recording: Recording, topic: str) -> list[tuple[int, str, Any]]:
-    """Wires with their time in ns and the name of the node that published them, in order of publication."""
-    content = recording._content
-    nodes = {row[4]: row[0] for row in content['nodes']}
-    owner = {row[4]: nodes.get(row[3], '') for row in content['endpoints'] if row[0] == 'publisher'}
-    rows = [
-        (time, owner.get(publisher, ''), wire)
-        for column in recording._columns(topic)
-        if column['type'] == TF_TYPE
-        for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
-    ]
-    rows.sort(key=lambda row: row[0])
-    return rows

@@ -16,11 +16,13 @@ _TEXT = re.compile(
 
 
 class Misfit(NamedTuple):
-    """The recorder's note of such ends, with the topic and the reason ('TYPE' or the policy)."""
+    """The recorder's note of such ends, with the topic, the reason ('TYPE' or the policy), and the names of the two nodes."""
 
     note: Note
     topic: str
     why: str
+    publisher: str
+    subscriber: str
 
 
 def misfits(recording: Recording) -> Iterator[Misfit]:
@@ -33,4 +35,4 @@ def misfits(recording: Recording) -> Iterator[Misfit]:
         sent = {kind for name, kind in nodes[match['publisher']].publishers if name == match['topic']}
         heard = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}
         if match['why'] != 'TYPE' or not sent & heard:
-            yield Misfit(note, match['topic'], match['why'])
+            yield Misfit(note, match['topic'], match['why'], match['publisher'], match['subscriber'])

@@ -12,6 +12,7 @@ from edulaunch.recording import file_format
 from edulaunch.recording.absent import NoMessages, not_recorded
 from edulaunch.recording.records import (
     DeclaredArgument,
+    EndRecord,
     Fact,
     Frame,
     LaunchRecord,
@@ -166,6 +167,15 @@ class Recording:
         ]
 
     @cached_property
+    def ends(self) -> list[EndRecord]:
+        """All publishers, subscriptions, services and clients, in order of their making."""
+        nodes = {row[4]: row[0] for row in self._content['nodes']}
+        return [
+            EndRecord(kind, name, type_name, nodes.get(node, ''), made / 1e9, qos)
+            for kind, name, type_name, node, _, made, qos in self._content['endpoints']
+        ]
+
+    @cached_property
     def topics(self) -> dict[str, TopicRecord]:
         """All topics by name, in alphabetical order."""
         names = {row[4]: row[0] for row in self._content['nodes']}
@@ -217,6 +227,25 @@ class Recording:
         rows = [row for column in columns for row in zip(column['times'], column['messages'], strict=True)]
         rows.sort(key=_time_of)
         return rows
+
+    def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
+        """As :meth:`wires`, each with the name of the node that published it: (time in ns, node, wire)."""
+        nodes = {row[4]: row[0] for row in self._content['nodes']}
+        owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
+        rows = [
+            (time, owner.get(publisher, ''), wire)
+            for column in self._columns(topic)
+            if column['type'] == type_name
+            for time, publisher, wire in zip(column['times'], column['publishers'], column['messages'], strict=True)
+        ]
+        rows.sort(key=_time_of)
+        return rows
+
+    @cached_property
+    def own_processes(self) -> list[ProcessRecord]:
+        """The processes that run a student's program: neither one of ours, nor a `ros2` command."""
+        ours = tuple(os.path.join(path, '') for path, name in self._content['roots'] if name == '@underlay')
+        return [row for row in self.processes if not row.argv[0].startswith(ours) and os.path.basename(row.argv[0]) != 'ros2']
 
     def offered(self, topic: str) -> list[QoS]:
         """The quality of service of each publisher that a topic ever had."""
@@ -434,5 +463,5 @@ def _seconds(time_ns: int | None) -> float | None:
     return None if time_ns is None else time_ns / 1e9
 
 
-def _time_of(row: tuple[int, Any]) -> int:
-    return row[0]
+def _time_of(row: Any) -> int:
+    return row[0]  # type: ignore[no-any-return]

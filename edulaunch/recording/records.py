@@ -81,6 +81,17 @@ class NodeRecord(NamedTuple):
     clients: list[tuple[str, str]]
 
 
+class EndRecord(NamedTuple):
+    """A publisher, subscription, service or client (`kind`) that ever was: absolute name, type, the node that made it, when."""
+
+    kind: str
+    name: str
+    type: str
+    node: str
+    made_s: float
+    qos: list[Any]
+
+
 class TopicRecord(NamedTuple):
     """A topic: its type (the first one seen), who publishes and who listens (fully qualified names), how many messages."""
 

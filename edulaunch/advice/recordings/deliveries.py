@@ -1,0 +1,167 @@
+"""Messages and replies that came, and were not taken."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.advice.runs import fact_place, is_ros_own, names_of, node_place, own_nodes, programs
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+LESSON = '03_broadcaster_and_listener'
+SECOND = 1.0
+
+
+@rule(
+    'programs.never-spun',
+    what=(
+        '{node} is never spun, so none of its callbacks is called: its program stands at {calls}()',
+        '{node} is never spun, so none of its callbacks is called',
+    ),
+    why='messages, timers and services only reach a node while it is spun',
+    do='call rclpy.spin(node) after the node was made, and let nothing before it wait for its callbacks',
+    lesson=LESSON,
+    level='error',
+    hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
+)
+def never_spun(recording: Recording) -> Iterator[Finding]:
+    """A node with timers, subscriptions or services of its own that lived for a second and was in no executor."""
+    started = {node.name: node.started_s for node in recording.nodes}
+    for fact in recording.facts:
+        if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
+            if _waits_for_somebody(recording, fact.data):
+                continue
+            file, line = fact_place(recording, fact)
+            calls = str(fact.data.get('calls', '')).partition('.')[2]
+            if any(not is_ros_own(topic) for topic in fact.data['topics']) or fact.data['timers'] or fact.data['services']:
+                yield found(
+                    'node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls or None
+                )
+
+
+def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
+    """Whether it stands in `wait_for_service` or the like: the missing server is the cause then."""
+    return str(data.get('calls', '')).partition('.')[2] in ('wait_for_service', 'wait_for_server', 'wait_for_message')
+
+
+@rule(
+    'programs.ended-at-once',
+    what=(
+        'the program of {node} ended at once, and what came on {topics} never reached its callback',
+        'the program of {node} ended at once, and its timer never called',
+    ),
+    why='when main() returns the program is over, and its node with it',
+    do='call rclpy.spin(node) at the end of main(), before rclpy.shutdown()',
+    lesson=LESSON,
+    level='error',
+)
+def ended_at_once(recording: Recording) -> Iterator[Finding]:
+    """It left within a second, with exit code 0, and nothing ever called its timers or subscriptions."""
+    processes = {process.name: process for process in recording.processes}
+    started = {node.name: node.started_s for node in recording.nodes}
+    for fact in recording.facts:
+        process = processes.get(fact.process or '')
+        if fact.kind != 'node not spun' or process is None or process.returncode != 0 or process.ended_s is None:
+            continue
+        if process.ended_s - started.get(fact.data['node'], 0.0) < SECOND and (fact.data['timers'] or fact.data['topics']):
+            file, line = process.origin or (None, None)
+            yield found('node', fact.data['node'], file=file, line=line, time_s=process.ended_s, topics=fact.data['topics'])
+
+
+@rule(
+    'messages.not-taken',
+    what='{node} does not keep up with {topic}: {messages} messages wait, the oldest for {age_s} s',
+    why='when the queue is full ROS 2 throws the oldest message away, and says nothing',
+    do=(
+        'make the callback of {topic} shorter: no sleep, no loop, no waiting in it; '
+        'or publish less often; the queue holds {depth}'
+    ),
+    lesson=LESSON,
+)
+def not_taken(recording: Recording) -> Iterator[Finding]:
+    """At the end of the run, or of the node; a node that is never spun is told of otherwise."""
+    unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
+    for fact in recording.facts:
+        if fact.kind == 'messages wait' and fact.data['node'] not in unspun and fact.data['topic'] != '/parameter_events':
+            file, line = node_place(recording, fact.data['node'])
+            age_s = round(fact.time_s - fact.data['since_s'], 1)
+            facts = {'messages': fact.data['messages'], 'depth': fact.data['depth'], 'age_s': age_s, 'node': fact.data['node']}
+            if age_s >= SECOND:
+                yield found('topic', fact.data['topic'], file=file, line=line, time_s=fact.data['since_s'], **facts)
+
+
+@rule(
+    'messages.reply-not-taken',
+    what='{node} asked {service}, the reply came, and nobody took it',
+    why='a reply is taken while the node is spun; a loop that only looks at future.done() waits for ever',
+    do='spin until it is there: rclpy.spin_until_future_complete(node, future)',
+    lesson='05_large_project',
+    level='error',
+    hides=('programs.never-spun',),
+)
+def reply_not_taken(recording: Recording) -> Iterator[Finding]:
+    """At the end of the run, a second after it came at least."""
+    for fact in recording.facts:
+        if fact.kind == 'reply waits':
+            node, service = fact.data['node'], fact.data['service']
+            replies = [call.replied_s for call in recording.service_calls if (call.service, call.client) == (service, node)]
+            came = [time for time in replies if time is not None]
+            if came and fact.time_s - came[-1] >= SECOND:
+                file, line = node_place(recording, node)
+                yield found('service', service, file=file, line=line, time_s=came[-1], node=node)
+
+
+@rule(
+    'messages.no-server',
+    what='{node} wants the {kind_of} {service}, which nobody offers',
+    why='a request without a server is lost, and whoever waits for the server waits for ever',
+    do=(
+        "write '{near}', if that is the one you mean",
+        'start the node that offers {service}, or look for its name with: ros2 {kind_of} list',
+    ),
+    lesson='05_large_project',
+    level='error',
+)
+def no_server(recording: Recording) -> Iterator[Finding]:
+    """A client that lived a second, of what nobody ever offered; of our own nodes only those that ask."""
+    served, own = names_of(recording, 'service'), own_nodes(recording)
+    actions = _actions(recording, 'service')
+    asked = {(row[3], row[1]) for row in recording._content['calls']}
+    for end in recording.ends:
+        if end.kind != 'client' or recording.duration_s - end.made_s < SECOND or (end.node, end.name) in _parameters(recording):
+            continue
+        action = end.name.removesuffix('/_action/send_goal')
+        is_action = action != end.name
+        if '/_action/' in end.name and not is_action:
+            continue
+        known = actions if is_action else served
+        name = action if is_action else end.name
+        if name not in known and (end.node in own or (end.node, end.name) in asked):
+            file, line = node_place(recording, end.node)
+            near = nearest(name, known) or _alike(name, known)
+            kind_of = 'action' if is_action else 'service'
+            yield found('service', name, file=file, line=line, time_s=end.made_s, node=end.node, near=near, kind_of=kind_of)
+
+
+def _alike(name: str, known: list[str]) -> str | None:
+    """The only known name that ends as this one does."""
+    same = [one for one in known if one.rpartition('/')[2] == name.rpartition('/')[2]]
+    return same[0] if len(same) == 1 else None
+
+
+def _actions(recording: Recording, kind: str) -> list[str]:
+    ending = '/_action/send_goal'
+    return list(
+        dict.fromkeys(end.name.removesuffix(ending) for end in recording.ends if end.kind == kind and end.name.endswith(ending))
+    )
+
+
+def _parameters(recording: Recording) -> set[tuple[str, str]]:
+    """Clients of parameter services of nodes that are there."""
+    nodes = tuple(f'{name}/' for name in programs(recording))
+    return {(end.node, end.name) for end in recording.ends if end.kind == 'client' and is_ros_own(end.name, nodes)}

@@ -1,0 +1,153 @@
+"""Lookups of tf that found nothing to the end."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.broadcasts import broadcasts, frame_names, root_of
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.advice.runs import fact_place, node_of
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import Fact
+
+LESSON = '03_broadcaster_and_listener'
+_EXTRAPOLATION = re.compile(
+    r'into the (future|past)\.\s+Requested time ([\d.]+) but the (?:latest|earliest) data is at time ([\d.]+)'
+)
+
+
+def _lookups(recording: Recording) -> Iterator[Fact]:
+    return (fact for fact in recording.facts if fact.kind == 'lookup failed')
+
+
+def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Finding:
+    file, line = fact_place(recording, fact)
+    pair = {
+        'target': fact.data['target'],
+        'source': fact.data['source'],
+        'node': node_of(recording, fact.process),
+        'times': fact.times,
+    }
+    return found('frame', frame, file=file, line=line, time_s=fact.time_s, **pair, **facts)
+
+
+@rule(
+    'tf.unknown-frame',
+    what=("{node} looks up the frame '{frame}', which nobody broadcasts",),
+    why='the lookup can never succeed; code that only waits for it waits for ever',
+    do=(
+        "write '{near}' if that is the frame you mean",
+        "start the node that broadcasts '{frame}', or look up one of these: {frames}",
+        'start a node that broadcasts transforms: there is not a single frame in this run',
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def unknown_frame(recording: Recording) -> Iterator[Finding]:
+    """A frame that was asked for and never came, in the whole run. A frame that only came late is none."""
+    known = frame_names(recording)
+    for fact in _lookups(recording):
+        for name in fact.data['unknown']:
+            if name and name.removeprefix('/') not in known:
+                yield _found(recording, fact, name, near=nearest(name.removeprefix('/'), known), frames=sorted(known)[:8])
+
+
+@rule(
+    'tf.leading-slash',
+    what="{node} looks up '{frame}': frame names of tf2 have no leading slash",
+    why='with the slash the lookup fails every time',
+    do="write '{plain}'",
+    lesson=LESSON,
+    level='error',
+)
+def leading_slash(recording: Recording) -> Iterator[Finding]:
+    """The frame is there, under the name without the slash."""
+    known = frame_names(recording)
+    for fact in _lookups(recording):
+        for name in fact.data['unknown']:
+            if name.startswith('/') and name[1:] in known:
+                yield _found(recording, fact, name, plain=name[1:])
+
+
+@rule(
+    'tf.empty-buffer',
+    what="{node} looks up '{frame}' in a buffer that has never received a transform, although '{frame}' is broadcast",
+    why='a buffer is filled by a TransformListener, and only while the node is spun',
+    do=(
+        'give the same buffer to both: self.tf_buffer = Buffer(); self.tf_listener = TransformListener(self.tf_buffer, self); '
+        'and call rclpy.spin(node)'
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def empty_buffer(recording: Recording) -> Iterator[Finding]:
+    """The frames are broadcast, but none of them has reached the buffer that is asked."""
+    known = frame_names(recording)
+    for fact in _lookups(recording):
+        name = next((name for name in fact.data['unknown'] if name in known), None)
+        if name is not None and not fact.data['frames']:
+            yield _found(recording, fact, name)
+
+
+@rule(
+    'tf.separate-trees',
+    what="{node} looks up '{frame}' from '{target}', which hangs in another tree",
+    why="tf2 follows links from child to parent; one tree ends at '{first}', the other at '{second}', and nothing joins them",
+    do="broadcast a transform that joins them, for instance one with the parent '{second}' and the child '{first}'",
+    lesson=LESSON,
+    level='error',
+)
+def separate_trees(recording: Recording) -> Iterator[Finding]:
+    """Both frames are there, and in the whole run nothing joins them."""
+    known = frame_names(recording)
+    for fact in _lookups(recording):
+        target, source = fact.data['target'], fact.data['source']
+        if target in known and source in known:
+            first, second = root_of(recording, source), root_of(recording, target)
+            if first != second:
+                yield _found(recording, fact, source, first=first, second=second)
+
+
+@rule(
+    'tf.lookup-future',
+    what="{node} looks up '{frame}' {gap_s} s after the newest transform that its buffer holds",
+    why='a transform takes a moment to arrive; asked for "now" the buffer has only older ones',
+    do=(
+        'ask for the newest transform with rclpy.time.Time() as the time, or wait for it: '
+        'lookup_transform(..., timeout=Duration(seconds=1.0))'
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def lookup_future(recording: Recording) -> Iterator[Finding]:
+    """Each lookup was too early, up to the last one."""
+    for fact, gap_s in _extrapolations(recording, 'future'):
+        yield _found(recording, fact, fact.data['source'], gap_s=gap_s)
+
+
+@rule(
+    'tf.lookup-past',
+    what="{node} looks up '{frame}' {gap_s} s before the oldest transform that its buffer holds",
+    why='a buffer keeps the last 10 s; before the first broadcast there is nothing',
+    do=('ask for a later time, wait until enough time has passed, or keep more: Buffer(cache_time=Duration(seconds=30))'),
+    lesson=LESSON,
+    level='error',
+)
+def lookup_past(recording: Recording) -> Iterator[Finding]:
+    """Each lookup was for a time before all that the buffer holds, up to the last one."""
+    for fact, gap_s in _extrapolations(recording, 'past'):
+        yield _found(recording, fact, fact.data['source'], gap_s=gap_s)
+
+
+def _extrapolations(recording: Recording, where: str) -> Iterator[tuple[Fact, float]]:
+    stamped = {one.child for one in broadcasts(recording) if not one.odd.keys() & {'clock', 'unstamped'}}
+    for fact in _lookups(recording):
+        match = _EXTRAPOLATION.search(fact.data['text'])
+        if match is not None and match[1] == where and stamped & {fact.data['target'], fact.data['source']}:
+            yield fact, round(abs(float(match[2]) - float(match[3])), 3)

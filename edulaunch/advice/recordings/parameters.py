@@ -1,0 +1,66 @@
+"""Values that were given to nodes and never arrived."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.advice.runs import node_place, origin_place
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+LESSON = '05_large_project'
+SET = 'rcl_interfaces/srv/SetParameters'
+
+
+@rule(
+    'programs.parameter-not-declared',
+    what="the parameter '{parameter}' is set for {node}, which never declares it: the value {value} goes nowhere",
+    why='a node takes only the parameters that it declares; ROS 2 drops all others without a word',
+    do=(
+        "write '{near}', if that is the one you mean",
+        "declare it in the node: self.declare_parameter('{parameter}', ...); {node} declares: {declared}",
+        "declare it in the node: self.declare_parameter('{parameter}', ...)",
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def not_declared(recording: Recording) -> Iterator[Finding]:
+    """Unless another node declares what comes from the same place: a file for several nodes names parameters of all."""
+    taken = {(parameter, origin) for _, _, parameter, _, origin in recording._content['parameters']}
+    for fact in recording.facts:
+        name = fact.data.get('parameter', '')
+        if fact.kind == 'parameter not declared' and (name, fact.data['origin']) not in taken:
+            file, line = origin_place(recording, fact.process, fact.data['origin'])
+            declared = [one for one in fact.data['declared'] if not one.startswith(ROS_PARAMETERS)]
+            facts = {'node': fact.data['node'], 'value': fact.data['value'], 'near': nearest(name, declared)}
+            yield found('parameter', name, file=file, line=line, declared=declared[:8], **facts)
+
+
+ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_service')
+
+
+@rule(
+    'programs.parameter-refused',
+    what='{node} refused a parameter that {asker} wanted to set: {reason}',
+    why='the old value stays; set_parameters only says so in its answer',
+    do='set a value of the type and range that "ros2 param describe {node} {parameter}" names, and look at the answer',
+    lesson=LESSON,
+)
+def refused(recording: Recording) -> Iterator[Finding]:
+    """By the answer of its parameter service."""
+    if not any(row[2] == SET for row in recording._content['calls']):
+        return
+    for call in recording.service_calls:
+        if call.type != SET or call.response is None:
+            continue
+        for parameter, result in zip(call.request.parameters, call.response.results, strict=False):
+            if not result.successful:
+                node = call.service.rpartition('/')[0]
+                file, line = node_place(recording, call.client)
+                facts = {'node': node, 'asker': call.client, 'reason': result.reason}
+                yield found('parameter', parameter.name, file=file, line=line, time_s=call.time_s, **facts)

@@ -1,0 +1,153 @@
+"""Topics whose ends do not find each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place, own_nodes, speaker
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import EndRecord
+
+LESSON = '01_first_launch'
+_PAIR = {'publisher': 'subscription', 'subscription': 'publisher'}
+
+
+def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
+    """Publishers or subscriptions on whose topic the other kind never was; the first of each node and topic."""
+    ends = ends_by_name(recording)
+    first: dict[tuple[str, str], EndRecord] = {}
+    for (end_kind, name), rows in ends.items():
+        if end_kind == kind and (_PAIR[kind], name) not in ends and not is_ros_own(name):
+            for end in rows:
+                first.setdefault((end.name, end.node), end)
+    return list(first.values())
+
+
+def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
+    """The lone end that an other one was probably meant for: same type, and a name that is close or ends alike."""
+    same = {other.name: other for other in others if other.type == end.type and other.node != end.node}
+    near = nearest(end.name, same)
+    tail = end.name.rpartition('/')[2]
+    alike = [name for name in same if name.rpartition('/')[2] == tail]
+    name = near if near is not None else alike[0] if len(alike) == 1 else None
+    return None if name is None else same[name]
+
+
+def _sent(recording: Recording, end: EndRecord) -> bool:
+    return bool(recording.topics[end.name].count)
+
+
+@rule(
+    'messages.other-topic',
+    what='{node} publishes on {topic}, where nobody listens; {other} listens on {near}, where nobody publishes',
+    why='topics are joined by their whole name, with the namespace: every letter and every slash counts',
+    do="use one name for both, or join them in the launch file: remappings=[('{topic}', '{near}')]",
+    lesson=LESSON,
+    level='error',
+    hides=('messages.nobody-listens', 'messages.nobody-publishes'),
+)
+def other_topic(recording: Recording) -> Iterator[Finding]:
+    """Two topics of one type, each with one end only, whose names are close or end alike; one of the two is a student's."""
+    subscriptions = lone_ends(recording, 'subscription')
+    own = own_nodes(recording) | _commands(recording)
+    for end in lone_ends(recording, 'publisher'):
+        other = meant(end, subscriptions)
+        if other is not None and (end.node in own or other.node in own) and _sent(recording, end):
+            place = node_place(recording, end.node if end.node in own else other.node)
+            yield found(
+                'topic',
+                end.name,
+                file=place[0],
+                line=place[1],
+                time_s=end.made_s,
+                node=end.node,
+                other=other.node,
+                near=other.name,
+            )
+
+
+def _commands(recording: Recording) -> set[str]:
+    """Nodes that the launch files gave remappings, and those of `ros2 topic pub`: their names were typed, too."""
+    typed = {process.name for process in recording.processes if '-r' in process.argv or process.argv[1:2] == ['topic']}
+    return {node.name for node in recording.nodes if node.process in typed}
+
+
+@rule(
+    'messages.nobody-listens',
+    what='{node} sends commands on {topic}, and nobody listens there',
+    why='a message on a topic without a listener is lost',
+    do=(
+        'send to {near}: there somebody listens',
+        'start the node that listens on {topic}, or look for its name with: ros2 topic list -t',
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def nobody_listens(recording: Recording) -> Iterator[Finding]:
+    """Velocities only: of most other topics nobody has to know."""
+    heard = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
+    for end in lone_ends(recording, 'publisher'):
+        if end.type in COMMANDS and _sent(recording, end):
+            file, line = node_place(recording, end.node)
+            listening = [name for name in heard if ends_by_name(recording)['subscription', name][0].type == end.type]
+            near = nearest(end.name, listening) or next(iter(listening), None)
+            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
+
+
+COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
+
+
+@rule(
+    'messages.nobody-publishes',
+    what='{node} listens on {topic}, and nobody publishes there',
+    why='its callback is never called',
+    do=(
+        'listen on {near}, if that is the topic you mean',
+        'start the node that publishes on {topic}, or look for its name with: ros2 topic list -t',
+    ),
+    lesson=LESSON,
+    confidence='asked',
+)
+def nobody_publishes(recording: Recording) -> Iterator[Finding]:
+    """Subscriptions of students' nodes that were there for a second at least."""
+    sent = [name for kind, name in ends_by_name(recording) if kind == 'publisher' and not is_ros_own(name)]
+    own = own_nodes(recording)
+    for end in lone_ends(recording, 'subscription'):
+        if end.node in own and recording.duration_s - end.made_s >= 1.0 and end.type not in COMMANDS:
+            file, line = node_place(recording, end.node)
+            fitting = [name for name in sent if ends_by_name(recording)['publisher', name][0].type == end.type]
+            near = nearest(end.name, fitting)
+            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), near=near)
+
+
+@rule(
+    'messages.too-early',
+    what='{node} published on {topic} only before {other} listened there ({first_s} s too early): the messages are lost',
+    why='a publisher does not keep its messages for those who come later',
+    do=(
+        'publish again later, for instance from a timer; or let both ends keep the last message: '
+        'QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)'
+    ),
+    lesson=LESSON,
+)
+def too_early(recording: Recording) -> Iterator[Finding]:
+    """All messages of a topic came before its first subscription, and one of the two ends does not keep them."""
+    ends = ends_by_name(recording)
+    for topic, record in recording.topics.items():
+        subscriptions, publishers = ends.get(('subscription', topic)), ends.get(('publisher', topic))
+        if not record.count or is_ros_own(topic) or not subscriptions or not publishers:
+            continue
+        last_ns = max((time for time, *_ in recording.published(topic, record.type)), default=None)
+        first = subscriptions[0]
+        kept = any(end.qos[2] == 'transient_local' for end in publishers) and first.qos[2] == 'transient_local'
+        if last_ns is not None and last_ns / 1e9 < first.made_s and not kept:
+            file, line = node_place(recording, publishers[0].node)
+            late_s = round(first.made_s - last_ns / 1e9, 3)
+            node, other = publishers[0].node, first.node
+            yield found('topic', topic, file=file, line=line, time_s=last_ns / 1e9, node=node, other=other, first_s=late_s)

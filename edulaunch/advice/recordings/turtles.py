@@ -1,0 +1,231 @@
+"""Turtles that do not do what was meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.advice.runs import ends_by_name, node_place, own_nodes
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+LESSON = '01_first_launch'
+SIDE = 11.088889
+EDGE = 1e-3
+TICK_S = 0.016
+FULL_TURN = 6.29
+FAST = 20.0
+TIMEOUT_NS = 1_008_000_000
+TWIST = 'geometry_msgs/msg/Twist'
+
+
+def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, Any, Any]]:
+    """Requests of a service type of turtlesim: time in s, service, who asked, request, reply (both wires)."""
+    for time_ns, service, type_name, client, request, _, replied, response in recording._content['calls']:
+        if type_name == f'turtlesim/srv/{kind}':
+            yield time_ns / 1e9, service, client, request, response if replied is not None else None
+
+
+@lru_cache(maxsize=1)
+def turtles(recording: Recording) -> dict[str, str]:
+    """The turtles that ever were, by absolute name, with their turtlesim."""
+    served = {name for kind, name in ends_by_name(recording) if kind == 'service' and name.endswith('/set_pen')}
+    found: dict[str, str] = {}
+    for (kind, name), ends in ends_by_name(recording).items():
+        turtle = name.removesuffix('/pose')
+        if kind == 'publisher' and ends[0].type == 'turtlesim/msg/Pose' and f'{turtle}/set_pen' in served:
+            found[turtle] = ends[0].node
+    return found
+
+
+@lru_cache(maxsize=1)
+def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
+    """The commands that were sent to each turtle that is there: (time in ns, node, wire)."""
+    topics = {turtle: f'{turtle}/cmd_vel' for turtle in turtles(recording)}
+    return {turtle: recording.published(topic, TWIST) for turtle, topic in topics.items() if topic in recording.topics}
+
+
+@rule(
+    'turtlesim.wall',
+    what='{turtle} ran into the wall and pushed against it for {seconds} s, at x={x}, y={y}',
+    why='the field goes from 0 to 11.09 in x and y; at the edge a turtle stays where it is, whatever it is told',
+    do='turn before the wall, or begin further inside: compare the pose with 1 and 10 in your node',
+    lesson=LESSON,
+)
+def wall(recording: Recording) -> Iterator[Finding]:
+    """Half a second at an edge, with a speed."""
+    if not any('I hit the wall' in row[4] for row in recording._content['logs']):
+        return
+    for turtle, node in turtles(recording).items():
+        at = [
+            (time, wire) for time, wire in recording.wires(f'{turtle}/pose', 'turtlesim/msg/Pose') if _at_edge(wire) and wire[3]
+        ]
+        if len(at) * TICK_S >= 0.5:
+            file, line = node_place(recording, _driver(recording, turtle) or node)
+            x, y = (round(value, 2) for value in at[0][1][:2])
+            seconds = round(len(at) * TICK_S, 1)
+            yield found('turtle', turtle, file=file, line=line, time_s=at[0][0] / 1e9, seconds=seconds, x=x, y=y)
+
+
+def _at_edge(wire: Any) -> bool:
+    return bool(min(wire[0], wire[1]) <= EDGE or max(wire[0], wire[1]) >= SIDE - EDGE)
+
+
+def _driver(recording: Recording, turtle: str) -> str | None:
+    return next((node for _, node, _ in commands(recording).get(turtle, ())), None)
+
+
+@rule(
+    'turtlesim.spawn-taken',
+    what="{node} wants to spawn '{turtle}', but a turtle of that name is there already: none was made",
+    why='the answer has an empty name then, and both parts of your program go on with one turtle',
+    do="choose another name, leave the name empty to be given one, or kill '{turtle}' before",
+    lesson=LESSON,
+    level='error',
+)
+def spawn_taken(recording: Recording) -> Iterator[Finding]:
+    """By the empty name in the reply."""
+    for time_s, _, client, request, response in _calls(recording, 'Spawn'):
+        if response is not None and not response[0]:
+            file, line = node_place(recording, client)
+            yield found('turtle', request[3], file=file, line=line, time_s=time_s, node=client)
+
+
+@rule(
+    'turtlesim.outside',
+    what='{node} puts {turtle} at x={x}, y={y}, which is off the field',
+    why='the field goes from 0 to 11.09 in x and y; the turtle is set down at the edge instead',
+    do='choose x and y between 0 and 11; the middle is 5.54',
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall',),
+)
+def outside(recording: Recording) -> Iterator[Finding]:
+    """Of spawn and teleport_absolute."""
+    for kind in ('Spawn', 'TeleportAbsolute'):
+        for time_s, service, client, request, _ in _calls(recording, kind):
+            if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
+                file, line = node_place(recording, client)
+                name = (request[3] or 'a turtle') if kind == 'Spawn' else service.rpartition('/')[0]
+                place = {'x': round(request[0], 2), 'y': round(request[1], 2)}
+                yield found('turtle', name, file=file, line=line, time_s=time_s, node=client, **place)
+
+
+@rule(
+    'turtlesim.degrees',
+    what='{node} gives {turtle} the angle {angle}: are these degrees?',
+    why='all angles of ROS 2 are in radians: a quarter turn is 1.57, a full turn 6.28',
+    do='convert: math.radians({angle})',
+    lesson=LESSON,
+    confidence='asked',
+)
+def degrees(recording: Recording) -> Iterator[Finding]:
+    """Angles of more than a full turn, and more than three turns a second."""
+    for kind, at in (('Spawn', 2), ('TeleportAbsolute', 2), ('TeleportRelative', 1)):
+        for time_s, service, client, request, _ in _calls(recording, kind):
+            if abs(request[at]) > FULL_TURN:
+                file, line = node_place(recording, client)
+                name = request[3] if kind == 'Spawn' else service.rpartition('/')[0]
+                yield found('turtle', name, file=file, line=line, time_s=time_s, node=client, angle=round(request[at], 2))
+    for turtle, rows in commands(recording).items():
+        fast = next((row for row in rows if abs(row[2][5]) > FAST), None)
+        if fast is not None:
+            file, line = node_place(recording, fast[1])
+            angle = round(fast[2][5], 2)
+            yield found('turtle', turtle, file=file, line=line, time_s=fast[0] / 1e9, node=fast[1], angle=angle)
+
+
+@rule(
+    'turtlesim.pen-off',
+    what='{node} gives {turtle} a pen colour and lifts the pen at the same time (off={off})',
+    why='with off other than 0 the turtle draws nothing, and the colour is not taken over',
+    do='set off=0 to draw',
+    lesson=LESSON,
+    confidence='asked',
+)
+def pen_off(recording: Recording) -> Iterator[Finding]:
+    """A colour or a width beside off."""
+    for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
+        if request[4] and any(request[:4]):
+            file, line = node_place(recording, client)
+            turtle = service.rpartition('/')[0]
+            yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=client, off=request[4])
+
+
+@rule(
+    'turtlesim.kill-unknown',
+    what="'{turtle}' was to be killed, but there is no turtle of that name",
+    do=("write '{near}', if that is the one you mean", 'the turtles are: {names}', 'spawn it first'),
+    lesson=LESSON,
+    level='error',
+)
+def kill_unknown(recording: Recording) -> Iterator[Finding]:
+    """As turtlesim logs it."""
+    names = [turtle.rpartition('/')[2] for turtle in turtles(recording)]
+    for time_ns, process, _, _, message in recording._content['logs']:
+        match = _NO_TURTLE.match(message)
+        if match is not None:
+            asker = next((row[2] for row in _calls(recording, 'Kill') if row[3][0] == match[1]), '')
+            file, line = node_place(recording, asker)
+            near = nearest(match[1], names)
+            yield found('turtle', match[1], file=file, line=line, time_s=time_ns / 1e9, near=near, names=names, process=process)
+
+
+_NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
+
+
+@rule(
+    'turtlesim.ignored-axes',
+    what='{node} steers {turtle} with {axes} only, which a turtle does not follow',
+    why='a turtle drives forward by linear.x and turns by angular.z; linear.y counts only with the parameter holonomic',
+    do='set linear.x to drive and angular.z to turn',
+    lesson=LESSON,
+    level='error',
+)
+def ignored_axes(recording: Recording) -> Iterator[Finding]:
+    """Commands of one node in which some number is not 0, and never one that counts."""
+    for turtle, rows in commands(recording).items():
+        holonomic = recording.parameters(turtles(recording)[turtle]).get('holonomic')
+        counting = (0, 5, 1) if holonomic is not None and holonomic.value else (0, 5)
+        for node in dict.fromkeys(row[1] for row in rows):
+            used = [any(row[2][axis] for row in rows if row[1] == node) for axis in range(6)]
+            if any(used) and not any(used[axis] for axis in counting):
+                file, line = node_place(recording, node)
+                axes = [name for name, is_used in zip(AXES, used, strict=True) if is_used]
+                yield found('turtle', turtle, file=file, line=line, time_s=rows[0][0] / 1e9, node=node, axes=axes)
+
+
+AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z')
+
+
+@rule(
+    'turtlesim.slow-commands',
+    what=(
+        '{node} sends {turtle} a command every {gap_s} s: it stands still in between',
+        '{node} sends {turtle} one command and no more: it stops after a second',
+    ),
+    why='a turtle follows a command for one second, then it stops',
+    do='send commands more often than once a second, from a timer: self.create_timer(0.1, self.drive)',
+    lesson=LESSON,
+)
+def slow_commands(recording: Recording) -> Iterator[Finding]:
+    """A student's node alone sends, with a speed, and at least every second gap is longer than a second."""
+    own = own_nodes(recording)
+    for turtle, rows in commands(recording).items():
+        nodes = {row[1] for row in rows}
+        moving = [row[0] for row in rows if any(row[2])]
+        if len(nodes) != 1 or not nodes <= own or not moving or len(moving) < len(rows):
+            continue
+        gaps = sorted(later - before for before, later in zip(moving, moving[1:], strict=False))
+        over = recording.duration_s - moving[-1] / 1e9
+        middle = gaps[len(gaps) // 2] if gaps else None
+        if (middle is None and over > 2.0) or (len(moving) > 2 and middle is not None and middle > TIMEOUT_NS):
+            file, line = node_place(recording, rows[0][1])
+            gap_s = None if middle is None else round(middle / 1e9, 2)
+            yield found('turtle', turtle, file=file, line=line, time_s=moving[0] / 1e9, node=rows[0][1], gap_s=gap_s)

@@ -1,0 +1,101 @@
+"""What several rules ask of a run: where a program was started, and whose it is."""
+
+from __future__ import annotations
+
+import os
+import re
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import EndRecord, Fact
+
+Place = tuple[str | None, int | None]
+NOWHERE: Place = (None, None)
+_ORIGIN = re.compile(r'(.+) line (\d+)')
+ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
+"""Topics that every node has, or that rules of their own look at."""
+
+
+@lru_cache(maxsize=1)
+def places(recording: Recording) -> dict[str, Place]:
+    """Launch file and line that started each program, by its launch name."""
+    return {process.name: process.origin or NOWHERE for process in recording.processes}
+
+
+@lru_cache(maxsize=1)
+def programs(recording: Recording) -> dict[str, str]:
+    """Launch name of the program of each node."""
+    return {node.name: node.process for node in recording.nodes}
+
+
+def node_of(recording: Recording, process: str | None) -> str:
+    """The name of a program's first node; of a program without one its launch name."""
+    return next((node.name for node in recording.nodes if node.process == process), process or '')
+
+
+def speaker(recording: Recording, node: str) -> str:
+    """What people call a node: of one that a `ros2` command makes, its program."""
+    return programs(recording).get(node, node) if node.startswith('/_ros2cli') else node
+
+
+def node_place(recording: Recording, node: str) -> Place:
+    """Where the program of a node was started."""
+    return places(recording).get(programs(recording).get(node, ''), NOWHERE)
+
+
+def fact_place(recording: Recording, fact: Fact) -> Place:
+    """The student's line that a fact names, else where its program was started."""
+    if 'file' in fact.data:
+        return fact.data['file'], fact.data['line']
+    return places(recording).get(fact.process or '', NOWHERE)
+
+
+def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
+    """The place that the origin of a parameter tells in words ('a.launch.py line 4'), else where the program was started."""
+    started = places(recording).get(process or '', NOWHERE)
+    match = _ORIGIN.fullmatch(origin)
+    if match is None:
+        return started
+    if started[0] is not None and os.path.basename(started[0]) == match[1]:
+        return started[0], int(match[2])
+    return match[1], int(match[2])
+
+
+@lru_cache(maxsize=1)
+def own_nodes(recording: Recording) -> set[str]:
+    """Names of the nodes whose programs a student wrote."""
+    own = {process.name for process in recording.own_processes}
+    return {node.name for node in recording.nodes if node.process in own}
+
+
+@lru_cache(maxsize=1)
+def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]:
+    """Publishers, subscriptions, services and clients, by kind and absolute name, in order of their making."""
+    found: dict[tuple[str, str], list[EndRecord]] = {}
+    for end in recording.ends:
+        found.setdefault((end.kind, end.name), []).append(end)
+    return found
+
+
+def names_of(recording: Recording, kind: str) -> list[str]:
+    """Absolute names of all ends of a kind, without those that ROS 2 itself makes for a node."""
+    nodes = tuple(f'{node.name}/' for node in recording.nodes)
+    return [name for end_kind, name in ends_by_name(recording) if end_kind == kind and not is_ros_own(name, nodes)]
+
+
+def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
+    """Whether a topic or service belongs to ROS 2's own machinery."""
+    return name in ROS_OWN or '/_' in name or (name.startswith(nodes) and name.rpartition('/')[2] in PARAMETER_SERVICES)
+
+
+PARAMETER_SERVICES = (
+    'describe_parameters',
+    'get_parameters',
+    'get_parameter_types',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+    'get_type_description',
+)

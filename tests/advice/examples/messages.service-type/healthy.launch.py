@@ -1,0 +1,12 @@
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(package='turtlesim', executable='turtlesim_node'),
+            ExecuteProcess(cmd=['ros2', 'service', 'call', '/clear', 'std_srvs/srv/Empty']),
+        ]
+    )

@@ -1,0 +1,14 @@
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(package='turtlesim', executable='turtlesim_node'),
+            ExecuteProcess(
+                cmd=['ros2', 'topic', 'pub', '-r', '2', '/turtle1/cmd_vel', 'geometry_msgs/msg/TwistStamped', '{twist: {angular: {z: 0.5}}}']
+            ),
+        ]
+    )

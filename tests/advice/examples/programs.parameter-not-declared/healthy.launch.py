@@ -1,0 +1,15 @@
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(
+                package='turtlesim',
+                executable='turtlesim_node',
+                parameters=[{'background_g': 200}],
+                remappings=[('turtle1/cmd_vel', 'cmd_vel')],
+            ),
+        ]
+    )

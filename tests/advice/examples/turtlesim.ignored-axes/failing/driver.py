@@ -1,0 +1,20 @@
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.publisher = self.create_publisher(Twist, '/turtle1/cmd_vel', 10)
+        self.create_timer(0.5, self.drive)
+
+    def drive(self):
+        msg = Twist()
+        msg.linear.y = 1.0
+        msg.angular.x = 1.0
+        self.publisher.publish(msg)
+
+
+rclpy.init()
+rclpy.spin(Driver())
