@@ -37,11 +37,10 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
             if _waits_for_somebody(recording, fact.data):
                 continue
             file, line = fact_place(recording, fact)
-            calls = str(fact.data.get('calls', '')).partition('.')[2]
+            stands_at = str(fact.data.get('calls', '')).partition('.')[2]
+            calls = None if stands_at.startswith('spin') else stands_at or None
             if any(not is_ros_own(topic) for topic in fact.data['topics']) or fact.data['timers'] or fact.data['services']:
-                yield found(
-                    'node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls or None
-                )
+                yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls)
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:

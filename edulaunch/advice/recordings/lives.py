@@ -69,6 +69,7 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     why='a thread that waits for ever, or a caught KeyboardInterrupt, keeps the program alive',
     do='let the thread end when rclpy.ok() is false, or make it a daemon: Thread(target=..., daemon=True)',
     lesson=LESSON,
+    hides=('programs.died',),
 )
 def ended_by_force(recording: Recording) -> Iterator[Finding]:
     """launch had to send SIGTERM or SIGKILL, as it says itself."""
