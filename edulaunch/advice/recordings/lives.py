@@ -43,11 +43,16 @@ def not_configured(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def not_activated(recording: Recording) -> Iterator[Finding]:
-    """It was configured once and never reached 'active'."""
+    """It was configured once and never reached 'active', and no node is there that leads it through its states."""
     for node, states in _lifecycles(recording):
-        if states and 'active' not in states and states[-1] == 'inactive':
+        if states and 'active' not in states and states[-1] == 'inactive' and not _is_led(recording, node):
             file, line = node_place(recording, node)
             yield found('node', node, file=file, line=line, state=states[-1])
+
+
+def _is_led(recording: Recording, node: str) -> bool:
+    alive = {one.name for one in recording.nodes if one.ended_s is None and not one.name.startswith('/launch_ros')}
+    return any(end.node in alive for end in ends_by_name(recording).get(('client', f'{node}/change_state'), ()))
 
 
 def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:

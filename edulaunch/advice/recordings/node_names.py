@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     lesson='01_first_launch',
 )
 def same_name(recording: Recording) -> Iterator[Finding]:
-    """Alive at the same time; a node that was started again after its end is no second one."""
+    """Alive at the same time; a node that was started again after its end is no second one, nor are those of `ros2` commands."""
     origins = {process.name: process.origin for process in recording.processes}
     alive: dict[str, tuple[str, float | None]] = {}
     for node in recording.nodes:
         before = alive.get(node.name)
-        if before is not None and (before[1] is None or before[1] > node.started_s):
+        if before is not None and '/_' not in node.name and (before[1] is None or before[1] > node.started_s):
             file, line = origins.get(node.process) or (None, None)
             other = f'{node.name.rpartition("/")[2]}_2'
             yield found(

@@ -34,7 +34,10 @@ SOON_S = 0.5
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def unused(recording: Recording) -> Iterator[Finding]:
-    """No node of the program ever had an end of the new name; programs that ended at once are left out."""
+    """No node of the program ever had an end of the new name; programs that ended at once are left out, and remappings of a
+    whole group of programs of which one uses it.
+    """
+    used = _used(recording)
     for process in recording.processes:
         nodes = [node for node in recording.nodes if node.process == process.name]
         if not nodes or (process.ended_s is not None and process.ended_s - process.started_s < SOON_S):
@@ -42,9 +45,22 @@ def unused(recording: Recording) -> Iterator[Finding]:
         node, (file, line) = nodes[0], process.origin or NOWHERE
         names = [name for name in _names(node) if not is_ros_own(name, (f'{node.name}/',))]
         for one in _rules(process):
-            if one.match.lstrip('/') not in ('tf', 'tf_static') and not any(_has(known, one) for known in nodes):
+            if one.match.lstrip('/') not in ('tf', 'tf_static') and one.match not in used:
                 facts = {'old': one.match, 'new': one.replacement, 'near': _near(node, one, names), 'names': names[:8]}
                 yield found('node', node.name, file=file, line=line, time_s=node.started_s, **facts)
+
+
+def _used(recording: Recording) -> set[str]:
+    """The first names of all remappings that some node of their program has used."""
+    nodes: dict[str, list[NodeRecord]] = {}
+    for node in recording.nodes:
+        nodes.setdefault(node.process, []).append(node)
+    return {
+        one.match
+        for process in recording.processes
+        for one in _rules(process)
+        if any(_has(node, one) for node in nodes.get(process.name, ()))
+    }
 
 
 def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:

@@ -128,7 +128,7 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.too-early',
-    what='{node} published on {topic} only before {other} listened there ({first_s} s too early): the messages are lost',
+    what='{node} published on {topic} only before {other} listened there ({gap_s} s too early): the messages are lost',
     why='a publisher does not keep its messages for those who come later',
     do=(
         'publish again later, for instance from a timer; or let both ends keep the last message: '
@@ -138,16 +138,17 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
     """All messages of a topic came before its first subscription, and one of the two ends does not keep them."""
-    ends = ends_by_name(recording)
-    for topic, record in recording.topics.items():
-        subscriptions, publishers = ends.get(('subscription', topic)), ends.get(('publisher', topic))
-        if not record.count or is_ros_own(topic) or not subscriptions or not publishers:
+    last: dict[str, float] = {}
+    for row in recording._content['topics']:
+        if row['times']:
+            last[row['topic']] = max(last.get(row['topic'], 0.0), row['times'][-1] / 1e9)
+    for (kind, topic), subscriptions in ends_by_name(recording).items():
+        publishers = ends_by_name(recording).get(('publisher', topic))
+        if kind != 'subscription' or topic not in last or publishers is None or is_ros_own(topic):
             continue
-        last_ns = max((time for time, *_ in recording.published(topic, record.type)), default=None)
-        first = subscriptions[0]
-        kept = any(end.qos[2] == 'transient_local' for end in publishers) and first.qos[2] == 'transient_local'
-        if last_ns is not None and last_ns / 1e9 < first.made_s and not kept:
+        first, gap_s = subscriptions[0], subscriptions[0].made_s - last[topic]
+        kept = first.qos[2] == 'transient_local' and any(end.qos[2] == 'transient_local' for end in publishers)
+        if gap_s > 0 and not kept:
             file, line = node_place(recording, publishers[0].node)
-            late_s = round(first.made_s - last_ns / 1e9, 3)
-            node, other = publishers[0].node, first.node
-            yield found('topic', topic, file=file, line=line, time_s=last_ns / 1e9, node=node, other=other, first_s=late_s)
+            pair = {'node': speaker(recording, publishers[0].node), 'other': speaker(recording, first.node)}
+            yield found('topic', topic, file=file, line=line, time_s=last[topic], gap_s=round(gap_s, 3), **pair)

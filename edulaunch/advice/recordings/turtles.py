@@ -150,9 +150,10 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def pen_off(recording: Recording) -> Iterator[Finding]:
-    """A colour or a width beside off."""
+    """A colour or a width beside off, and nobody ever sets the pen of that turtle down."""
+    down = {row[1] for row in _calls(recording, 'SetPen') if not row[3][4]}
     for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
-        if request[4] and any(request[:4]):
+        if request[4] and any(request[:4]) and service not in down:
             file, line = node_place(recording, client)
             turtle = service.rpartition('/')[0]
             yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=client, off=request[4])
