@@ -6,11 +6,13 @@ import gc
 import os
 import signal
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
 import edulaunch
+from edulaunch.sim.task import AmbientTask, current_task
 
 edulaunch.source()
 # Whoever starts the tests in the background, or with nohup, has signals ignored: what is tested here is that they arrive.
@@ -18,9 +20,25 @@ for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SI
     number = getattr(signal, name, None)
     if number is not None and signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, usual)
+HERE = (Path(__file__).parent, Path(__file__).parents[1])
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
+
+
+def pytest_report_header() -> str:
+    """Say what a run of all unit tests leaves out."""
+    return 'in real terminals: only when named (tests/terminals tests/machine, or -m terminals)'
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Tests in real terminals take their time; they are left to those who name them, and to a step of `.ci/run`."""
+    if config.option.markexpr or any(Path(word.partition('::')[0]).resolve() not in HERE for word in config.args):
+        return
+    left_out = [item for item in items if item.get_closest_marker('terminals')]
+    items[:] = [item for item in items if not item.get_closest_marker('terminals')]
+    config.hook.pytest_deselected(items=left_out)
 
 
 @pytest.fixture(autouse=True)
@@ -43,5 +61,7 @@ def no_machine_of_somebody_else(tmp_path_factory: pytest.TempPathFactory) -> Non
 def no_parked_tasks_left() -> Iterator[None]:
     """Unwind here what a test module left parked: when the collector does that inside `ast.parse`, CPython 3.11 trips over it."""
     yield
+    here = current_task()
+    assert not isinstance(here, AmbientTask) or here.real_threads is None or not here.real_threads.are_here()
     gc.collect()
     gc.freeze()  # what is left stays: the next collection need not look at it again

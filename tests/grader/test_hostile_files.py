@@ -57,9 +57,9 @@ def nested(folder: Path) -> Path:
     before = os.getcwd()
     os.chdir(folder)
     try:
-        for _ in range(2000):
-            os.mkdir('d')
-            os.chdir('d')
+        for _ in range(1100):
+            os.mkdir('deep')
+            os.chdir('deep')
     finally:
         os.chdir(before)
     return folder

@@ -48,6 +48,6 @@ def report(file: Path, hash_seed: str) -> tuple[bytes, bytes]:
 def test_two_processes_report_the_same_bytes(tmp_path: Path, body: str) -> None:
     file = tmp_path / 'circle.launch.py'
     file.write_text(HEAD + body)
-    first, *others = [report(file, seed) for seed in ('1', '2', 'random')]
+    first, other = [report(file, seed) for seed in ('1', '2')]
     assert b'circle' in first[0]
-    assert others == [first, first]
+    assert other == first

@@ -227,5 +227,8 @@ def test_a_loop_is_found_by_the_processors_time_and_its_line_named(
 
 def test_a_private_folder_full_of_folders_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('TMPDIR', str(tmp_path))
-    run(tmp_path, 'import posix as os\nfor _ in range(1500):\n    os.mkdir("d", 0o700)\n    os.chdir("d")\nos._exit(0)\n')
+    run(
+        tmp_path,
+        'import posix as os\nfor _ in range(30):\n    os.mkdir("d" * 200, 0o700)\n    os.chdir("d" * 200)\nos._exit(0)\n',
+    )
     assert os.listdir(tmp_path) == ['circle.launch.py']

@@ -47,6 +47,7 @@ def test_pytest_runs_launch_tests_among_others(tmp_path: Path) -> None:
         sys.executable,
         '-m',
         'pytest',
+        *('-p', 'no:nbval', '-p', 'no:hypothesispytest'),
         '-p',
         'edulaunch.pytest_plugin',
         '-p',

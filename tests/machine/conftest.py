@@ -20,6 +20,17 @@ def desk_in(place: Path, runtime: str = 'run') -> Iterator[Desk]:
     assert found.log() == ''
 
 
+HERE = Path(__file__).parent
+DESKS = {'desk', 'shared_desk', 'notebook'}
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark the tests that type into terminals."""
+    for item in items:
+        if item.path.parent == HERE and DESKS & set(getattr(item, 'fixturenames', ())):
+            item.add_marker(pytest.mark.terminals)
+
+
 @pytest.fixture
 def desk(tmp_path: Path) -> Iterator[Desk]:
     """A desk for one test."""

@@ -14,6 +14,7 @@ from tests.terminals.report import COMMANDS_PAGE, TUTORIAL_PAGE, commands_page, 
 from tests.terminals.shop import SEEDS, Shop
 
 
+@pytest.mark.terminals
 @pytest.mark.parametrize('page', list(pages()), ids=lambda page: page.title)
 def test_the_page_can_be_followed(page: Page, tmp_path: Path) -> None:
     if page.seed and not SEEDS.is_dir():

@@ -21,12 +21,14 @@ import rclpy, time
 def test_helped(pytestconfig):
     assert pytestconfig.option.launch_args == []
 """
+UNCONCERNED = ('-p', 'no:nbval', '-p', 'no:hypothesispytest')
+"""Plugins that have nothing to do with it, and take two seconds to load."""
 PACKAGE = '<package format="3"><name>bot</name><version>0.0.1</version></package>'
 
 
 def run(folder: Path, *words: str) -> str:
     env = {name: value for name, value in os.environ.items() if name not in ('PYTHONPATH', 'PYTEST_ADDOPTS')}
-    command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', *words]
+    command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', *UNCONCERNED, *words]
     done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, check=False)
     return done.stdout + done.stderr
 

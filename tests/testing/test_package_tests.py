@@ -105,7 +105,20 @@ def bot(tmp_path: Path) -> Path:
 def test_the_tests_of_a_package_run_without_ros(bot: Path) -> None:
     (bot.parent / 'conftest.py').write_text('import rclpy\n')  # of the whole workspace: in no package
     done = subprocess.run(
-        [sys.executable, '-m', 'pytest', '-q', '-rfs', '-p', 'no:cacheprovider', 'bot'],
+        [
+            sys.executable,
+            '-m',
+            'pytest',
+            '-q',
+            '-rfs',
+            '-p',
+            'no:cacheprovider',
+            '-p',
+            'no:nbval',
+            '-p',
+            'no:hypothesispytest',
+            'bot',
+        ],
         cwd=bot.parent,
         capture_output=True,
         text=True,

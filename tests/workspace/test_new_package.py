@@ -126,7 +126,20 @@ def test_what_cannot_be_made_is_refused(
 def test_pytest_knows_the_marks_of_a_new_package(create: Callable[..., list[str]], tmp_path: Path) -> None:
     create('my_package', build_type='ament_python')
     done = subprocess.run(
-        [sys.executable, '-m', 'pytest', '-q', '-p', 'no:cacheprovider', '-W', 'error'],
+        [
+            sys.executable,
+            '-m',
+            'pytest',
+            '-q',
+            '-p',
+            'no:cacheprovider',
+            '-p',
+            'no:nbval',
+            '-p',
+            'no:hypothesispytest',
+            '-W',
+            'error',
+        ],
         cwd=tmp_path / 'my_package',
         capture_output=True,
         text=True,
