@@ -41,6 +41,7 @@ class Job:
             'home': self.home,
             'environment': environment(self.home),
             'wall_s': self.limits.wall_s,
+            'turn_s': self.limits.turn_s,
             'limits': self.limits.resources,
             'tree_memory': self.limits.memory_mib * MEBI,
             'sandbox': self.limits.sandbox,

@@ -14,16 +14,25 @@ class Limits:
     :param recording_mib: what it may send back.
     :param sandbox: 'auto' confines as far as the system can, 'require' runs nothing that is not confined wholly, 'off' confines
         nothing but time and memory.
+    :param turn_s: processor time that one turn of a program may take (exercises need a hundredth of it, and a class waits for
+        each endless loop), a single call into C two and a half times that.
     """
 
     def __init__(
-        self, wall_s: float = 30.0, memory_mib: int = 2048, output_mib: int = 4, recording_mib: int = 128, sandbox: str = 'auto'
+        self,
+        wall_s: float = 30.0,
+        memory_mib: int = 2048,
+        output_mib: int = 4,
+        recording_mib: int = 128,
+        sandbox: str = 'auto',
+        turn_s: float = 0.8,
     ) -> None:
         self.wall_s = wall_s
         self.memory_mib = memory_mib
         self.output_mib = output_mib
         self.recording_mib = recording_mib
         self.sandbox = sandbox
+        self.turn_s = turn_s
 
     @property
     def resources(self) -> dict[str, int]:

@@ -58,10 +58,12 @@ HOSTILE = {
 }
 
 
-def run(folder: Path, text: str, wall_s: float = 10.0, memory_mib: int = 2048, sandbox: str = 'auto') -> Outcome:
+def run(
+    folder: Path, text: str, wall_s: float = 10.0, memory_mib: int = 2048, sandbox: str = 'auto', turn_s: float = 0.8
+) -> Outcome:
     file = folder / 'circle.launch.py'
     file.write_text(text)
-    limits = Limits(wall_s, memory_mib=memory_mib, output_mib=1, sandbox=sandbox)
+    limits = Limits(wall_s, memory_mib=memory_mib, output_mib=1, sandbox=sandbox, turn_s=turn_s)
     with Runner(limits) as runner:
         return runner.wait(runner.add(Submission(str(file)), [Scenario('only')]))[0]
 
@@ -219,7 +221,7 @@ LOOPS = {
 def test_a_loop_is_found_by_the_processors_time_and_its_line_named(
     tmp_path: Path, text: str, told: str, lines: tuple[int, ...]
 ) -> None:
-    outcome = run(tmp_path, text, wall_s=120.0)
+    outcome = run(tmp_path, text, wall_s=120.0, turn_s=0.2)
     assert (outcome.kind, outcome.text) == ('stopped', told)
     assert outcome.where is not None
     assert (outcome.where.file, outcome.where.line in lines) == (str(tmp_path / 'circle.launch.py'), True)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+import struct
+from functools import cache
+from random import Random
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import strategies as st
 
 from edulaunch.interfaces.layout import is_byte_like
 from edulaunch.interfaces.registry import Registry
@@ -38,61 +39,44 @@ def define(tmp_path, registry):
     return write
 
 
-def _scalar(field_type):
+def _scalar(field_type, some):
+    """The ends of what the field can hold, and anything between."""
     kind = field_type.kind
-    if kind.name == 'float32':
-        return st.floats(width=32, allow_nan=False).filter(lambda x: math.isinf(x) or abs(x) <= kind.high)
     if kind.python is float:
-        return st.floats(allow_nan=False)
+        number = some.choice([0.0, -0.0, math.inf, -math.inf, 3.4e38, some.uniform(-1e6, 1e6), some.uniform(-1, 1) * 1e-40])
+        return struct.unpack('f', struct.pack('f', number))[0] if kind.name == 'float32' else number
     if kind.python is int:
-        return st.integers(kind.low, kind.high)
+        return some.choice([kind.low, kind.high, some.randint(kind.low, kind.high)])
     if kind.python is str:
-        alphabet = st.characters(exclude_categories=['Cs'], exclude_characters='\0')
-        return st.text(alphabet, max_size=field_type.string_bound or 5)
-    return st.booleans() if kind.python is bool else st.binary(min_size=1, max_size=1)
+        length = some.randint(0, field_type.string_bound or 5)
+        return ''.join(
+            chr(some.choice([some.randrange(1, 128), some.randrange(1, 0xD800), some.randrange(0xE000, 0x110000)]))
+            for _ in range(length)
+        )
+    return some.random() < 0.5 if kind.python is bool else some.randbytes(1)
 
 
-def _entry(field_type, get):
+def _entry(field_type, get, some):
     if not field_type.array:
-        return _scalar(field_type)
+        return _scalar(field_type, some)
     least = field_type.size if field_type.array == 'fixed' else 0
-    most = 2 if field_type.array == 'unbounded' else field_type.size
+    length = some.randint(least, 2 if field_type.array == 'unbounded' else field_type.size)
     if is_byte_like(field_type):
-        return st.binary(min_size=least, max_size=most)
-    one = wires(get(field_type.base), get) if field_type.kind is None else _scalar(field_type.element)
-    return st.lists(one, min_size=least, max_size=most).map(tuple)
+        return some.randbytes(length)
+    if field_type.kind is None:
+        return tuple(wire(get(field_type.base), get, some) for _ in range(length))
+    return tuple(_scalar(field_type.element, some) for _ in range(length))
 
 
-def wires(cls, get):
-    """Any legal wire tuple of a message class."""
-    return st.tuples(*(_entry(leaf.type, get) for leaf in cls.LAYOUT.leaves))
+def wire(cls, get, some):
+    """Some legal wire tuple of a message class."""
+    return tuple(_entry(leaf.type, get, some) for leaf in cls.LAYOUT.leaves)
 
 
 @pytest.fixture(scope='session')
 def some_wires(get):
     """some_wires(cls) -> three arbitrary wire tuples, the same in every run."""
-    known = {}
-
-    def collect(cls):
-        if cls not in known:
-            found = known[cls] = []
-
-            @settings(
-                max_examples=3,
-                database=None,
-                derandomize=True,
-                deadline=None,
-                phases=[Phase.generate],
-                suppress_health_check=list(HealthCheck),
-            )
-            @given(wires(cls, get))
-            def body(wire):
-                found.append(wire)
-
-            body()
-        return known[cls]
-
-    return collect
+    return cache(lambda cls: [wire(cls, get, Random(f'{cls.TYPE} {number}')) for number in range(3)])
 
 
 @pytest.fixture(scope='session')

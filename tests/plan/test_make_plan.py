@@ -198,16 +198,19 @@ def test_an_event_of_one_process_is_no_question_to_the_others(plan: Plan, monkey
         (
             '    def again(context):\n        return [TimerAction(period=1.0, actions=[OpaqueFunction(function=again)])]\n'
             '    return [OpaqueFunction(function=again)]',
-            '2001',
+            '101',
         ),
         (
             '    async def wait(context):\n        import asyncio\n        while True:\n            await asyncio.sleep(0.5)\n'
             '    return [OpaqueCoroutine(coroutine=wait)]',
-            '1000.5',
+            '50.5',
         ),
     ],
 )
-def test_what_goes_on_without_end_is_an_error_with_its_place(plan: Plan, tmp_path: Path, body: str, after: str) -> None:
+def test_what_goes_on_without_end_is_an_error_with_its_place(
+    plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str, after: str
+) -> None:
+    monkeypatch.setattr('edulaunch.plan.endless.MOST_INSTANTS', 100)
     error = plan(body)['error']
     assert error['text'] == f'the launch file goes on without end: after {after} simulated seconds it still does something'
     assert error['origin'].startswith(f'{tmp_path}/a.launch.py:')

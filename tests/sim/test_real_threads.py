@@ -52,6 +52,10 @@ def test_node_spun_in_a_thread_answers_the_main_thread(node: Any, executor_type:
     thread.join(5)
     other.destroy_node()
     assert not thread.is_alive()
+    for worker in threading.enumerate():
+        if worker.name.startswith('executor-'):
+            worker.join(5)
+            assert not worker.is_alive(), 'as long as it is there simulated time is real time'
 
 
 @pytest.mark.parametrize('executor_type', [SingleThreadedExecutor, MultiThreadedExecutor])

@@ -25,8 +25,6 @@ from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
-TURN_LIMIT_S = 0.8  # of processor time: exercises need a hundredth of it, and a class waits for each endless loop
-SINGLE_CALL_S = 2.0
 CHANNEL = 3  # the only descriptor besides input and output
 MOST_DESCRIPTORS = 4096
 RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
@@ -75,7 +73,7 @@ def run(job: dict[str, Any], channel: int, output: int, confine: Callable[[list[
         os._exit(0)  # the runner says why
     repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, channel)
-    limit_single_calls()
+    limit_single_calls(2.5 * job['turn_s'])
     reserve = bytearray(RESERVE_BYTES)
     try:
         letter, content = attempt(job)
@@ -97,8 +95,8 @@ def repeat_temporary_names(seed: int) -> None:
     names._rng, names._rng_pid = Random(seed), os.getpid()
 
 
-def limit_single_calls() -> None:
-    """End the process when one call into C (``9**9**9``, a slow pattern) uses SINGLE_CALL_S of processor time or more.
+def limit_single_calls(seconds: float) -> None:
+    """End the process when one call into C (``9**9**9``, a slow pattern) uses that much processor time or more.
 
     While Python itself works, the limit moves on with it; a call that does not come back is ended by the system (SIGXCPU), after
     the place was printed.
@@ -112,12 +110,12 @@ def limit_single_calls() -> None:
     def move_on(signum: int, frame: FrameType | None) -> None:
         used = resource.getrusage(resource.RUSAGE_SELF)
         hard = resource.getrlimit(resource.RLIMIT_CPU)[1]
-        soft = int(used.ru_utime + used.ru_stime + SINGLE_CALL_S) + 1
+        soft = int(used.ru_utime + used.ru_stime + seconds) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (soft if hard == resource.RLIM_INFINITY else min(soft, hard), hard))
 
     faulthandler.register(signal.SIGXCPU, file=1, all_threads=False, chain=True)
     signal.signal(signal.SIGPROF, move_on)
-    signal.setitimer(signal.ITIMER_PROF, 0.25, 0.25)
+    signal.setitimer(signal.ITIMER_PROF, seconds / 8, seconds / 8)
     move_on(0, None)
 
 
@@ -174,7 +172,7 @@ def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
     except ImportError as error:
         return _broke(error)
     try:
-        with Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=TURN_LIMIT_S) as session:
+        with Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s']) as session:
             session.launch(job['file'], None, job['arguments'])
             session.run(job['duration_s'])
             return b'R', session.recording().to_bytes()

@@ -88,7 +88,9 @@ class MultiThreadedExecutor(Executor):
             self._ending.park()
 
     def _work_off(self) -> None:
-        """What each thread does: take jobs, park when there are none."""
+        """What each thread does: take jobs, park when there are none; a real thread, which looks again by itself, ends with the
+        executor.
+        """
         thread = current_task()
         while True:
             while self._jobs:
@@ -104,6 +106,10 @@ class MultiThreadedExecutor(Executor):
                 self._ending.wake()
             while thread in self._idle:
                 thread.park()
+                if self._is_shutdown and not self._jobs:
+                    self._idle.remove(thread)
+                    self._threads.remove(thread)
+                    return
 
     def running_entity(self) -> Entity | None:
         running = self._running.get(current_task())
