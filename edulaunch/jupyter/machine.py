@@ -21,10 +21,11 @@ from edulaunch.machine.asking import ask, has_terminals_machine
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.remote_input import RemoteInput
 from edulaunch.machine.snapshot import glance, snapshot
+from edulaunch.packages import Index
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
-from edulaunch.session import Session
+from edulaunch.session import Session, index_for
 
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
@@ -57,13 +58,20 @@ class Machine:
         self.session: Session | None = None
         self._write = write
         self._workspaces = workspaces
+        self._searched: list[str] = []
         self._jobs = Jobs()
         self._foreground: LaunchRun | None = None
         self._asked: list[Job] = []
         self.show_keyboard: Callable[[Callable[[str], str], str], object] = lambda press, title: None
 
     def _new_session(self, seed: int) -> Session:
-        return Session(seed=seed, workspaces=self._workspaces(), console=self._write)
+        self._searched = list(self._workspaces())
+        return Session(seed=seed, workspaces=self._searched, console=self._write)
+
+    def _index(self, session: Session) -> Index:
+        """The packages for a command: those of the machine, or, where workspaces have come since it was started, all of today."""
+        found = list(self._workspaces())
+        return session.index if found == self._searched else index_for(found)
 
     def _use(self, session: Session) -> Session:
         """Let a session be the notebook's machine from now on; the one before ends."""
@@ -181,7 +189,8 @@ class Machine:
             raise UnusableInput(
                 f'{argv[0]!r} needs a real shell', help='one command at a time works; | > < && ; join commands of ros2'
             )
-        process: Any = session.host.start(spec, self._write, None if line.stays else lambda code: session.sim.stop())
+        ended = None if line.stays else lambda code: session.sim.stop()
+        process: Any = session.host.start(spec, self._write, ended, index=self._index(session))
         if line.stays:
             job = self._jobs.add(process, f'ros2 {line.shell or shlex.join(words)}')
             self._write('stdout', f'{job}\n')

@@ -17,6 +17,8 @@ from .whole_file import write_whole
 
 NAME = 'my_progress.toml'
 HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.\n'
+PREDICTIONS, ANSWERS = 'my_predictions', 'my_answers'
+"""The two tables beside those of the exercises: prediction -> what was said, question -> the answers, in their order."""
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 
@@ -49,13 +51,18 @@ class ProgressFile:
     :param folder: where the file is, or will be.
 
     :ivar word: what the student must be told about the file, if anything.
+    :ivar predictions: what the student said before looking, by the prediction's name.
+    :ivar answers: the letters chosen for each question, in the order in which they were given.
     """
 
     def __init__(self, folder: str) -> None:
         self.path = os.path.join(folder, NAME)
         self.word = ''
         self._unreadable = ''
-        self.exercises: dict[str, Progress] = self._read()
+        self.exercises: dict[str, Progress] = {}
+        self.predictions: dict[str, str] = {}
+        self.answers: dict[str, list[str]] = {}
+        self._read()
 
     def of(self, exercise: str) -> Progress:
         """The progress of one exercise, to be changed and saved."""
@@ -75,19 +82,22 @@ class ProgressFile:
         """
         if self._unreadable:
             raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')
-        write_whole(self.path, HEADER + ''.join(_table(name, item) for name, item in self.exercises.items()))
+        exercises = ''.join(_table(name, item) for name, item in self.exercises.items())
+        write_whole(self.path, HEADER + exercises + _lines(PREDICTIONS, self.predictions) + _lines(ANSWERS, self.answers))
 
-    def _read(self) -> dict[str, Progress]:
+    def _read(self) -> None:
         try:
-            return {name: _progress(table) for name, table in read_toml(self.path).items()}
+            tables = read_toml(self.path)
+            predictions = _texts(tables.pop(PREDICTIONS, {}))
+            answers = {name: list(_texts(dict(enumerate(given))).values()) for name, given in tables.pop(ANSWERS, {}).items()}
+            self.exercises = {name: _progress(table) for name, table in tables.items()}
+            self.predictions, self.answers = predictions, answers
         except FileNotFoundError:
-            return {}
+            pass
         except OSError as error:
             self._unreadable = error.strerror or str(error)
-            return {}
-        except (ValueError, TypeError) as error:
+        except (ValueError, TypeError, AttributeError) as error:
             self._put_aside(error)
-            return {}
 
     def _put_aside(self, error: Exception) -> None:
         """Keep a file that cannot be understood, under another name."""
@@ -131,10 +141,27 @@ def _progress(table: Any) -> Progress:
     return found
 
 
+def _texts(table: dict[Any, Any]) -> dict[Any, str]:
+    """A table of texts, as it must be."""
+    for name, text in table.items():
+        if not isinstance(text, str):
+            raise ValueError(f'{name} = {text!r} is not a text')
+    return table
+
+
+def _key(name: str) -> str:
+    return name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)
+
+
+def _lines(name: str, table: dict[str, Any]) -> str:
+    """A table of texts, or of lists of texts; nothing for an empty one."""
+    lines = [f'{_key(key)} = {json.dumps(value, ensure_ascii=False)}\n' for key, value in table.items()]
+    return f'\n[{name}]\n{"".join(lines)}' if lines else ''
+
+
 def _table(name: str, item: Progress) -> str:
-    key = name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)
     done = 'true' if item.done else 'false'
     return (
-        f'\n[{key}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
+        f'\n[{_key(name)}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
         f'best_points = {item.best_points}\npoints = {item.points}\n'
     )

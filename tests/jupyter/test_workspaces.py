@@ -64,3 +64,21 @@ def test_sourcing_ros_itself_is_not_needed_and_another_command_is_none_of_ours(d
     assert 'ROS 2 Jazzy has not to be sourced here' in ''.join(desk.said)
     with pytest.raises(UnusableInput, match='sets up nothing of ROS 2'):
         desk.terminal.set_up('apt install vim')
+
+
+SETUP = """from setuptools import setup
+setup(name='mine', packages=['mine'], entry_points={'console_scripts': ['hello = mine.hello:main']})
+"""
+
+
+def test_a_package_that_is_made_after_the_first_command_is_found(desk: Any) -> None:
+    desk.ros2('topic list')
+    desk.write('my_ws/src/mine/package.xml', PACKAGE_XML)
+    desk.write('my_ws/src/mine/setup.py', SETUP)
+    desk.write('my_ws/src/mine/setup.cfg', '[install]\ninstall_scripts=$base/lib/mine\n')
+    desk.write('my_ws/src/mine/mine/__init__.py', '')
+    desk.write('my_ws/src/mine/mine/hello.py', 'def main():\n    print("here I am")\n')
+    desk.ros2('run mine hello')
+    assert desk.said == ['here I am\n']
+    desk.ros2('pkg executables mine')
+    assert desk.said == ['mine hello\n']

@@ -1,0 +1,20 @@
+"""What a lesson asks of its reader: predictions, questions, and a page that says how far one has come.
+
+::
+
+    from edulaunch.course import compare, predict, progress, quiz
+    predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
+    compare('square-end', (5.5, 5.5))      # after it: "you said ..., it was ..."
+    quiz('remapping')                      # a question with choices; quiz('remapping', 'b') answers it
+    progress()                             # lessons, predictions, questions, exercises, and what to repeat
+
+Nothing leaves the computer: all is kept in a small readable file beside the notebook.
+"""
+
+from __future__ import annotations
+
+from .predictions import compare, predict
+from .progress_page import progress
+from .quiz import quiz
+
+__all__ = ['compare', 'predict', 'progress', 'quiz']

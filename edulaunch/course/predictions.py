@@ -1,0 +1,83 @@
+"""A prediction is entered before the run, kept, and compared with what happened."""
+
+from __future__ import annotations
+
+import math
+from types import EllipsisType
+from typing import Any
+
+from edugrade.markup import element, joined
+
+from .kept import keep, kept, plain
+
+LONGEST = 300
+"""Characters of a prediction that are kept."""
+
+
+class Words:
+    """A few sentences, as text and as HTML."""
+
+    def __init__(self, *lines: str) -> None:
+        self.lines = [line for line in lines if line]
+
+    def __repr__(self) -> str:
+        return '\n'.join(self.lines)
+
+    def _repr_html_(self) -> str:
+        style = 'border-left:4px solid #888;padding:.1em 1em;max-width:60em'
+        return element('div', joined(*(element('p', line, style='margin:.3em 0') for line in self.lines)), style=style)
+
+
+def predict(name: str, guess: Any) -> Words:
+    """Keep what you expect, before you look.
+
+    :param name: what the prediction is about; `compare` asks for it under this name.
+    :param guess: a number, several numbers in parentheses, a word. ``...``, as a lesson hands it out, is no guess yet.
+    """
+    if isinstance(guess, EllipsisType):
+        return Words('No prediction yet: write what you expect in place of the three dots, and run this cell again.')
+    said = plain(_text(guess))[:LONGEST]
+    return Words(f'Kept: {said}. Now look.', keep(lambda file: file.predictions.update({name: said})))
+
+
+def compare(name: str, was: Any) -> Words:
+    """Put what happened beside what was predicted under this name.
+
+    Two numbers, or points of equally many, are compared by their distance.
+
+    :param was: what happened: a number, several numbers, a word.
+    """
+    said = kept().predictions.get(name)
+    if said is None:
+        return Words(f'It was {_text(was)}. You had not said anything: next time guess first, it makes the answer stick.')
+    return Words(f'You said {said}, it was {_text(was)}{_verdict(said, _text(was))}')
+
+
+def _text(value: Any) -> str:
+    """A value as a person writes it: numbers short, words without quotes."""
+    if isinstance(value, str):
+        return value.strip()
+    if isinstance(value, float):
+        return f'{value:.4g}'
+    if isinstance(value, list | tuple):
+        return f'({", ".join(map(_text, value))})'
+    item = getattr(value, 'item', None)  # a number of numpy's
+    return _text(item()) if item is not None else str(value)
+
+
+def _verdict(said: str, was: str) -> str:
+    ours, theirs = _numbers(said), _numbers(was)
+    if ours is None or theirs is None:
+        return ': right.' if said.casefold() == was.casefold() else '.'
+    if len(ours) != len(theirs):
+        return f': {len(theirs)} numbers were asked for.' if len(theirs) > 1 else ': one number was asked for.'
+    off = math.dist(ours, theirs)
+    return ': exactly.' if off == 0 else f': {_text(off)} off.'
+
+
+def _numbers(text: str) -> list[float] | None:
+    """The numbers of a text that is nothing but numbers, with or without parentheses."""
+    try:
+        return [float(word) for word in text.strip('()[] ').split(',')]
+    except ValueError:
+        return None

@@ -1,0 +1,98 @@
+"""``progress()``: how far one has come, lesson by lesson, and what to repeat."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from edugrade.course import find_course, read_course
+from edugrade.markup import element, joined
+from edugrade.progress_file import ProgressFile
+
+from edulaunch.errors import UnusableInput
+
+from .kept import kept
+from .lessons import Lesson, lessons_folder, read_lessons
+from .predictions import Words
+from .questions import Question, find_questions
+
+HEAD = ('lesson', 'predictions', 'questions', 'exercises', 'points')
+MOST_REPEATED = 5
+
+
+class Row(NamedTuple):
+    """What was done of one lesson, each as "done of all"; empty where there is nothing to do."""
+
+    title: str
+    predictions: str
+    questions: str
+    exercises: str
+    points: str
+
+
+class ProgressPage:
+    """The table of lessons and, below it, what to repeat: text, and HTML in a notebook."""
+
+    def __init__(self, rows: list[Row], repeat: list[str]) -> None:
+        self.rows = rows
+        self.repeat = repeat
+
+    @property
+    def advice(self) -> str:
+        """What to do next, in one line."""
+        return f'To repeat: {"; ".join(self.repeat)}.' if self.repeat else 'Nothing to repeat.'
+
+    def __repr__(self) -> str:
+        table = [HEAD, *self.rows]
+        widths = [max(len(row[column]) for row in table) for column in range(len(HEAD))]
+        lines = ['  '.join(f'{cell:<{width}}' for cell, width in zip(row, widths, strict=True)).rstrip() for row in table]
+        return '\n'.join([*lines, '', self.advice])
+
+    def _repr_html_(self) -> str:
+        head = element('tr', *(element('th', word, scope='col') for word in HEAD))
+        rows = [
+            element('tr', element('th', row[0], scope='row'), *(element('td', cell) for cell in row[1:])) for row in self.rows
+        ]
+        return joined(element('table', head, *rows), element('p', self.advice))
+
+
+def progress() -> ProgressPage | Words:
+    """The lessons with what was predicted, answered and solved of each, from the file ``my_progress.toml`` of this folder."""
+    folder = lessons_folder()
+    if folder is None:
+        return Words('There are no lessons here: open a notebook in the folder of the lessons, and ask there.')
+    file, questions = kept(), list(find_questions().values())
+    rows = [_row(lesson, file, questions) for lesson in read_lessons(folder)]
+    return ProgressPage(rows, _to_repeat(file, questions))
+
+
+def _row(lesson: Lesson, file: ProgressFile, questions: list[Question]) -> Row:
+    said = [name in file.predictions for name in lesson.predictions]
+    answered = [_is_right(file, question) for question in questions if question.lesson == lesson.name]
+    try:
+        exercises = [item for item in read_course(find_course('.')) if item.lesson == lesson.name]
+    except UnusableInput:
+        exercises = []
+    tries = [file.exercises.get(item.name) for item in exercises]
+    points = sum(item.best_points for item in tries if item)
+    return Row(
+        lesson.title,
+        _of(said),
+        _of(answered),
+        _of([item is not None and item.done for item in tries]),
+        f'{points} of {sum(item.points for item in exercises)}' if exercises else '',
+    )
+
+
+def _of(done: list[bool]) -> str:
+    return f'{sum(done)} of {len(done)}' if done else ''
+
+
+def _is_right(file: ProgressFile, question: Question) -> bool:
+    return file.answers.get(question.name, [''])[-1] == question.right
+
+
+def _to_repeat(file: ProgressFile, questions: list[Question]) -> list[str]:
+    """What was tried and is not right yet: the questions first, then the exercises."""
+    asked = [f'quiz({item.name!r})' for item in questions if file.answers.get(item.name) and not _is_right(file, item)]
+    tried = [f'check({name!r})' for name, item in file.exercises.items() if item.attempts and not item.done]
+    return [*asked, *tried][:MOST_REPEATED]
