@@ -14,6 +14,7 @@ from edulaunch.version import __version__
 VERBS = {
     'colcon': 'Say what of building is not needed here',
     'completion': 'Print the script that completes commands with the Tab key',
+    'course': 'Keep the outputs of lessons',
     'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
     'explain': 'Show what a launch file would start, and where every value comes from, without starting anything',
     'launch': 'Run a launch file, as `ros2 launch` does',

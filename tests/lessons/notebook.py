@@ -14,14 +14,13 @@ ORDER = ['01_first_launch', '02_static_broadcaster', '03_broadcaster_and_listene
 
 
 class Cell(NamedTuple):
-    """One cell; `outputs` are as stored."""
+    """One cell; `outputs` are those that are kept beside the lesson."""
 
     id: str
     kind: str
     source: str
     tags: list[str]
     outputs: list[dict[str, Any]]
-    number: int | None
 
     @property
     def lines(self) -> list[str]:
@@ -49,7 +48,8 @@ class Lesson:
     def __init__(self, name: str) -> None:
         self.name = name
         self.raw: dict[str, Any] = json.loads((LESSONS / f'{name}.ipynb').read_text(encoding='utf-8'))
-        self.cells = [_cell(row) for row in self.raw['cells']]
+        self.kept: dict[str, Any] = json.loads((LESSONS / '.outputs' / f'{name}.json').read_text(encoding='utf-8'))
+        self.cells = [_cell(row, self.kept) for row in self.raw['cells']]
 
     @property
     def code(self) -> list[Cell]:
@@ -109,9 +109,8 @@ class Walk:
         self.write(path, text.replace(old, new))
 
 
-def _cell(row: dict[str, Any]) -> Cell:
-    return Cell(row['id'], row['cell_type'], ''.join(row['source']), row['metadata'].get('tags', []), row.get('outputs', []),
-                row.get('execution_count'))
+def _cell(row: dict[str, Any], kept: dict[str, Any]) -> Cell:
+    return Cell(row['id'], row['cell_type'], ''.join(row['source']), row['metadata'].get('tags', []), kept.get(row['id'], []))
 
 
 @contextlib.contextmanager

@@ -53,9 +53,11 @@ def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
         assert max(map(len, cell.lines)) <= 108, cell.id
 
 
-def test_outputs_are_stored_of_one_clean_run(lesson: Lesson) -> None:
-    assert [cell.number for cell in lesson.code] == list(range(1, len(lesson.code) + 1))
-    assert all('execution' not in row['metadata'] for row in lesson.raw['cells'])
+def test_nothing_is_given_away_and_all_outputs_are_kept_beside_it(lesson: Lesson) -> None:
+    code = [row for row in lesson.raw['cells'] if row['cell_type'] == 'code']
+    assert all((row['outputs'], row['execution_count']) == ([], None) for row in code)
+    assert all(set(row['metadata']) <= {'tags'} for row in lesson.raw['cells'])
+    assert list(lesson.kept) == [cell.id for cell in lesson.code]
 
 
 def test_a_cell_has_one_output_and_no_error_but_on_purpose(lesson: Lesson) -> None:

@@ -1,0 +1,106 @@
+"""The outputs of a lesson's clean run, kept beside it: a student gets the notebook without them, nbval compares with them.
+
+``lessons/.outputs/01_first_launch.json`` holds what each code cell of ``lessons/01_first_launch.ipynb`` gave, in their order.
+Pictures and HTML are not kept: what they show is in their text and in a digest beside it, which nbval compares.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.errors import UnusableInput
+
+FOLDER = '.outputs'
+NOT_KEPT = ('image/png', 'text/html', 'application/vnd.jupyter.widget-view+json')
+"""Kinds of data of which only the presence is kept."""
+
+
+def outputs_file(notebook: str) -> str:
+    """Where the outputs of a notebook are kept."""
+    folder, name = os.path.split(os.path.abspath(notebook))
+    return os.path.join(folder, FOLDER, f'{os.path.splitext(name)[0]}.json')
+
+
+def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
+    """The kept outputs, by the cell's id.
+
+    :raises UnusableInput: when there are none, or they cannot be read.
+    """
+    path = outputs_file(notebook)
+    try:
+        with open(path, encoding='utf-8') as file:
+            found: dict[str, list[dict[str, Any]]] = json.load(file)
+    except (OSError, ValueError) as error:
+        help = f'`edulaunch course store {os.path.basename(notebook)}` runs the notebook and keeps them'
+        raise UnusableInput(f'the outputs of {notebook} cannot be read: {error}', help=help) from None
+    return found
+
+
+def store_outputs(notebook: str, timeout_s: float = 120.0) -> None:
+    """Run a notebook in its folder, in a fresh kernel, and keep what its cells gave; the notebook itself is left without outputs.
+
+    :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
+    """
+    import nbclient
+    import nbformat
+
+    folder = os.path.dirname(os.path.abspath(notebook))
+    done: Any = nbformat.read(notebook, as_version=4)
+    client = nbclient.NotebookClient(
+        done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
+    )
+    try:
+        client.execute()
+    except nbclient.exceptions.CellExecutionError as error:
+        raise UnusableInput(f'{notebook}: a cell failed: {error}') from None
+    _write(outputs_file(notebook), {cell['id']: [*_kept(cell, folder)] for cell in _code(done)})
+    strip(notebook)
+
+
+def strip(notebook: str) -> None:
+    """Take outputs, counts and what an editor left out of a notebook."""
+    with open(notebook, encoding='utf-8') as file:
+        raw = json.load(file)
+    for cell in _code(raw):
+        cell['outputs'], cell['execution_count'] = [], None
+    for cell in raw['cells']:
+        cell['metadata'] = {key: value for key, value in cell['metadata'].items() if key == 'tags'}
+    raw['metadata'] = {'kernelspec': raw['metadata'].get('kernelspec', {}), 'language_info': {'name': 'python'}}
+    _write(notebook, raw)
+
+
+def pytest_itemcollected(item: Any) -> None:
+    """pytest's hook, to be imported by the ``conftest.py`` of a folder of lessons: gives nbval's cells their kept outputs."""
+    cell = getattr(item, 'cell', None)
+    if cell is None or item.path.suffix != '.ipynb':
+        return
+    from nbformat import from_dict
+
+    cell.outputs = [from_dict(output) for output in read_outputs(str(item.path)).get(cell.id, [])]
+    cell.execution_count = item.cell_num + 1
+    compare = item.compare_outputs
+    item.compare_outputs = lambda test, ref: compare(test, ref, (*item.parent.skip_compare, *NOT_KEPT))
+
+
+def _code(notebook: dict[str, Any]) -> list[dict[str, Any]]:
+    return [cell for cell in notebook['cells'] if cell['cell_type'] == 'code']
+
+
+def _kept(cell: dict[str, Any], folder: str) -> Iterator[dict[str, Any]]:
+    """What is kept of a cell's outputs: without execution counts, bytes of pictures, and the path of the folder."""
+    for output in json.loads(json.dumps(cell['outputs']).replace(json.dumps(folder + os.sep)[1:-1], '')):
+        if 'execution_count' in output:
+            output['execution_count'] = None
+        for kind in NOT_KEPT:
+            if kind in output.get('data', {}):
+                output['data'][kind] = ''
+        yield output
+
+
+def _write(path: str, content: object) -> None:
+    os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(json.dumps(content, indent=1, ensure_ascii=False) + '\n')

@@ -1,0 +1,59 @@
+"""Outputs are kept beside a lesson, and the lesson has none."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from edulaunch.cli.main import main
+from edulaunch.course.stored import outputs_file, read_outputs
+from edulaunch.errors import UnusableInput
+
+pytest.importorskip('nbclient', reason='nbclient is not installed')
+HTML = "from IPython.display import HTML, display\ndisplay(HTML('<b>long</b>'))"
+
+
+def notebook(path: Path, *sources: str, tags: tuple[str, ...] = ()) -> Path:
+    cells = [
+        {
+            'cell_type': 'code',
+            'id': f'cell-{n}',
+            'metadata': {'collapsed': True, 'tags': [*tags]},
+            'source': source,
+            'outputs': [],
+            'execution_count': 7,
+        }
+        for n, source in enumerate(sources)
+    ]
+    meta = {
+        'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'},
+        'language_info': {'name': 'python', 'version': '3'},
+    }
+    path.write_text(json.dumps({'cells': cells, 'metadata': meta, 'nbformat': 4, 'nbformat_minor': 5}))
+    return path
+
+
+def test_a_clean_run_is_kept_without_paths_and_pictures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = notebook(tmp_path / 'one.ipynb', "print('seen')", 'x = 1', "import os; print(os.path.abspath('a.py'))", HTML)
+    assert main(['course', 'store', str(path)]) == 0
+    assert 'its outputs are kept' in capsys.readouterr().out
+    kept = read_outputs(str(path))
+    assert list(kept) == ['cell-0', 'cell-1', 'cell-2', 'cell-3']
+    assert [output['text'] for output in kept['cell-0'] + kept['cell-2']] == ['seen\n', 'a.py\n'] and kept['cell-1'] == []
+    assert kept['cell-3'][0]['data'] == {'text/html': '', 'text/plain': '<IPython.core.display.HTML object>'}
+    cell = json.loads(path.read_text())['cells'][0]
+    assert (cell['outputs'], cell['execution_count'], cell['metadata']) == ([], None, {'tags': []})
+
+
+def test_a_cell_that_fails_is_told_and_nothing_is_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = notebook(tmp_path / 'one.ipynb', '1 / 0')
+    assert main(['course', 'store', str(path)]) == 2
+    assert 'ZeroDivisionError' in capsys.readouterr().err
+    assert not Path(outputs_file(str(path))).exists()
+
+
+def test_a_lesson_without_kept_outputs_says_how_to_make_them(tmp_path: Path) -> None:
+    with pytest.raises(UnusableInput, match='edulaunch course store one.ipynb'):
+        read_outputs(str(tmp_path / 'one.ipynb'))
