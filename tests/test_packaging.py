@@ -7,7 +7,14 @@ import re
 from tests.house import ROOT, every_import, modules
 
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
-TESTS = ('edulaunch.pytest_plugin', 'edulaunch.testing', 'launch_testing', 'launch_pytest', 'edulaunch.jupyter', 'edulaunch.course')
+TESTS = (
+    'edulaunch.pytest_plugin',
+    'edulaunch.testing',
+    'launch_testing',
+    'launch_pytest',
+    'edulaunch.jupyter',
+    'edulaunch.course',
+)
 """Rooms that only pytest or a notebook loads, and test frameworks for them."""
 
 
