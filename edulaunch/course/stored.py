@@ -48,7 +48,8 @@ def store_outputs(notebook: str, timeout_s: float = 120.0) -> None:
     import nbformat
 
     folder = os.path.dirname(os.path.abspath(notebook))
-    done: Any = nbformat.read(notebook, as_version=4)
+    read: Any = nbformat.read
+    done = read(notebook, as_version=4)
     client = nbclient.NotebookClient(
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
@@ -77,8 +78,9 @@ def pytest_itemcollected(item: Any) -> None:
     cell = getattr(item, 'cell', None)
     if cell is None or item.path.suffix != '.ipynb':
         return
-    from nbformat import from_dict
+    import nbformat
 
+    from_dict: Any = nbformat.from_dict
     cell.outputs = [from_dict(output) for output in read_outputs(str(item.path)).get(cell.id, [])]
     cell.execution_count = item.cell_num + 1
     compare = item.compare_outputs
