@@ -3,73 +3,140 @@
 from __future__ import annotations
 
 import os
-from importlib.machinery import SourceFileLoader
+from collections.abc import Iterator
 from importlib.util import module_from_spec, spec_from_loader
+from types import ModuleType
 
 from edulaunch.errors import UnusableInput
 
-from .rubric import Rubric
+from .regular_file import read_regular
+from .rubric import Rubric, RubricMistake
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
+MANIFEST, RUBRICS = 'course.toml', 'rubrics'
+ENDINGS = ('.py', '.yaml', '.yml')
+HIGHEST = 6  # folders above the current one in which a course is looked for
+LARGEST_BYTES = 1_000_000
 
 
 def rubrics_folder() -> str:
-    """Where the course's rubrics are: inside the installed package, or beside it in the source tree."""
+    """Where the rubrics are that come with edugrade: inside the installed package, or beside it in the source tree."""
     inside = os.path.join(_HERE, 'checks')
     return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_HERE), 'checks')
 
 
+def course_rubrics() -> str | None:
+    """The folder ``rubrics`` of the course that the current folder lies in: beside its course.toml, or beside the folder of that.
+
+    Only the current folder and those above it are looked into: never what was handed in.
+    """
+    for folder in _above(os.getcwd()):
+        for manifest in (folder, os.path.join(folder, 'exercises')):
+            if os.path.isfile(os.path.join(manifest, MANIFEST)):
+                place = next((place for place in (manifest, folder, os.path.dirname(folder)) if _has_rubrics(place)), None)
+                return None if place is None else os.path.join(place, RUBRICS)
+    return None
+
+
+def _has_rubrics(folder: str) -> bool:
+    return os.path.isdir(os.path.join(folder, RUBRICS))
+
+
+def _above(folder: str) -> Iterator[str]:
+    for _ in range(HIGHEST):
+        yield folder
+        folder = os.path.dirname(folder)
+
+
 def exercises() -> list[str]:
     """The names of the exercises that have a rubric, in alphabetical order."""
-    folder = rubrics_folder()
-    names = os.listdir(folder) if os.path.isdir(folder) else []
-    return sorted(name[:-3] for name in names if name.endswith('.py') and not name.startswith('_'))
+    return sorted(_rubrics())
 
 
-def find_rubric(exercise: str, given: str | None = None) -> tuple[str, Rubric]:
+def _rubrics() -> dict[str, str]:
+    """The file of each rubric by the exercise's name; the course's own go before those that come with edugrade."""
+    found = {}
+    for folder in (rubrics_folder(), course_rubrics()):
+        for name in sorted(os.listdir(folder)) if folder is not None and os.path.isdir(folder) else ():
+            stem, ending = os.path.splitext(name)
+            if ending in ENDINGS and not name.startswith('_'):
+                found[stem] = os.path.join(str(folder), name)
+    return found
+
+
+def find_rubric(exercise: str, given: str | None = None, submission: str = '') -> tuple[str, Rubric]:
     """The rubric of an exercise and its name.
 
     :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
+    :param submission: the folder that was handed in: a rubric in it would be the student's own.
     :raises UnusableInput: when there is none, naming those there are.
+    :raises RubricMistake: when it cannot be loaded.
     """
-    path = rubric_file(exercise, given)
-    name = os.path.splitext(os.path.basename(path))[0]
-    if _is_file(given):
-        return name, _load(path)
-    known = exercises()
+    if given is not None and _is_file(given):
+        return os.path.splitext(os.path.basename(given))[0], _load(given)
+    known, name = _rubrics(), given or exercise
     if name in known:
-        return name, _load(path)
+        if submission and os.path.realpath(known[name]).startswith(os.path.join(os.path.realpath(submission), '')):
+            raise UnusableInput(
+                f'the rubric {known[name]} lies in the folder that is graded',
+                help='keep exercises and rubrics in folders of their own',
+            )
+        return name, _load(known[name])
     from edulaunch.nearest import nearest
 
-    close = nearest(name, known)
+    close = nearest(name, list(known))
     hint = f'did you mean {close}? ' if close else ''
     raise UnusableInput(
-        f'there is no rubric for "{name}"; there are: {", ".join(known) or "none"}',
+        f'there is no rubric for "{name}"; there are: {", ".join(sorted(known)) or "none"}',
         help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
     )
 
 
-def rubric_file(exercise: str, given: str | None = None) -> str:
-    """The file of the rubric that `find_rubric` finds for these, or would find."""
-    return given if given is not None and _is_file(given) else os.path.join(rubrics_folder(), f'{given or exercise}.py')
-
-
-def _is_file(given: str | None) -> bool:
-    return given is not None and (given.endswith('.py') or os.sep in given)
+def _is_file(given: str) -> bool:
+    return given.endswith(ENDINGS) or os.sep in given
 
 
 def _load(path: str) -> Rubric:
-    if not os.path.isfile(path):
-        raise UnusableInput(f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}')
-    name = f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}'
-    spec = spec_from_loader(name, SourceFileLoader(name, path))
-    if spec is None or spec.loader is None:
-        raise UnusableInput(f'the rubric {path} cannot be loaded')
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    rubric = getattr(module, 'RUBRIC', None)
+    try:
+        data = read_regular(path, LARGEST_BYTES)
+    except FileNotFoundError:
+        raise UnusableInput(
+            f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}'
+        ) from None
+    except OSError as error:
+        raise UnusableInput(f'the rubric {path} cannot be read: {error.strerror}') from None
+    if path.endswith('.py'):
+        rubric = getattr(_module(path, data), 'RUBRIC', None)
+    else:
+        from .yaml_rubric import read_yaml_rubric
+
+        rubric = read_yaml_rubric(path, data)
     if not isinstance(rubric, Rubric):
         raise UnusableInput(
             f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='docs/grading.md shows how to write one'
         )
+    rubric.file, rubric.text = path, data
     return rubric
+
+
+def _module(path: str, data: bytes) -> ModuleType:
+    """Run the file of a rubric. Whatever it raises is said with the line of it that is to blame."""
+    spec = spec_from_loader(f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}', None)
+    assert spec is not None  # only a loader that declines gives None
+    module = module_from_spec(spec)
+    module.__file__ = path
+    try:
+        exec(compile(data, path, 'exec', dont_inherit=True), module.__dict__)
+    except SyntaxError as error:
+        raise RubricMistake(f'{error.filename}:{error.lineno}: {error.msg}') from None
+    except Exception as error:
+        raise RubricMistake(f'{path}:{_line_of(error, path)}: {type(error).__name__}: {error}') from error
+    return module
+
+
+def _line_of(error: Exception, path: str) -> int:
+    line, trace = 1, error.__traceback__
+    while trace is not None:
+        line = trace.tb_lineno if trace.tb_frame.f_code.co_filename == path else line
+        trace = trace.tb_next
+    return line

@@ -40,8 +40,10 @@ def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFun
         text = (function.__doc__ or '').strip()
         if not text:
             raise ValueError(f'the check {name}() has no docstring; its first line is the sentence the student reads')
-        if points < 0:
-            raise ValueError(f'the check {name}() has {points} points; points are never negative')
+        if not isinstance(points, int) or points < 0:
+            raise ValueError(f'the check {name}() has {points!r} points; points are whole numbers, and never negative')
+        if not all(isinstance(need, Check) for need in needs):
+            raise ValueError(f'the check {name}() needs {needs!r}; what it needs are checks, not their names')
         return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))
 
     return make

@@ -14,6 +14,7 @@ from edulaunch.errors import UnusableInput
 from .grading import Work, grade, plan_work
 from .limits import Limits
 from .options import read_options
+from .rubric import RubricMistake
 from .submission import Submission
 
 if TYPE_CHECKING:
@@ -28,7 +29,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     except UnusableInput as error:
         print(f'edugrade: {error}', file=sys.stderr)
         return 2
-    except Exception as error:  # also a rubric that cannot be loaded: our fault, said in words
+    except RubricMistake as error:
+        print(f'edugrade: the rubric is wrong: {error}', file=sys.stderr)
+        return 3
+    except Exception as error:
         print(f'edugrade: the grader broke: {type(error).__name__}: {error}', file=sys.stderr)
         return 3
     except KeyboardInterrupt:
@@ -42,7 +46,7 @@ def _command(words: list[str]) -> int:
 
         return examine()
     if words[:1] == ['batch'] and not os.path.isfile('batch'):
-        from .batch import main as grade_class
+        from .batch.command import main as grade_class
 
         return grade_class(words[1:])
     options = read_options(words)
@@ -71,9 +75,14 @@ def _grade(options: argparse.Namespace) -> int:
 def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
     """What can be graded, and what cannot; one bad path among several spoils only itself."""
     works, refusals = [], []
+    secret = None
+    if options.course_secret_file:
+        from .course_secret import CourseSecret
+
+        secret = CourseSecret(options.course_secret_file)
     for path in options.paths:
         try:
-            works.append(plan_work(Submission(path), options.rubric, options.seed))
+            works.append(plan_work(Submission(path), options.rubric, options.seed, secret, options.student, options.only))
         except UnusableInput as error:
             if not several:
                 raise
@@ -91,11 +100,14 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
 
 
 def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> list[Report]:
+    from dataclasses import replace
+
     from .progress_bar import progress_bar
 
-    runs = sum(len(work.rubric.scenarios(work.seed)) for work in works)
+    runs = sum(len(work.scenarios) for work in works)
     with progress_bar(runs if several else 0) as advance:
-        return list(grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance))
+        reports = grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance)
+        return [replace(report, student=options.student) for report in reports]
 
 
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
@@ -106,10 +118,12 @@ def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Re
         alone = len(options.paths) == 1
         write_whole(options.json, json_text(document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
     if options.junit is not None:
+        from .document import document
         from .junit import junit_text
         from .whole_file import write_whole
 
-        write_whole(options.junit, junit_text(reports, refusals))
+        documents = [{'path': report.given, **document(report)} for report in reports]
+        write_whole(options.junit, junit_text(documents, refusals))
     if options.html is not None:
         from .page import page
         from .whole_file import write_whole

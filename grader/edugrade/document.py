@@ -7,11 +7,14 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
+from .cpu_limit import TooLong, cpu_limit
 from .outcome import Outcome
+from .receipt import receipt
 from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
 
 FORMAT = 1
+LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
 
 
 def document(report: Report) -> dict[str, Any]:
@@ -19,9 +22,11 @@ def document(report: Report) -> dict[str, Any]:
     paths = ShortPaths(report.folder, package=report.package)
     return {
         'format': FORMAT,
+        **({'student': report.student} if report.student else {}),
         'submission': {'file': os.path.relpath(report.file, report.folder), 'sha256': report.sha256},
         'rubric': {'name': report.rubric, 'title': report.title},
         'seed': report.seed,
+        'receipt': receipt(report),
         'verdict': report.verdict,
         'exit_code': report.exit_code,
         'points': {'earned': report.earned, 'possible': report.possible},
@@ -54,10 +59,27 @@ def _scenario(outcome: Outcome, paths: ShortPaths) -> dict[str, Any]:
         'arguments': dict(scenario.arguments),
         'duration_s': scenario.duration_s,
         'seed': scenario.seed,
+        'digest': digest_of(outcome),
         'outcome': outcome.kind,
         'text': paths.text(outcome.text) or None,
         'detail': paths.text(outcome.detail) or None,
     }
+
+
+def digest_of(outcome: Outcome) -> str | None:
+    """The hash of everything that happened; None without a recording, or with one that is too large for it."""
+    try:
+        with cpu_limit(LONGEST_DIGEST_S):
+            return None if outcome.recording is None else outcome.recording.digest()
+    except (
+        TooLong,
+        ValueError,
+        TypeError,
+        AttributeError,
+        LookupError,
+        RecursionError,
+    ):  # what a hostile recording may do to its reader
+        return None
 
 
 def _check(result: CheckResult) -> dict[str, Any]:

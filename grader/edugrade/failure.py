@@ -22,6 +22,7 @@ class Failure(Exception):
     :param seen: what was there instead.
     :param where: (file, line) of the launch action or the file to change.
     :param try_: the first thing to try.
+    :param share: of the points, that are given all the same: from 0 up to, not including, 1.
     """
 
     def __init__(
@@ -32,6 +33,7 @@ class Failure(Exception):
         seen: object = None,
         where: tuple[str, int | None] | None = None,
         try_: str | None = None,
+        share: float = 0.0,
     ) -> None:
         super().__init__(rationale)
         self.rationale = rationale
@@ -39,6 +41,7 @@ class Failure(Exception):
         self.seen = None if seen is None else str(seen)
         self.where = None if where is None else Place(*where)
         self.try_ = try_
+        self.share = share if 0.0 <= share < 1.0 else 0.0
 
 
 class Missing(Failure):
@@ -72,9 +75,17 @@ class Mismatch(Failure):
     """Something is there with another value; both values are shown in full, never shortened."""
 
     def __init__(
-        self, thing: str, expected: object, seen: object, *, where: tuple[str, int | None] | None = None, try_: str | None = None
+        self,
+        thing: str,
+        expected: object,
+        seen: object,
+        *,
+        where: tuple[str, int | None] | None = None,
+        try_: str | None = None,
+        share: float = 0.0,
     ) -> None:
-        super().__init__(f'{thing} is not what was asked for', expected=expected, seen=seen, where=where, try_=try_)
+        words = f'{thing} is not what was asked for'
+        super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)
 
 
 def _with_nearest(try_: str | None, name: str | None, known: list[str]) -> str | None:

@@ -11,27 +11,57 @@ from .runner import Runner, Ticket
 from .submission import Submission
 
 if TYPE_CHECKING:
-    from .results import Report
+    from .course_secret import CourseSecret
+    from .outcome import Outcome
+    from .results import CheckResult, Report
     from .rubric import Rubric
+    from .scenario import Scenario
 
 
 class Work(NamedTuple):
-    """A submission with what it is graded by."""
+    """A submission with what it is graded by; `secret` names the course secret that chose the seed, if one did."""
 
     submission: Submission
     name: str
     rubric: Rubric
     seed: int
+    secret: str | None = None
+
+    @property
+    def sha256(self) -> str:
+        """Of the submission's text."""
+        return self.submission.sha256
+
+    @property
+    def rubric_sha256(self) -> str:
+        """Of the rubric's text."""
+        return self.rubric.sha256
+
+    @property
+    def scenarios(self) -> tuple[Scenario, ...]:
+        """The runs that are asked for."""
+        return self.rubric.scenarios(self.seed)
 
 
-def plan_work(submission: Submission, rubric: str | None = None, seed: int | None = None) -> Work:
+def plan_work(
+    submission: Submission,
+    rubric: str | None = None,
+    seed: int | None = None,
+    secret: CourseSecret | None = None,
+    student: str = '',
+    only: str | None = None,
+) -> Work:
     """Find the rubric and choose the seed of a submission.
 
     :param rubric: a rubric's name or file, instead of the one that the submission's name says.
-    :param seed: chooses the values of the runs; default: the content of the submission.
-    :raises UnusableInput: when there is no such rubric.
+    :param seed: chooses the values of the runs; default: the course's secret with the student, else the submission's content.
+    :param only: the name of the only check that is wanted, with what it needs.
+    :raises UnusableInput: when there is no such rubric, or no such check in it.
     """
-    name, found = find_rubric(submission.exercise, rubric)
+    name, found = find_rubric(submission.exercise, rubric, submission.folder)
+    found = found if only is None else found.part(only)
+    if seed is None and secret is not None:
+        return Work(submission, name, found, secret.seed(name, student, submission.sha256), secret.name)
     return Work(submission, name, found, submission.seed if seed is None else seed)
 
 
@@ -49,20 +79,25 @@ def grade(
     :param processors: how many runs go at once; default: as many as there are processors.
     """
     with Runner(limits, on_outcome, processors) as runner:
-        tickets = [runner.add(item.submission, item.rubric.scenarios(item.seed), workspaces) for item in work]
+        tickets = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
         from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
 
         tickets.reverse()
         for item in work:
-            yield _report(item, runner, tickets.pop())  # nothing is kept of it here: recordings are large
+            yield _report(item, runner, tickets.pop(), workspaces)  # nothing is kept of it here: recordings are large
 
 
-def _report(work: Work, runner: Runner, ticket: Ticket) -> Report:
-    from .judging import judge
+def _report(work: Work, runner: Runner, ticket: Ticket, workspaces: Sequence[str]) -> Report:
+    from .judging import broken, judge
     from .results import Report
 
     outcomes = runner.wait(ticket)
     submission = work.submission
+    try:
+        results = judge(work.rubric.checks, outcomes, submission.source)
+        results[1:1] = _repeated(work, outcomes, runner, workspaces)
+    except Exception as error:  # a fault of ours with one submission, which costs no other its report
+        results = [broken(error)]
     return Report(
         file=submission.file,
         given=submission.given,
@@ -74,6 +109,20 @@ def _report(work: Work, runner: Runner, ticket: Ticket) -> Report:
         title=work.rubric.title,
         seed=work.seed,
         outcomes=tuple(outcomes),
-        results=tuple(judge(work.rubric.checks, outcomes, submission.source)),
+        results=tuple(results),
         gaps=tuple(submission.source.gaps),
+        rubric_sha256=work.rubric_sha256,
+        secret=work.secret,
     )
+
+
+def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner, workspaces: Sequence[str]) -> list[CheckResult]:
+    """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
+    from .repeated import difference, has_own_programs, result
+
+    own = [outcome for outcome in outcomes if outcome.recording is not None and has_own_programs(outcome.recording)]
+    if not own:
+        return []
+    again = runner.wait(runner.add(work.submission, [outcome.scenario for outcome in own], workspaces, is_next=True))
+    differences = [(one.scenario, difference(one, two)) for one, two in zip(own, again, strict=True)]
+    return [result(differences, work.submission.source)]

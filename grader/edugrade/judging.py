@@ -52,6 +52,12 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
+def broken(error: Exception) -> CheckResult:
+    """The only result of a submission on which the grader itself broke."""
+    reason = f'the grader broke on it: {type(error).__name__}: {error}'
+    return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=REPORT_IT)
+
+
 def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Which launches went wrong, when not all of them did."""
     if len(bad) == len(outcomes):
@@ -91,9 +97,10 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
             seen=failure.seen,
             where=failure.where,
             try_=failure.try_,
+            share=failure.share,
         )
     except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
-        return replace(_plain(check, GRADER_BROKE), reason=_words(error), try_=REPORT_IT)
+        return replace(_plain(check, GRADER_BROKE), reason=_words(error, check), try_=REPORT_IT)
     return _plain(check, PASSED)
 
 
@@ -102,10 +109,13 @@ def _plain(check: Check, status: str) -> CheckResult:
     return CheckResult(check.name, check.sentence, status, check.points, needs)
 
 
-def _words(error: Exception) -> str:
-    """Type, text and place of an unexpected exception, without a traceback."""
+def _words(error: Exception, check: Check) -> str:
+    """Type, text and place of an unexpected exception, without a traceback: the line of the rubric, else where it was raised."""
+    places = []
     trace = error.__traceback__
-    while trace is not None and trace.tb_next is not None:
+    while trace is not None:
+        places.append((trace.tb_frame.f_code.co_filename, trace.tb_lineno))
         trace = trace.tb_next
-    place = '' if trace is None else f' ({trace.tb_frame.f_code.co_filename}:{trace.tb_lineno})'
-    return f'the check itself broke: {type(error).__name__}: {error}{place}'
+    rubric = getattr(getattr(check.function, '__code__', None), 'co_filename', None)
+    file, line = next((place for place in reversed(places) if place[0] == rubric), places[-1])
+    return f'the check itself broke: {type(error).__name__}: {error} ({file}:{line})'

@@ -1,70 +1,69 @@
-"""The report as JUnit XML, as continuous integration servers read it: a suite for each submission, a case for each check."""
+"""Reports as JUnit XML, as continuous integration servers read it: a suite for each submission, a case for each check."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
-from .results import FAILED, GRADER_BROKE, NOT_RUN, CheckResult, Refusal, Report
-from .short_paths import ShortPaths
+from .results import FAILED, GRADER_BROKE, NOT_RUN, Refusal
 
 _ELEMENTS = {FAILED: 'failure', GRADER_BROKE: 'error', NOT_RUN: 'skipped'}
 
 
-def junit_text(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
-    """All reports as one document. A path that could not be graded is a suite with one error."""
+def junit_text(documents: Sequence[Mapping[str, Any]], refusals: Sequence[Refusal] = ()) -> str:
+    """All reports (JSON documents or results of a batch) as one document. What could not be graded is a suite with one error."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', '<testsuites name="edugrade">']
-    for report in reports:
-        lines += _suite(report)
+    for found in documents:
+        who = ': '.join(filter(None, (found.get('student'), found.get('path') or found.get('submission', {}).get('file'))))
+        lines += _refused(who, found['refused'], found.get('help') or '') if 'refused' in found else _suite(who, found)
     for refusal in refusals:
-        lines += [
-            _start('testsuite', {'name': refusal.given, 'tests': '1', 'failures': '0', 'errors': '1', 'skipped': '0'}),
-            _start('testcase', {'classname': refusal.given, 'name': 'It can be graded'}),
-            f'{_start("error", {"message": refusal.reason})}{_safe(refusal.help or "")}</error>',
-            '</testcase>',
-            '</testsuite>',
-        ]
+        lines += _refused(refusal.given, refusal.reason, refusal.help or '')
     return '\n'.join([*lines, '</testsuites>']) + '\n'
 
 
-def _suite(report: Report) -> Iterator[str]:
-    paths = ShortPaths(report.folder, report.shown, report.package)
-    count = {status: sum(result.status == status for result in report.results) for status in _ELEMENTS}
-    yield _start(
-        'testsuite',
-        {
-            'name': f'{report.rubric}: {report.given}',
-            'tests': str(len(report.results)),
-            'failures': str(count[FAILED]),
-            'errors': str(count[GRADER_BROKE]),
-            'skipped': str(count[NOT_RUN]),
-        },
-    )
-    points = 'no mark' if report.earned is None else f'{report.earned} of {report.possible}'
+def _refused(name: str, reason: str, help: str) -> list[str]:
+    counts = {'tests': '1', 'failures': '0', 'errors': '1', 'skipped': '0'}
+    return [
+        _start('testsuite', {'name': name, **counts}),
+        _start('testcase', {'classname': name, 'name': 'It can be graded'}),
+        f'{_start("error", {"message": reason, "type": "refused"})}{_safe(help)}</error>',
+        '</testcase>',
+        '</testsuite>',
+    ]
+
+
+def _suite(who: str, found: Mapping[str, Any]) -> Iterator[str]:
+    checks, rubric, points = found['checks'], found['rubric']['name'], found['points']
+    count = {status: str(sum(check['status'] == status for check in checks)) for status in _ELEMENTS}
+    counts = {'tests': str(len(checks)), 'failures': count[FAILED], 'errors': count[GRADER_BROKE], 'skipped': count[NOT_RUN]}
+    yield _start('testsuite', {'name': f'{rubric}: {who}', **counts})
+    mark = 'no mark' if points['earned'] is None else f'{points["earned"]} of {points["possible"]}'
+    properties = {'points': mark, 'seed': str(found['seed']), 'sha256': found['submission']['sha256']}
     yield '<properties>'
-    for name, value in {'points': points, 'seed': str(report.seed), 'sha256': report.sha256}.items():
+    for name, value in {**({'student': found['student']} if found.get('student') else {}), **properties}.items():
         yield _start('property', {'name': name, 'value': value}, '/>')
     yield '</properties>'
-    for result in report.results:
-        yield from _case(paths.result(result), report.rubric)
+    for check in checks:
+        yield from _case(check, f'edugrade.{rubric}' + (f'.{found["student"]}' if found.get('student') else ''))
     yield '</testsuite>'
 
 
-def _case(result: CheckResult, rubric: str) -> Iterator[str]:
-    case = {'classname': f'edugrade.{rubric}', 'name': result.sentence}
-    element = _ELEMENTS.get(result.status)
+def _case(check: Mapping[str, Any], classname: str) -> Iterator[str]:
+    case = {'classname': classname, 'name': check['sentence']}
+    element = _ELEMENTS.get(check['status'])
     if element is None:
         yield _start('testcase', case, '/>')
         return
     yield _start('testcase', case)
-    yield f'{_start(element, {"message": result.reason})}{_safe(_details(result))}</{element}>'
+    yield f'{_start(element, {"message": check["reason"] or "", "type": check["name"]})}{_safe(_details(check))}</{element}>'
     yield '</testcase>'
 
 
-def _details(result: CheckResult) -> str:
-    place = result.where
-    where = None if place is None else place.file + (f':{place.line}' if place.line else '')
-    fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
+def _details(check: Mapping[str, Any]) -> str:
+    place = check['where']
+    where = None if place is None else place['file'] + (f':{place["line"]}' if place['line'] else '')
+    fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
     return '\n'.join(f'{label}: {text}' for label, text in fields.items() if text)
 
 

@@ -39,6 +39,9 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
     parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
     _add_common(parser)
+    parser.add_argument(
+        '--student', metavar='NAME', default='', help='whose it is: kept in the reports, part of what chooses the runs'
+    )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
     return parser.parse_args(argv)
 
@@ -50,13 +53,23 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
         description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own.',
     )
     parser.add_argument(
-        'folder', metavar='SUBMISSIONS', help='its first level names the students; packages and launch files below'
+        'folder',
+        metavar='SUBMISSIONS',
+        help='a folder (or a .zip or .tar.gz of one) with a folder, an archive or a launch file for each student, such as '
+        'Moodle, Gradescope and Canvas give out; or a table, .csv: student,url (of a git repository) or student,path',
+    )
+    parser.add_argument(
+        '--name-pattern',
+        metavar='REGEX',
+        help="finds students' names in paths: a regular expression with a group (?P<student>...)",
     )
     parser.add_argument('--out', metavar='DIR', help='where the results go (default: SUBMISSIONS.results)')
     parser.add_argument('--resume', action='store_true', help='keep results of the same text, rubric, engine and seed')
-    parser.add_argument('--jobs', type=int, metavar='N', help='how many runs go at once (default: as many as processors)')
+    parser.add_argument('--jobs', type=_count, metavar='N', help='how many runs go at once (default: as many as processors)')
+    parser.add_argument('--dask', metavar='ADDRESS', help='grade on a Dask cluster, such as tcp://127.0.0.1:8786')
     parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
     parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
+    parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
     _add_common(parser)
     return parser.parse_args(words)
 
@@ -66,6 +79,12 @@ def _add_common(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
         '--seed', type=int, metavar='N', help="choose the runs' values by this number (default: by the file's content)"
+    )
+    parser.add_argument('--only', metavar='CHECK', help='grade this check only, with those that it needs; a batch keeps the rest')
+    parser.add_argument(
+        '--course-secret-file',
+        metavar='FILE',
+        help='choose the runs by this secret and the student, so that nobody can foresee them',
     )
     parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     parser.add_argument(
@@ -77,6 +96,12 @@ def _add_common(parser: argparse.ArgumentParser) -> None:
         default='auto',
         help='confine runs as far as this system can (default), run nothing that is not confined, or do not confine',
     )
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 0 < int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f'{text} is not a number from 1 to 1024')
+    return int(text)
 
 
 def _seconds(text: str) -> float:

@@ -29,10 +29,10 @@ class Progress:
     done: bool = False
     attempts: int = 0
     hints: list[int] = field(default_factory=list)
-    best_points: int = 0
+    best_points: float = 0
     points: int = 0
 
-    def attempt(self, earned: int, possible: int, passed: bool) -> None:
+    def attempt(self, earned: float, possible: int, passed: bool) -> None:
         """Note a graded try; what was reached once is kept."""
         self.attempts += 1
         self.done = self.done or passed
@@ -132,9 +132,9 @@ def _locked(folder: str) -> Iterator[None]:
 def _progress(table: Any) -> Progress:
     """An exercise's table, as it must be."""
     found = Progress(**table)
-    kinds = {'done': bool, 'attempts': int, 'hints': list, 'best_points': int, 'points': int}
-    for name, kind in kinds.items():
-        if type(getattr(found, name)) is not kind:
+    kinds = {'done': (bool,), 'attempts': (int,), 'hints': (list,), 'best_points': (int, float), 'points': (int,)}
+    for name, known in kinds.items():
+        if type(getattr(found, name)) not in known:
             raise ValueError(f'{name} = {getattr(found, name)!r} is not of the right kind')
     if any(type(level) is not int for level in found.hints):
         raise ValueError(f'hints = {found.hints!r} is not a list of levels')

@@ -15,6 +15,12 @@ ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
 VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
 
 
+def rounded(points: float) -> float:
+    """Points as people write them: two decimals at most, and none where none are needed."""
+    points = round(points, 2)
+    return int(points) if points == int(points) else points
+
+
 @dataclass(frozen=True)
 class CheckResult:
     """One check's verdict.
@@ -24,6 +30,7 @@ class CheckResult:
     :param points: what the check is worth; it is earned only when passed.
     :param reason: one sentence: why it failed, why it was not run, how the grader broke.
     :param root_cause: name of the check to repair first, for a check that was not run.
+    :param share: of the points, that a failed check gives for what is right.
     """
 
     name: str
@@ -37,11 +44,12 @@ class CheckResult:
     where: Place | None = None
     try_: str | None = None
     root_cause: str | None = None
+    share: float = 0.0
 
     @property
-    def earned(self) -> int:
-        """The points given."""
-        return self.points if self.status == PASSED else 0
+    def earned(self) -> float:
+        """The points given: all of them, or of a failed check the share that the check grants. Whole where they can be."""
+        return rounded(self.points * (1.0 if self.status == PASSED else self.share))
 
 
 @dataclass(frozen=True)
@@ -51,6 +59,8 @@ class Report:
     :param file: the launch file, absolute; `given` is how the caller named the submission.
     :param folder: the submission's folder, absolute, and how it is `shown`: '' or with a separator at its end.
     :param package: the name of the package that it is, if it is one.
+    :param secret: names the course secret that chose the seed, if one did.
+    :param student: whose it is; '' where nobody asked.
     """
 
     file: str
@@ -65,6 +75,9 @@ class Report:
     outcomes: tuple[Outcome, ...]
     results: tuple[CheckResult, ...]
     gaps: tuple[Gap, ...] = ()
+    rubric_sha256: str = ''
+    secret: str | None = None
+    student: str = ''
 
     @property
     def sandbox(self) -> dict[str, str]:
@@ -91,9 +104,9 @@ class Report:
         return sum(result.points for result in self.results)
 
     @property
-    def earned(self) -> int | None:
+    def earned(self) -> float | None:
         """Points given; None when the grader broke, because then there is no mark."""
-        return None if self.exit_code == BROKEN_GRADER else sum(result.earned for result in self.results)
+        return None if self.exit_code == BROKEN_GRADER else rounded(sum(result.earned for result in self.results))
 
     @property
     def exit_code(self) -> int:

@@ -4,9 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from random import Random
+from typing import Any
+
+from edulaunch.errors import UnusableInput
 
 from .check import Check
 from .scenario import Scenario
+
+LONGEST_S = 3600.0
+
+
+class RubricMistake(Exception):
+    """A rubric is wrong; the text begins with its file and line. It costs no mark: nothing is graded by it."""
 
 
 class Rubric:
@@ -21,17 +30,71 @@ class Rubric:
 
     def __init__(self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]], checks: Sequence[Check]) -> None:
         self.title = title
+        self.file, self.text = '', b''  # whoever reads it from a file says so
         self.checks = tuple(checks)
         self._scenarios = scenarios
         _refuse_disorder(self.checks)
 
+    @property
+    def sha256(self) -> str:
+        """Of its text."""
+        from hashlib import sha256
+
+        return sha256(self.text).hexdigest()
+
+    def part(self, name: str) -> Rubric:
+        """The rubric of one check and of those that it needs.
+
+        :raises UnusableInput: when there is no such check.
+        """
+        known = {check.name: check for check in self.checks}
+        if name not in known:
+            from edulaunch.nearest import nearest
+
+            close = nearest(name, known)
+            hint = f'did you mean {close}? ' if close else ''
+            raise UnusableInput(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
+        wanted = {name}
+        for check in reversed(self.checks):  # what a check needs stands before it
+            if check.name in wanted:
+                wanted |= {need.name for need in check.needs}
+        part = Rubric(title=self.title, scenarios=self._scenarios, checks=[item for item in self.checks if item.name in wanted])
+        part.file, part.text = self.file, self.text
+        return part
+
     def scenarios(self, seed: int) -> tuple[Scenario, ...]:
         """The runs for this seed: the same seed gives the same runs."""
-        return tuple(self._scenarios(Random(seed)))
+        made = self._scenarios(Random(seed))
+        _refuse_odd_runs(made, self._scenarios)
+        return tuple(
+            scenario._replace(seed=Random(f'{seed} {scenario.name}').getrandbits(31)) if scenario.seed == 0 else scenario
+            for scenario in made
+        )
+
+
+def _refuse_odd_runs(made: Any, by: Callable[..., Any]) -> None:
+    code = getattr(by, '__code__', None)
+    place = f'{code.co_filename}:{code.co_firstlineno}' if code else 'the rubric'
+    if not isinstance(made, (list, tuple)) or not made or not all(isinstance(item, Scenario) for item in made):
+        raise RubricMistake(f'{place}: scenarios(random) must return a list of Scenario, and at least one')
+    names = [item.name for item in made]
+    if len(set(names)) < len(names):
+        raise RubricMistake(f'{place}: two scenarios have one name: {", ".join(names)}')
+    for item in made:
+        if not 0.0 < item.duration_s <= LONGEST_S or not all(
+            isinstance(word, str) for pair in item.arguments.items() for word in pair
+        ):
+            raise RubricMistake(
+                f'{place}: the scenario {item.name} lasts {item.duration_s} s with {dict(item.arguments)}; '
+                f'a duration is more than 0 and at most {LONGEST_S:g} s, and arguments are texts'
+            )
 
 
 def _refuse_disorder(checks: Sequence[Check]) -> None:
     known: dict[str, Check] = {}
+    strange = next((check for check in checks if not isinstance(check, Check)), None)
+    if strange is not None:
+        raise TypeError(f'{strange!r} is no check; put @check(points=...) before the function')
     for check in checks:
         if check.name in known:
             raise ValueError(f'two checks are called {check.name}')

@@ -71,14 +71,17 @@ class Runner:
         self._selector.close()
         remove_tree(self._home)
 
-    def add(self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = ()) -> Ticket:
-        """Ask for the runs of a submission; runs that were added earlier go first.
+    def add(
+        self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
+    ) -> Ticket:
+        """Ask for the runs of a submission; runs that were added earlier go first, unless these are the next.
 
         :param workspaces: more folders with the student's packages, searched before the submission's own.
         """
         ticket = Ticket(scenarios)
         folders = [*workspaces, *submission.workspaces]
-        self._waiting += [(ticket, scenario, submission, folders) for scenario in scenarios]
+        place = 0 if is_next else len(self._waiting)
+        self._waiting[place:place] = [(ticket, scenario, submission, folders) for scenario in scenarios]
         self._start_some()
         return ticket
 

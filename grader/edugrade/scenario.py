@@ -12,7 +12,7 @@ class Scenario(NamedTuple):
 
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
     :param duration_s: simulated seconds.
-    :param seed: of the simulation; it decides the randomness of the students' nodes.
+    :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
     """
 
     name: str

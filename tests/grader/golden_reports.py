@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 from edugrade.document import document, json_text
 from edugrade.grading import Work, grade, plan_work
@@ -23,9 +24,15 @@ def grade_all() -> dict[str, tuple[str, str]]:
     """For each case, the terminal's text with the exit code as its last line, and the JSON text."""
     reports = grade([_work(case) for case in CASES], Limits(60.0, sandbox='off'))
     return {
-        case: (f'{render(report)}exit code {report.exit_code}\n', json_text(document(report)))
+        case: (f'{render(report)}exit code {report.exit_code}\n', json_text(_steady(document(report))))
         for case, report in zip(CASES, reports, strict=True)
     }
+
+
+def _steady(found: dict[str, Any]) -> dict[str, Any]:
+    """A report without what changes with every version of the engine and every word of a rubric."""
+    scenarios = [{**scenario, 'digest': bool(scenario['digest'])} for scenario in found['scenarios']]
+    return {**{key: value for key, value in found.items() if key != 'receipt'}, 'scenarios': scenarios}
 
 
 def _work(case: str) -> Work:

@@ -48,7 +48,7 @@ def test_a_rubric_that_breaks_is_the_graders_fault(capsys: pytest.CaptureFixture
     rubric = tmp_path / 'bad.py'
     rubric.write_text('1 / 0\n')
     code, text = refused(capsys, CIRCLE, '--rubric', str(rubric))
-    assert (code, text) == (3, 'edugrade: the grader broke: ZeroDivisionError: division by zero\n')
+    assert (code, text) == (3, f'edugrade: the rubric is wrong: {rubric}:1: ZeroDivisionError: division by zero\n')
 
 
 def test_a_missing_rubric_file_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence
-from ..failure import Missing
+from ..failure import Mismatch, Missing
 from .launched import find_processes
-from .stock import is_of
+from .stock import is_of, refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
-    from edulaunch.recording.records import NodeRecord
+    from edulaunch.recording.records import NodeRecord, TopicRecord
 
 ALWAYS_THERE = ('/rosout', '/parameter_events', '/tf', '/tf_static')
 
@@ -25,6 +25,28 @@ def require_node(run: Evidence, name: str, package: str, try_: str) -> None:
         names = [node.name for node in recording.nodes if is_of(recording, node.process, package)]
         if name not in names:
             raise Missing(f'the node {name}', name=name, among=names, where=run.source.place, try_=try_)
+
+
+def require_topic(
+    run: Evidence, scenario: str, name: str, type_: str | None = None, package: str | None = None, try_: str | None = None
+) -> TopicRecord:
+    """Messages come on a topic: of this type, and from nobody but programs of this package, where these are given.
+
+    :raises Missing: naming the nearest topic; or when nothing was published.
+    :raises Mismatch: for another type.
+    :raises Failure: when somebody else publishes it.
+    """
+    topics = run[scenario].topics
+    found = topics.get(name)
+    if found is None or not found.count:
+        among = [topic.name for topic in topics.values() if topic.count]
+        words = f'the topic {name}' if found is None else f'a message on {name}'
+        raise Missing(words, name=name, among=among, where=run.source.place, try_=try_)
+    if type_ is not None and found.type != type_:
+        raise Mismatch(f'the type of {name}', type_, found.type, where=run.source.place, try_=try_)
+    if package is not None:
+        refuse_strangers(run[scenario], name, package)
+    return found
 
 
 def loose_ends(recording: Recording, package: str, executable: str) -> list[str]:

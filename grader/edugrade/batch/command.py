@@ -1,0 +1,79 @@
+"""The command ``edugrade batch``: grades a class, and goes on where it was stopped."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from edulaunch.errors import UnusableInput
+
+from ..catalogue import exercises, find_rubric
+from ..results import BROKEN_GRADER
+from ..submission import exercise_of
+from ..whole_file import write_whole
+from .entries import Entry, Finder
+from .names import ARCHIVES
+from .store import Result, Store
+from .work import Options, grade_here, work_to_do
+
+Results = Sequence[tuple[Entry, Result | None]]
+
+
+def main(words: Sequence[str]) -> int:
+    """Grade a class. Returns the exit code: 0, or 3 when somebody is without a verdict through a fault of the grader."""
+    from ..options import read_batch_options
+
+    options = read_batch_options(words)
+    how = Options.of(options)
+    store = Store(options.out or _beside(options.folder))
+    with store.locked():
+        wanted = [find_rubric('', how.rubric)[0]] if how.rubric else exercises()
+        entries = Finder(
+            options.folder,
+            store.unpacked,
+            lambda name: how.rubric is not None or exercise_of(name) in wanted,
+            options.name_pattern,
+        ).entries()
+        if not entries:
+            raise UnusableInput(f'there is nothing to grade in {options.folder}', help='exercises: ' + ', '.join(wanted))
+        todo = list(work_to_do(entries, store, how))
+        if options.dask:
+            from .dask_cluster import grade_there
+
+            grade_there(options.dask, todo, store, how)
+        else:
+            grade_here(todo, store, how)
+        results = [(entry, store.result(entry)) for entry in entries]
+        refused = sum(1 for _, found in results if found and 'refused' in found)
+        _write_tables(results, options.csv, options.html, options.junit, store)
+    print(_closing(results, len(entries) - len(todo) - refused, store.folder))
+    is_broken = any((found or {}).get('exit_code', BROKEN_GRADER) == BROKEN_GRADER for _, found in results)
+    return BROKEN_GRADER if is_broken else 0
+
+
+def _beside(given: str) -> str:
+    """Where the results go when nobody says it: beside what was handed in."""
+    name = given.rstrip(os.sep)
+    ending = next((ending for ending in (*ARCHIVES, '.csv') if name.lower().endswith(ending) and os.path.isfile(name)), '')
+    return name[: len(name) - len(ending)] + '.results'
+
+
+def _write_tables(results: Results, csv: str | None, html: str | None, junit: str | None, store: Store) -> None:
+    from .tables import class_csv
+
+    if csv is not None:
+        write_whole(csv, class_csv(results))
+    if junit is not None:
+        from ..junit import junit_text
+
+        write_whole(junit, junit_text([found for _, found in results if found]))
+    if html is not None:
+        from .class_page import write_pages
+
+        write_pages(html, results, store)
+
+
+def _closing(results: Results, kept: int, folder: str) -> str:
+    marked = sum(1 for _, found in results if found and found.get('points', {}).get('earned') is not None)
+    before = f', {kept} of them from before' if kept else ''
+    return f'{len(results)} submissions{before}; {marked} have a mark. Results: {folder}'

@@ -1,0 +1,145 @@
+"""Grades a class on many machines, by Dask: a submission travels as text, is graded there, and comes back as data.
+
+A worker that dies costs no mark: its submissions are given to another one. Workers need edulaunch of the same version.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from edulaunch.errors import UnusableInput
+from edulaunch.version import __version__
+
+from ..grading import Work
+from ..regular_file import read_regular
+from ..results import BROKEN_GRADER
+from ..verdicts import REPORT_IT
+from .entries import Entry
+from .store import Store
+from .work import Options, keep, keep_document, keep_page, refusal
+
+TRIES = 3  # of a submission under which workers die: then it is nobody's mark
+PATIENCE_S = 600.0  # for one submission, on top of its own limits
+LARGEST_FILE = 2_000_000
+
+Parcel = dict[str, Any]
+
+
+def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
+    """Grade on the cluster with this scheduler; every result is kept as soon as it comes.
+
+    :raises UnusableInput: when Dask is not installed, or nobody answers at the address.
+    """
+    try:
+        from distributed import Client, as_completed
+    except ImportError:
+        raise UnusableInput('--dask needs Dask', help="pip install 'edulaunch[dask]'") from None
+    try:
+        client = Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise UnusableInput(f'no Dask scheduler answers at {address}: {error}', help='start one: dask scheduler') from None
+    with client:
+        entries = {
+            client.submit(
+                grade_parcel, parcel(work, options), pure=False, retries=TRIES, key=f'edugrade-{number}-{os.urandom(4).hex()}'
+            ): entry
+            for number, (entry, work) in enumerate(todo)
+        }
+        from ..progress_bar import progress_bar
+
+        with progress_bar(len(entries)) as advance:
+            for future in as_completed(entries):
+                entry = entries.pop(future)
+                try:
+                    _keep(store, entry, future.result(), options)
+                except Exception as error:  # whatever a worker died of: its fault, or ours, and no mark
+                    words = f'the grader broke on it: {type(error).__name__}: {error}'
+                    keep(store, entry, refusal(BROKEN_GRADER, words, REPORT_IT))
+                advance()
+
+
+def parcel(work: Work, options: Options) -> Parcel:
+    """Everything that grading a submission needs, as plain data."""
+    submission = work.submission
+    name = submission.package.name if submission.package else submission.name
+    return {
+        'version': __version__,
+        'name': name,
+        'files': _files(submission.folder) if submission.package else {submission.name: submission.data},
+        'launch': os.path.relpath(submission.file, submission.folder),
+        'rubric': (f'{work.name}{os.path.splitext(work.rubric.file)[1]}', work.rubric.text),
+        'seed': work.seed,
+        'secret': work.secret,
+        'only': options.only,
+        'limit': options.limits.wall_s,
+        'sandbox': options.limits.sandbox,
+        'page': options.html is not None,
+    }
+
+
+def _files(folder: str) -> dict[str, bytes]:
+    """The regular files of a package, by their path; links are left out, as the grader's own reading does."""
+    found = {}
+    for place, folders, names in os.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith('.') and name not in ('build', 'install', 'log', '__pycache__')
+        )
+        for name in sorted(names):
+            path = os.path.join(place, name)
+            with suppress(OSError):
+                if not os.path.islink(path):
+                    found[os.path.relpath(path, folder)] = read_regular(path, LARGEST_FILE)
+    return found
+
+
+def grade_parcel(given: Parcel) -> dict[str, Any]:
+    """On the worker: unpack, run the command in a process of its own (which has limits of time for judging), read its report."""
+    if given['version'] != __version__:
+        raise UnusableInput(f'this worker has edulaunch {__version__}, and not {given["version"]}')
+    with tempfile.TemporaryDirectory(prefix='edugrade-parcel-', ignore_cleanup_errors=True) as temporary:
+        home = Path(temporary)
+        for name, data in given['files'].items():
+            path = home / 'submission' / given['name'] / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        rubric = home / 'rubrics' / given['rubric'][0]
+        rubric.parent.mkdir()
+        rubric.write_bytes(given['rubric'][1])
+        (home / 'here').mkdir()
+        words = [
+            '--rubric',
+            str(rubric),
+            '--seed',
+            str(given['seed']),
+            '--limit',
+            str(given['limit']),
+            '--sandbox',
+            given['sandbox'],
+        ]
+        words += ['--json', str(home / 'report.json'), *(['--only', given['only']] if given['only'] else [])]
+        words += ['--html', str(home / 'page.html')] if given['page'] else []
+        command = [sys.executable, '-m', 'edugrade', str(home / 'submission' / given['name'] / given['launch']), *words]
+        done = subprocess.run(
+            command, cwd=home / 'here', stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE_S + 10 * given['limit']
+        )
+        if not (home / 'report.json').exists():
+            said = done.stderr.decode('utf-8', 'replace').strip()[-2000:]
+            raise RuntimeError(f'edugrade ended with exit code {done.returncode} on the worker: {said}')
+        page = (home / 'page.html').read_text('utf-8') if (home / 'page.html').exists() else None
+        found = json.loads((home / 'report.json').read_text('utf-8'))
+    found['receipt']['secret'] = given['secret']
+    return {'report': found, 'page': page}
+
+
+def _keep(store: Store, entry: Entry, came: dict[str, Any], options: Options) -> None:
+    if options.html and came['page'] is not None and not options.only:
+        keep_page(store.path(entry, '.html', options.html), came['page'])
+    keep_document(store, entry, came['report'], options)

@@ -1,0 +1,182 @@
+"""What was handed in: the submissions in a folder, in archives, and behind a table of repositories."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from typing import NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..cpu_limit import TooLong, cpu_limit
+from ..package_folder import package_at
+from ..regular_file import read_regular
+from ..sandbox.remove_tree import remove_tree
+from ..submission import ENDINGS, LARGEST_BYTES, exercise_of
+from .names import ARCHIVES, Student, namer, plain_name
+from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
+
+DEEPEST = 8  # folders below the one that is given
+MOST_NESTED = 2  # archives in archives
+MOST_OF_ONE = 50  # submissions of one student
+LONGEST_UNPACKING_S = 20.0
+STRANGE_ARCHIVES = ('.7z', '.rar', '.xz', '.zst')
+BY_THE_WAY = ('__MACOSX', '__pycache__', 'build', 'install', 'log')
+NOTHING = 'there is no launch file or package of an exercise in it'
+
+
+class Entry(NamedTuple):
+    """A submission of a class.
+
+    :ivar path: how it is called, relative to the folder of all; in an archive: as if that were a folder.
+    :ivar student: whose it is; `id` by a learning platform's number or word.
+    :ivar file: where it lies, unpacked if need be; '' for what is `refused`, for which reason and with what `help`.
+    :ivar origin: repository and commit, when it was cloned.
+    """
+
+    path: str
+    student: str
+    id: str = ''
+    file: str = ''
+    refused: str = ''
+    help: str | None = None
+    origin: str = ''
+
+
+class Finder:
+    """Finds the submissions.
+
+    :param given: a folder with a folder, an archive or a launch file for each student, such a folder packed, or a table (.csv).
+    :param unpacked: where archives and repositories are put; made anew.
+    :param is_wanted: says of a name, of a launch file or a package, whether it is an exercise to be graded.
+    :param pattern: see `namer`.
+    """
+
+    def __init__(self, given: str, unpacked: str, is_wanted: Callable[[str], bool], pattern: str | None = None) -> None:
+        if os.path.lexists(unpacked):
+            remove_tree(unpacked)
+        self._unpacked = unpacked
+        self._folders = 0
+        self._is_wanted = is_wanted
+        self._pattern = pattern
+        self._given = given
+
+    def entries(self) -> list[Entry]:
+        """All submissions, in the order of their paths; a student of whom there is none has an entry that says so.
+
+        :raises UnusableInput: when there is nothing to look into.
+        """
+        given = self._given
+        if given.lower().endswith('.csv') and os.path.isfile(given):
+            from .table import clone_all
+
+            return [entry for row in clone_all(given, os.path.join(self._unpacked, 'table')) for entry in self._of_row(*row)]
+        if given.lower().endswith(ARCHIVES) and os.path.isfile(given):
+            unpack(given, os.path.join(self._unpacked, 'all'), OF_A_CLASS)
+            given = os.path.join(self._unpacked, 'all')
+        if not os.path.isdir(given):
+            raise UnusableInput(
+                f'{given} is not a folder', help='give the folder that has a folder, an archive or a launch file for each student'
+            )
+        student_of = namer(given, self._pattern)
+        return [entry for item in _sorted(given) for entry in self._of_item(item, student_of)]
+
+    def _of_row(self, student: Student, folder: str, origin: str, refused: str) -> list[Entry]:
+        """What one line of a table leads to."""
+        shown = os.path.basename(folder)
+        if refused:
+            return [Entry(shown, *student, refused=refused, origin=origin)]
+        found = list(self._walk(folder, shown, lambda path: student, 0))[:MOST_OF_ONE]
+        found = found or [Entry(shown, *student, refused=NOTHING)]
+        return [entry._replace(origin=origin) for entry in found]
+
+    def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
+        """What one student handed in. What is neither folder, nor archive, nor launch file is nobody's work."""
+        folder = os.path.dirname(item.path)
+        if item.is_symlink():
+            yield Entry(item.name, *student_of(item.name), refused='it is a link, and links are not followed')
+            return
+        found = list(self._item(folder, item, item.name, student_of, 0))[:MOST_OF_ONE]
+        if not found and item.is_dir(follow_symlinks=False) and item.name not in BY_THE_WAY:
+            found = [
+                Entry(item.name, *student_of(item.name + '/'), refused=NOTHING, help='a launch file has the name of its exercise')
+            ]
+        yield from found
+
+    def _walk(self, folder: str, shown: str, student_of: Callable[[str], Student], nested: int) -> Iterator[Entry]:
+        """The submissions in a folder, whose path is `shown`."""
+        if shown.count('/') > DEEPEST:
+            return
+        package = package_at(folder)
+        if package is not None:
+            if self._is_wanted(package.name):
+                yield Entry(shown, *student_of(shown + '/'), file=folder)
+            return
+        for item in _sorted(folder):
+            if not item.is_symlink() and item.name not in BY_THE_WAY:
+                yield from self._item(folder, item, f'{shown}/{item.name}', student_of, nested)
+
+    def _item(
+        self, folder: str, item: os.DirEntry[str], shown: str, student_of: Callable[[str], Student], nested: int
+    ) -> Iterator[Entry]:
+        path = os.path.join(folder, item.name)
+        if item.is_dir(follow_symlinks=False):
+            yield from self._walk(path, shown, student_of, nested)
+        elif item.name.lower().endswith(ARCHIVES):
+            yield from self._archive(path, shown, student_of, nested)
+        elif item.name.lower().endswith(STRANGE_ARCHIVES):
+            yield Entry(
+                shown,
+                *student_of(shown),
+                refused='it is an archive of a kind that is not read',
+                help='pack it as .zip or .tar.gz',
+            )
+        elif plain_name(item.name).endswith(ENDINGS) and self._is_wanted(exercise_of(plain_name(item.name))):
+            yield self._launch_file(Entry(shown, *student_of(shown), file=path))
+
+    def _launch_file(self, entry: Entry) -> Entry:
+        """The entry of a launch file; one that a learning platform has renamed gets its own name back, in a copy."""
+        name = os.path.basename(entry.file)
+        if plain_name(name) == name:
+            return entry
+        try:
+            data = read_regular(entry.file, LARGEST_BYTES + 1)
+        except OSError as error:
+            return entry._replace(file='', refused=f'it cannot be read: {error.strerror or error}')
+        copy = os.path.join(self._new_folder(), plain_name(name))
+        os.makedirs(os.path.dirname(copy))
+        with open(copy, 'wb') as file:
+            file.write(data)
+        return entry._replace(file=copy)
+
+    def _archive(self, path: str, shown: str, student_of: Callable[[str], Student], nested: int) -> Iterator[Entry]:
+        student = student_of(shown)
+        target = self._new_folder()
+        try:
+            if nested == MOST_NESTED:
+                raise UnusableInput(f'archives lie in each other, more than {MOST_NESTED} deep')
+            with cpu_limit(LONGEST_UNPACKING_S):
+                unpack(path, target, OF_A_STUDENT)
+        except UnusableInput as error:
+            remove_tree(target)
+            yield Entry(shown, *student, refused=error.message, help=error.help)
+            return
+        except TooLong as error:
+            remove_tree(target)
+            yield Entry(shown, *student, refused=f'the archive cannot be unpacked: {error}')
+            return
+        found = list(self._walk(target, shown, student_of, nested + 1))
+        yield from found or [Entry(shown, *student, refused=NOTHING)]
+
+    def _new_folder(self) -> str:
+        """The path of a folder that is not there yet, for one archive or file."""
+        os.makedirs(self._unpacked, exist_ok=True)
+        self._folders += 1
+        return os.path.join(self._unpacked, str(self._folders))
+
+
+def _sorted(folder: str) -> list[os.DirEntry[str]]:
+    with suppress(OSError), os.scandir(folder) as found:
+        return sorted((item for item in found if not item.name.startswith('.')), key=lambda item: item.name)
+    return []

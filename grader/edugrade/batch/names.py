@@ -1,0 +1,117 @@
+"""Whose a submission is: read from its path as learning platforms write it, or by a pattern of one's own."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..regular_file import read_regular
+
+ARCHIVES = ('.zip', '.tar', '.tar.gz', '.tgz', '.tar.bz2', '.tbz2')
+LARGEST_METADATA = 20_000_000
+_MOODLE = re.compile(r'(?P<student>[^/]+?)_(?P<id>\d+)_assignsubmission_[a-z]+(?:_|/|$)')
+_CANVAS = re.compile(r'(?P<student>[^/_]+)_(?:LATE_)?(?P<id>\d+)_\d+_[^/]+')
+_CANVAS_BEFORE = re.compile(r'[^/_]+_(?:LATE_)?\d+_\d+_')
+_AGAIN = re.compile(r'-\d+(?=\.(?:py|xml|ya?ml)$)')  # Canvas counts what was handed in again: circle.launch-1.py
+_GRADESCOPE = re.compile(r'(?:[^/]*/)?(?P<key>submission_\d+)(?:/|$)')
+
+
+class Student(NamedTuple):
+    """A name, and the number or word by which a learning platform knows them; '' where the path does not say it."""
+
+    name: str
+    id: str = ''
+
+
+def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
+    """What gives the student of a path relative to the folder of all submissions (written with ``/``).
+
+    The pattern goes first; then the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), Gradescope
+    (``submission_123/`` with the names of ``submission_metadata.yml``) and Canvas (``lovelaceada_123_456_circle.launch.py``);
+    then the first part of the path.
+
+    :param pattern: a regular expression with a group ``student`` and perhaps a group ``id``, found anywhere in the path.
+    :raises UnusableInput: when it is no regular expression, or has no such group.
+    """
+    own = _compiled(pattern) if pattern else None
+    people = _gradescope_people(folder)
+
+    def student_of(path: str) -> Student:
+        for known in (own, _MOODLE, _CANVAS):
+            match = known and (known.search(path) if known is own else known.match(path))
+            if match and match['student']:
+                return Student(match['student'].strip(), (match.groupdict().get('id') or ''))
+        match = _GRADESCOPE.match(path)
+        if match and match['key'] in people:
+            return people[match['key']]
+        return Student(_stem(path.split('/')[0]))
+
+    return student_of
+
+
+def plain_name(name: str) -> str:
+    """The name that the student gave a launch file: without what Moodle and Canvas write around it."""
+    for before in (_MOODLE, _CANVAS_BEFORE):
+        match = before.match(name)
+        if match and match.end() < len(name):
+            return _AGAIN.sub('', name[match.end() :]) if before is _CANVAS_BEFORE else name[match.end() :]
+    return name
+
+
+def _stem(name: str) -> str:
+    from ..submission import ENDINGS
+
+    ending = next(
+        (ending for ending in sorted((*ENDINGS, *ARCHIVES), key=len, reverse=True) if name.lower().endswith(ending)), ''
+    )
+    return name[: -len(ending)] if ending and len(ending) < len(name) else name
+
+
+def _compiled(pattern: str) -> re.Pattern[str]:
+    try:
+        compiled = re.compile(pattern)
+    except re.error as error:
+        raise UnusableInput(f'the name pattern {pattern} is no regular expression: {error}') from None
+    if 'student' not in compiled.groupindex:
+        raise UnusableInput(
+            f'the name pattern {pattern} has no group "student"', help="such as --name-pattern '^hw1-(?P<student>[^/]+)'"
+        )
+    return compiled
+
+
+def _gradescope_people(folder: str) -> Mapping[str, Student]:
+    """The submitters by the folder of their submission, from the file that Gradescope's export has beside them."""
+    for place in ('', *_folders(folder)):
+        try:
+            text = read_regular(os.path.join(folder, place, 'submission_metadata.yml'), LARGEST_METADATA)
+        except OSError:
+            continue
+        import yaml
+
+        try:
+            found = yaml.load(text, getattr(yaml, 'CSafeLoader', yaml.SafeLoader))
+        except (yaml.YAMLError, ValueError, RecursionError):
+            return {}
+        return dict(filter(None, (_person(key, value) for key, value in found.items()))) if isinstance(found, dict) else {}
+    return {}
+
+
+def _folders(folder: str) -> list[str]:
+    try:
+        return sorted(entry.name for entry in os.scandir(folder) if entry.is_dir(follow_symlinks=False))[:3]
+    except OSError:
+        return []
+
+
+def _person(key: Any, value: Any) -> tuple[str, Student] | None:
+    """All who handed it in: Gradescope writes the keys as Ruby symbols."""
+    submitters = value.get(':submitters') if isinstance(value, dict) else None
+    if not isinstance(submitters, list) or not all(isinstance(each, dict) for each in submitters):
+        return None
+    names = [str(each.get(':name') or each.get(':email') or '') for each in submitters]
+    ids = [str(each.get(':sid') or each.get(':email') or '') for each in submitters]
+    return (str(key), Student(' and '.join(names), ids[0])) if names and all(names) else None

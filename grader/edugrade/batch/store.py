@@ -1,0 +1,105 @@
+"""The results of a class: one file for each submission, written whole or not at all."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from hashlib import sha256
+from typing import Any
+
+from edulaunch.errors import UnusableInput
+
+from ..document import json_text
+from ..regular_file import read_regular
+from ..whole_file import write_whole
+from .entries import Entry
+
+LARGEST_RESULT = 10_000_000
+LONGEST_PART = 240  # bytes of a file name, with our ending
+UNPACKED = '.unpacked'
+
+Result = dict[str, Any]
+
+
+class Store:
+    """A folder of results: for each submission ``<its path>.json``."""
+
+    def __init__(self, folder: str) -> None:
+        self.folder = folder
+
+    @property
+    def unpacked(self) -> str:
+        """Where archives are unpacked and repositories cloned: kept, to look into."""
+        return os.path.join(self.folder, UNPACKED)
+
+    @contextmanager
+    def locked(self) -> Iterator[None]:
+        """Keep other batches away from these results, and take away what a killed one left half written.
+
+        :raises UnusableInput: when another batch is at work on them, or they cannot be written.
+        """
+        try:
+            os.makedirs(self.folder, exist_ok=True)
+            lock = os.open(os.path.join(self.folder, '.lock'), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+        except OSError as error:
+            raise UnusableInput(
+                f'results cannot be written to {self.folder}: {error.strerror}', help='give --out FOLDER'
+            ) from None
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            for place, folders, names in os.walk(self.folder):
+                folders[:] = [name for name in folders if name != UNPACKED]
+                for name in names:
+                    if name.endswith('.part'):
+                        os.unlink(os.path.join(place, name))
+            yield
+        except BlockingIOError:
+            raise UnusableInput(f'another batch writes its results to {self.folder}', help='wait for it, or give --out') from None
+        finally:
+            os.close(lock)
+
+    def path(self, entry: Entry, ending: str = '.json', folder: str | None = None) -> str:
+        """Where something about a submission is kept; under a number where its own name would be too long for a file."""
+        name = entry.path
+        if any(len(os.fsencode(part)) > LONGEST_PART for part in name.split(os.sep)) or len(os.fsencode(name)) > 900:
+            name = sha256(os.fsencode(name)).hexdigest()
+        return os.path.join(folder or self.folder, name + ending)
+
+    def result(self, entry: Entry) -> Result | None:
+        """The result that is there; None without one, or with half of one from somebody else's hand."""
+        return _read(self.path(entry))
+
+    def save(self, entry: Entry, content: Result) -> None:
+        """Write one result.
+
+        :raises UnusableInput: when it cannot be written.
+        """
+        path = self.path(entry)
+        with suppress(OSError):  # it is said when the file is written
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+        about = {'student': entry.student, 'student_id': entry.id or None, 'path': entry.path, 'origin': entry.origin or None}
+        write_whole(path, json_text({**about, **content}))
+
+    def all(self) -> list[Result]:
+        """Every result that is there, in the order of their paths: of an ended batch, for its exports.
+
+        :raises UnusableInput: when there is none.
+        """
+        found = []
+        for place, folders, names in os.walk(self.folder):
+            folders[:] = sorted(name for name in folders if name != UNPACKED)
+            found += [result for name in names if name.endswith('.json') and (result := _read(os.path.join(place, name)))]
+        if not found:
+            raise UnusableInput(f'there are no results in {self.folder}', help='give the folder that edugrade batch has written')
+        return sorted(found, key=lambda result: str(result['path']))
+
+
+def _read(path: str) -> Result | None:
+    with suppress(OSError, ValueError, RecursionError):
+        found = json.loads(read_regular(path, LARGEST_RESULT))
+        if isinstance(found, dict) and isinstance(found.get('student'), str) and 'path' in found:
+            return found
+    return None

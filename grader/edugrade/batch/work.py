@@ -1,0 +1,135 @@
+"""Grades what has to be graded of a class: each result is kept as soon as it is known."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..course_secret import CourseSecret
+from ..document import document
+from ..grading import Work, grade, plan_work
+from ..limits import Limits
+from ..receipt import receipt
+from ..results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
+from ..submission import Submission
+from ..verdicts import REPORT_IT
+from ..whole_file import write_whole
+from .entries import Entry
+from .store import Result, Store
+
+
+class Options(NamedTuple):
+    """How a class is graded; see the command's help."""
+
+    rubric: str | None = None
+    seed: int | None = None
+    secret: CourseSecret | None = None
+    only: str | None = None
+    resume: bool = False
+    limits: Limits = Limits()
+    workspaces: Sequence[str] = ()
+    jobs: int | None = None
+    html: str | None = None
+
+    @classmethod
+    def of(cls, words: argparse.Namespace) -> Options:
+        """The options of a command line."""
+        secret = CourseSecret(words.course_secret_file) if words.course_secret_file else None
+        limits = Limits(words.limit, sandbox=words.sandbox)
+        return cls(words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
+
+
+def plan(entry: Entry, options: Options) -> Work:
+    """What a submission is graded by.
+
+    :raises UnusableInput: when it cannot be graded, and why.
+    """
+    if entry.refused:
+        raise UnusableInput(entry.refused, help=entry.help)
+    student = entry.id or entry.student
+    return plan_work(Submission(entry.file), options.rubric, options.seed, options.secret, student, options.only)
+
+
+def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:
+    """What is not graded yet. What cannot be graded gets its verdict here, and costs nobody else anything."""
+    for entry in entries:
+        try:
+            work = plan(entry, options)
+            if not (options.resume and is_current(store, entry, work, options)):
+                yield entry, work
+        except UnusableInput as error:
+            keep(store, entry, refusal(UNUSABLE_INPUT, error.message, error.help))
+        except Exception as error:  # a fault of ours with one of them
+            keep(store, entry, refusal(BROKEN_GRADER, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT))
+
+
+def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool:
+    """Whether the result is there already: of this text, by this rubric, engine and seed, with its page when one is wanted."""
+    found = store.result(entry)
+    if found is None or found.get('receipt') != receipt(work) or found.get('exit_code') == BROKEN_GRADER:
+        return False
+    return not options.html or os.path.exists(store.path(entry, '.html', options.html))
+
+
+def refusal(exit_code: int, reason: str, help: str | None = None) -> Result:
+    """The result of what could not be graded: no mark, which is no zero."""
+    return {'exit_code': exit_code, 'verdict': VERDICTS[exit_code], 'refused': reason, 'help': help}
+
+
+def keep(store: Store, entry: Entry, result: Result) -> bool:
+    """Write a result; whether that could be done. A file that cannot be written costs one result, and is said."""
+    try:
+        store.save(entry, result)
+    except UnusableInput as error:
+        print(f'edugrade: {error}', file=sys.stderr)
+        return False
+    return True
+
+
+def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
+    """Grade on this machine, `jobs` runs at a time."""
+    from ..progress_bar import progress_bar
+
+    works = [work for _, work in todo]
+    with progress_bar(sum(len(work.scenarios) for work in works)) as advance:
+        reports = grade(works, options.limits, options.workspaces, advance, options.jobs)
+        for (entry, _), report in zip(todo, reports, strict=True):
+            keep_report(store, entry, replace(report, student=entry.student), options)
+
+
+def keep_report(store: Store, entry: Entry, report: Report, options: Options) -> None:
+    """Write the page of a submission, when one is wanted, and then the result."""
+    try:
+        if options.html and not options.only:
+            from ..page import page
+
+            keep_page(store.path(entry, '.html', options.html), page([report], []))
+        found = document(report)
+    except Exception as error:  # a fault of ours with one of them, which costs no other its mark
+        found = refusal(BROKEN_GRADER, f'the grader broke on it: {type(error).__name__}: {error}', REPORT_IT)
+    keep_document(store, entry, found, options)
+
+
+def keep_page(path: str, text: str) -> None:
+    """Write a page; one that cannot be written is said, and costs no mark."""
+    try:
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        write_whole(path, text)
+    except (OSError, UnusableInput) as error:
+        print(f'edugrade: {error}', file=sys.stderr)
+
+
+def keep_document(store: Store, entry: Entry, found: Result, options: Options) -> None:
+    """Write the result of a submission; of a single check that was graded again: into the result that is there."""
+    earlier = store.result(entry) if options.only else None
+    if options.only and earlier and 'checks' in earlier and 'checks' in found:
+        from .merge import merged
+
+        found = merged(earlier, found, options.only)
+    keep(store, entry, found)

@@ -1,0 +1,103 @@
+"""Whether a run repeats: the runs of a student's own nodes are made twice, and compared."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from itertools import zip_longest
+from typing import TYPE_CHECKING, Any
+
+from .cpu_limit import TooLong, cpu_limit
+from .document import digest_of
+from .outcome import Outcome
+from .place import comes_with_edulaunch
+from .results import FAILED, PASSED, CheckResult
+from .scenario import Scenario
+from .source import Source
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+REPEATS = 'repeats'
+SENTENCE = 'The same launch gives the same run'
+LONGEST_SEARCH_S = 5.0
+LONGEST_SHOWN = 200
+COMMANDS = ('ros2',)  # programs that are no node of the student's
+
+
+def has_own_programs(recording: Recording) -> bool:
+    """Whether programs ran that did not come with edulaunch."""
+    for process in recording.processes:
+        own = process.package is not None and not comes_with_edulaunch(process.package)
+        script = (
+            process.package is None and bool(process.argv) and os.path.basename(process.argv[0].split(' ')[0]) not in COMMANDS
+        )
+        if process.name != 'launch' and (own or script):
+            return True
+    return False
+
+
+def difference(one: Outcome, two: Outcome) -> str | None:
+    """The first thing that two runs of one scenario do not share, in words; None when they are the same."""
+    if two.recording is None:
+        return f'the second run came to no end: {two.text}'
+    if one.recording is None or digest_of(one) == digest_of(two):
+        return None
+    try:
+        with cpu_limit(LONGEST_SEARCH_S):
+            return _first(one.recording, two.recording) or 'the recordings differ'
+    except (TooLong, ValueError, TypeError, AttributeError, LookupError):
+        return 'the recordings differ'
+
+
+def result(differences: Sequence[tuple[Scenario, str | None]], source: Source) -> CheckResult:
+    """What the student reads of it; it is worth no points."""
+    found = next(((scenario, words) for scenario, words in differences if words), None)
+    if found is None:
+        return CheckResult(REPEATS, SENTENCE, PASSED)
+    return CheckResult(
+        REPEATS,
+        SENTENCE,
+        FAILED,
+        reason=f'not deterministic: launched twice with {found[0].words}, the two runs differ',
+        expected='the same messages at the same simulated times',
+        seen=found[1],
+        where=source.place,
+        try_='take time from node.get_clock() and chance from the module random; leave out os.urandom, addresses and real time',
+    )
+
+
+def _first(one: Recording, two: Recording) -> str | None:
+    pairs = [_first_pair(_events(one), _events(two)), _first_pair(_texts(one), _texts(two))]
+    found = [pair for pair in pairs if pair is not None]
+    return min(found)[1] if found else None
+
+
+def _first_pair(one: Iterator[tuple[float, str, Any]], two: Iterator[tuple[float, str, Any]]) -> tuple[float, str] | None:
+    for here, there in zip_longest(one, two):
+        if here != there:
+            known = [event for event in (here, there) if event is not None]
+            first = min(known, key=lambda event: event[:2])
+            said = [_short(event[2]) if event is not None and event[:2] == first[:2] else 'nothing' for event in (here, there)]
+            return first[0], f'at {first[0]:.3f} s, {first[1]}: {said[0]} the one time, {said[1]} the other'
+    return None
+
+
+def _events(recording: Recording) -> Iterator[tuple[float, str, Any]]:
+    """All messages, in order of time and topic."""
+    found = [
+        (time_ns / 1e9, f'a message on {topic.name}', repr(wire))
+        for topic in recording.topics.values()
+        for time_ns, wire in recording.wires(topic.name, topic.type)
+    ]
+    return iter(sorted(found, key=lambda event: event[:2]))
+
+
+def _texts(recording: Recording) -> Iterator[tuple[float, str, Any]]:
+    """What programs printed, and how they ended."""
+    yield from ((item.time_s, f'{item.process} prints', repr(item.text)) for item in recording.output)
+    yield from ((item.ended_s or 0.0, f'{item.name} ends', repr(item.returncode)) for item in recording.processes)
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= LONGEST_SHOWN else text[:LONGEST_SHOWN] + ' ...'

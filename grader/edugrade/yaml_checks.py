@@ -1,0 +1,264 @@
+"""The checks that a YAML rubric may ask for, in ROS terms."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from math import isfinite
+from typing import Any, NamedTuple
+
+from .evidence import Evidence
+from .failure import Failure, Missing
+from .library.arguments import require_argument, require_default
+from .library.circle_fit import fit_circle
+from .library.close import require_close
+from .library.following import require_near, require_pursuit
+from .library.frames import numbers, require_frame, transforms, yaw
+from .library.launched import find_processes, refuse_dead, require_process
+from .library.movement import Track, length, odometry_track, since, turtle_track
+from .library.node_graph import require_node, require_topic
+from .library.parameters import require_parameter
+
+ARGUMENT = re.compile(r'\$\(arg (\w+)\)')
+
+
+class Wanted(dict[str, Any]):
+    """What a check of a rubric asks for; values may have ``$(arg name)`` in them, the launch argument of the run."""
+
+    def __init__(self, given: dict[str, Any], try_: str | None) -> None:
+        super().__init__(given)
+        self.try_ = try_
+
+    def __missing__(self, key: str) -> str:
+        return ''
+
+    def refuse_odd_values(self) -> None:
+        """Raise ValueError for a tolerance or another measure that is no number, or a share that is none."""
+        for key in ('tolerance', 'within', 'since', 'at_least', 'rate', 'near'):
+            if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
+                raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
+        if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
+            raise ValueError(f'share is {self["share"]!r}, and no number between 0 and 1')
+        for key in ('pattern',):
+            if key in self:
+                try:
+                    re.compile(str(self[key]))
+                except re.error as error:
+                    raise ValueError(f'{key} is no regular expression: {error}') from None
+
+    def text(self, key: str, run: Evidence, scenario: str) -> str:
+        """A value as text, for one run."""
+        arguments = run.scenario(scenario).arguments
+        return ARGUMENT.sub(lambda found: arguments[found[1]], str(self[key]))
+
+    def number(self, key: str, run: Evidence, scenario: str) -> float:
+        """A value as a number, for one run."""
+        return float(self.text(key, run, scenario))
+
+    def same_type(self, key: str, run: Evidence, scenario: str) -> Any:
+        """A value as YAML reads it, for one run: ``$(arg radius)`` is 0.5 when radius:=0.5."""
+        if not isinstance(self[key], str) or not ARGUMENT.search(self[key]):
+            return self[key]
+        import yaml
+
+        return yaml.safe_load(self.text(key, run, scenario))
+
+
+class Kind(NamedTuple):
+    """A kind of check: its function, its fields, those it cannot do without, and what the student reads."""
+
+    function: Callable[[Evidence, Wanted], None]
+    fields: tuple[str, ...]
+    required: tuple[str, ...]
+    sentence: str
+
+
+def _argument(run: Evidence, wanted: Wanted) -> None:
+    if 'default' in wanted:
+        require_default(run, wanted['name'], str(wanted['default']))
+    else:
+        require_argument(run, wanted['name'], '...')
+
+
+def _process(run: Evidence, wanted: Wanted) -> None:
+    require_process(run, wanted['package'], wanted['executable'])
+
+
+def _alive(run: Evidence, wanted: Wanted) -> None:
+    refuse_dead(run)
+
+
+def _node(run: Evidence, wanted: Wanted) -> None:
+    require_node(run, wanted['name'], wanted['package'], wanted.try_ or f'give the Node of {wanted["package"]} this name')
+
+
+def _topic(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        topic = require_topic(run, scenario, wanted['name'], wanted['type'] or None, wanted['package'] or None, wanted.try_)
+        if 'rate' in wanted:
+            rate = topic.count / run[scenario].duration_s
+            require_close(
+                run,
+                scenario,
+                f'the rate of {topic.name} in Hz',
+                rate,
+                wanted['rate'],
+                _tolerance(wanted, 0.2 * wanted['rate']),
+                *_near(wanted),
+                try_=wanted.try_,
+            )
+
+
+def _parameter(run: Evidence, wanted: Wanted) -> None:
+    require_process(run, wanted['package'], wanted['executable'])
+    values = {scenario: wanted.same_type('value', run, scenario) for scenario in run}
+    advice = wanted.try_ or f"give the Node parameters=[{{'{wanted['name']}': ...}}]"
+    require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
+
+
+def _frame(run: Evidence, wanted: Wanted) -> None:
+    child, advice = wanted['child'], wanted.try_ or 'look at what ros2 run tf2_tools view_frames shows'
+    require_frame(run, child, wanted['parent'], advice)
+    for scenario in run:
+        for sent in transforms(run, scenario)[child]:
+            tolerance = _tolerance(wanted, 0.01)
+            for axis, key in enumerate(('x', 'y', 'z')):
+                if key in wanted:
+                    asked = wanted.number(key, run, scenario)
+                    where = f'{key} of {child} in {sent.frame.parent} (its place is {numbers(sent.frame.translation)})'
+                    require_close(
+                        run, scenario, where, sent.frame.translation[axis], asked, tolerance, *_near(wanted), try_=advice
+                    )
+            if 'yaw' in wanted:
+                asked = wanted.number('yaw', run, scenario)
+                require_close(
+                    run, scenario, f'the yaw of {child}', yaw(sent.frame), asked, tolerance, *_near(wanted), try_=advice
+                )
+
+
+def _travels(run: Evidence, wanted: Wanted) -> None:
+    for scenario, track in _tracks(run, wanted):
+        way, asked = length(track), wanted.number('at_least', run, scenario)
+        if not way >= asked:
+            share = way / asked if wanted['share'] and isfinite(way) else 0.0
+            raise Failure(
+                f'{_who(wanted)} travels too little, when launched with {run.scenario(scenario).words}',
+                expected=f'at least {asked:g} m',
+                seen=f'{way:.2f} m',
+                where=run.source.place,
+                try_=wanted.try_,
+                share=min(share, wanted['share'] or 0.0),
+            )
+
+
+def _circle(run: Evidence, wanted: Wanted) -> None:
+    for scenario, track in _tracks(run, wanted):
+        circle = fit_circle([(x, y) for _, x, y in since(track, wanted['since'] or 2.0)])
+        radius = wanted.number('radius', run, scenario)
+        tolerance = _tolerance(wanted, 0.02 * radius)
+        if circle is None or not circle.residual <= max(tolerance, 0.05 * radius):
+            raise Failure(
+                f'{_who(wanted)} drives no circle, when launched with {run.scenario(scenario).words}',
+                expected=f'a circle with a radius of {radius:g} m',
+                seen=f'{length(track):.2f} m travelled, on no circle',
+                where=run.source.place,
+                try_=wanted.try_,
+            )
+        require_close(
+            run,
+            scenario,
+            f'the radius of the circle of {_who(wanted)}',
+            circle.radius,
+            radius,
+            tolerance,
+            *_near(wanted),
+            try_=wanted.try_,
+        )
+
+
+def _follows(run: Evidence, wanted: Wanted) -> None:
+    advice = wanted.try_ or 'look at the frames that the listener asks tf for'
+    for scenario, recording in run.items():
+        goal, start = f'/{wanted["goal"].strip("/")}', wanted['since'] or recording.duration_s / 2
+        follower = f'/{wanted["follower"].strip("/")}'
+        track = turtle_track(recording, f'{goal}/pose')
+        require_near(run, scenario, track, follower, wanted['within'], start, advice)
+        if length(since(track, start)) > 1.0:
+            require_pursuit(run, scenario, goal, follower, start, advice)
+
+
+def _prints(run: Evidence, wanted: Wanted) -> None:
+    pattern = re.compile(str(wanted['pattern']))
+    for scenario, recording in run.items():
+        names = [process.name for process in find_processes(recording, wanted['package'], wanted['executable'])]
+        said = [item.text for item in recording.output if item.process in names]
+        if not any(pattern.search(line[:1000]) for text in said for line in text.splitlines()):
+            raise Missing(
+                f'{wanted["pattern"]} in what {wanted["executable"]} prints, when launched with {run.scenario(scenario).words},',
+                seen=''.join(said)[-400:] or 'nothing is printed',
+                where=run.source.place,
+                try_=wanted.try_,
+            )
+
+
+def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[str, Track]]:
+    for scenario, recording in run.items():
+        if wanted['turtle']:
+            yield scenario, turtle_track(recording, f'/{wanted["turtle"].strip("/")}/pose')
+        else:
+            yield scenario, odometry_track(recording, wanted['odometry'] or '/odom')
+
+
+def _who(wanted: Wanted) -> str:
+    return str(wanted['turtle'] or 'the robot')
+
+
+def _tolerance(wanted: Wanted, usual: float) -> float:
+    return float(wanted['tolerance']) if 'tolerance' in wanted else usual
+
+
+def _near(wanted: Wanted) -> tuple[float, float]:
+    """The wider tolerance within which a share of the points is given."""
+    return float(wanted['near'] or 0.0), float(wanted['share'] or 0.5)
+
+
+_MEASURE = ('tolerance', 'near', 'share')
+KINDS = {
+    'argument': Kind(_argument, ('name', 'default'), ('name',), 'The launch argument {name} is declared, with a default'),
+    'process': Kind(
+        _process, ('package', 'executable'), ('package', 'executable'), 'The launch file starts {executable} of {package}'
+    ),
+    'alive': Kind(_alive, (), (), 'No node dies before the end'),
+    'node': Kind(_node, ('name', 'package'), ('name', 'package'), 'There is a node {name} of the package {package}'),
+    'topic': Kind(_topic, ('name', 'type', 'package', 'rate', *_MEASURE), ('name',), 'Somebody publishes on {name}'),
+    'parameter': Kind(
+        _parameter,
+        ('package', 'executable', 'name', 'value'),
+        ('package', 'executable', 'name', 'value'),
+        'The parameter {name} of {executable} has its value',
+    ),
+    'frame': Kind(
+        _frame,
+        ('child', 'parent', 'x', 'y', 'z', 'yaw', *_MEASURE),
+        ('child', 'parent'),
+        'tf knows the frame {child} in the frame {parent}',
+    ),
+    'travels': Kind(
+        _travels, ('turtle', 'odometry', 'at_least', 'share'), ('at_least',), '{turtle} moves by at least {at_least} m'
+    ),
+    'circle': Kind(
+        _circle,
+        ('turtle', 'odometry', 'radius', 'since', *_MEASURE),
+        ('radius',),
+        '{turtle} drives a circle with the radius {radius}',
+    ),
+    'follows': Kind(
+        _follows,
+        ('follower', 'goal', 'within', 'since'),
+        ('follower', 'goal', 'within'),
+        '{follower} stays close to {goal}, within {within} m',
+    ),
+    'prints': Kind(
+        _prints, ('package', 'executable', 'pattern'), ('package', 'executable', 'pattern'), '{executable} prints {pattern}'
+    ),
+}

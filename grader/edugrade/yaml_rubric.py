@@ -1,0 +1,190 @@
+"""Rubrics without Python: runs and checks as YAML. Every mistake in one is said with its file and line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from random import Random
+from typing import Any
+
+import yaml
+
+from .check import Check
+from .rubric import Rubric, RubricMistake
+from .scenario import Scenario
+from .yaml_checks import ARGUMENT, KINDS, Wanted
+
+Problem = Callable[[yaml.Node, str], RubricMistake]
+COMMON = ('points', 'say', 'name', 'needs', 'try')
+
+
+def read_yaml_rubric(path: str, data: bytes) -> Rubric:
+    """The rubric that a YAML file describes; docs/grading.md says how.
+
+    :raises RubricMistake: naming file and line of what is wrong.
+    """
+    try:
+        root = yaml.compose(data, yaml.SafeLoader)
+    except yaml.YAMLError as error:
+        mark = getattr(error, 'problem_mark', None)
+        raise RubricMistake(f'{path}:{mark.line + 1 if mark else 1}: {getattr(error, "problem", None) or error}') from None
+    if root is None:
+        raise RubricMistake(f'{path}:1: the file is empty; a rubric has title, runs and checks')
+
+    def problem(node: yaml.Node, words: str) -> RubricMistake:
+        return RubricMistake(f'{path}:{node.start_mark.line + 1}: {words}')
+
+    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks'))
+    missing = [name for name in ('title', 'runs', 'checks') if name not in parts]
+    if missing:
+        raise problem(root, f'the rubric lacks {" and ".join(missing)}')
+    runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')]
+    _choose(runs, Random(0))  # a mistake is found now, and not when the first submission is graded
+    checks: dict[str, Check] = {}
+    for node in _items(parts['checks'], problem, 'checks'):
+        check = _check(node, problem, checks)
+        checks[check.name] = check
+    _refuse_unknown_arguments(parts['checks'], runs, problem)
+    title = _value(parts['title'], problem)
+    rubric = Rubric(title=str(title), scenarios=lambda random: _choose(runs, random), checks=list(checks.values()))
+    try:
+        rubric.scenarios(0)
+    except RubricMistake as mistake:
+        raise problem(parts['runs'], str(mistake).split(': ', 1)[1]) from None
+    return rubric
+
+
+def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Scenario]:
+    return [run(random) for run in runs]
+
+
+def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
+    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed'))
+    if 'name' not in parts:
+        raise problem(node, 'a run needs a name')
+    name = str(_value(parts['name'], problem))
+    given = _mapping(parts['arguments'], problem, 'arguments', None) if 'arguments' in parts else {}
+    arguments = {key: _argument(value, problem) for key, value in given.items()}
+    duration = _number(parts['duration'], problem) if 'duration' in parts else (lambda random: 20.0)
+    seed = int(_value(parts['seed'], problem)) if 'seed' in parts else 0
+    return lambda random: Scenario(name, {key: of(random) for key, of in arguments.items()}, float(duration(random)), seed)
+
+
+def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
+    """A launch argument: as it is written, or chosen for each submission."""
+    if isinstance(node, yaml.MappingNode):
+        number, decimals = _number(node, problem), _decimals(node, problem)
+        return lambda random: f'{found:.{decimals}f}' if isinstance(found := number(random), float) else str(found)
+    if not isinstance(node, yaml.ScalarNode):
+        raise problem(node, 'an argument is a text, {between: [LOW, HIGH]} or {one_of: [...]}')
+    text = str(node.value)  # as it is typed after name:=
+    return lambda random: text
+
+
+def _number(node: yaml.Node, problem: Problem) -> Callable[[Random], Any]:
+    """A value, or a choice among values."""
+    if not isinstance(node, yaml.MappingNode):
+        value = _value(node, problem)
+        if not isinstance(value, (int, float)):
+            raise problem(node, f'{value!r} is not a number')
+        return lambda random: value
+    parts = _mapping(node, problem, 'a choice', ('between', 'one_of', 'decimals'))
+    if 'one_of' in parts:
+        known = _value(parts['one_of'], problem)
+        if not isinstance(known, list) or not known:
+            raise problem(node, 'one_of is a list of at least one value')
+        return lambda random: random.choice(known)
+    ends = _value(parts['between'], problem) if 'between' in parts else None
+    if not (
+        isinstance(ends, list) and len(ends) == 2 and all(isinstance(end, (int, float)) for end in ends) and ends[0] < ends[1]
+    ):
+        raise problem(node, 'a choice is {between: [LOW, HIGH], decimals: 2} or {one_of: [...]}')
+    decimals = _decimals(node, problem)
+    low, high = (round(end * 10**decimals) for end in ends)
+    return lambda random: random.randint(low, high) / 10**decimals
+
+
+def _decimals(node: yaml.MappingNode, problem: Problem) -> int:
+    parts = _mapping(node, problem, 'a choice', None)
+    decimals = _value(parts['decimals'], problem) if 'decimals' in parts else 2
+    if not isinstance(decimals, int) or not 0 <= decimals <= 6:
+        raise problem(node, 'decimals is a whole number from 0 to 6')
+    return decimals
+
+
+def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check]) -> Check:
+    parts = _mapping(node, problem, 'a check', (*KINDS, *COMMON))
+    kinds = [name for name in parts if name in KINDS]
+    if len(kinds) != 1:
+        raise problem(node, f'a check is one of {", ".join(KINDS)}; here are {", ".join(kinds) or "none of them"}')
+    kind = KINDS[kinds[0]]
+    given = {name: _value(part, problem) for name, part in _mapping(parts[kinds[0]], problem, kinds[0], kind.fields).items()}
+    lacking = [name for name in kind.required if name not in given]
+    if lacking:
+        raise problem(parts[kinds[0]], f'{kinds[0]} lacks {" and ".join(lacking)}')
+    points = _value(parts['points'], problem) if 'points' in parts else 0
+    if not isinstance(points, int) or points < 0:
+        raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
+    words = {name: str(_value(parts[name], problem)) for name in ('say', 'name', 'try') if name in parts}
+    wanted = Wanted(given, words.get('try'))
+    try:
+        wanted.refuse_odd_values()
+    except ValueError as error:
+        raise problem(parts[kinds[0]], str(error)) from None
+    name = words.get('name') or f'{kinds[0]}_{len(known) + 1}'
+    if name in known:
+        raise problem(node, f'two checks are called {name}')
+    names = _value(parts['needs'], problem) if 'needs' in parts else []
+    strange = [each for each in names if each not in known]
+    if strange:
+        raise problem(parts['needs'], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
+    return Check(
+        name,
+        words.get('say') or kind.sentence.format_map(wanted),
+        lambda run: kind.function(run, wanted),
+        points,
+        tuple(known[each] for each in names),
+    )
+
+
+def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Scenario]], problem: Problem) -> None:
+    """Refuse ``$(arg name)`` of a launch argument that one of the runs does not give."""
+    if isinstance(node, yaml.ScalarNode):
+        for name in ARGUMENT.findall(str(node.value)):
+            for scenario in _choose(runs, Random(0)):
+                if name not in scenario.arguments:
+                    raise problem(node, f'the run {scenario.name} has no argument {name}; it has {scenario.words}')
+        return
+    for child in node.value:
+        for each in child if isinstance(child, tuple) else (child,):
+            _refuse_unknown_arguments(each, runs, problem)
+
+
+def _mapping(node: yaml.Node, problem: Problem, what: str, known: tuple[str, ...] | None) -> dict[str, yaml.Node]:
+    if not isinstance(node, yaml.MappingNode):
+        raise problem(node, f'{what} is written as "name: value" lines' + (f': {", ".join(known)}' if known else ''))
+    found: dict[str, yaml.Node] = {}
+    for key, value in node.value:
+        name = str(key.value) if isinstance(key, yaml.ScalarNode) else '?'
+        if name in found:
+            raise problem(key, f'{name} is there twice')
+        if known is not None and name not in known:
+            from edulaunch.nearest import nearest
+
+            close = nearest(name, known)
+            raise problem(key, f'{what} has no {name}; ' + (f'did you mean {close}?' if close else f'it has {", ".join(known)}'))
+        found[name] = value
+    return found
+
+
+def _items(node: yaml.Node, problem: Problem, what: str) -> list[yaml.Node]:
+    if not isinstance(node, yaml.SequenceNode) or not node.value:
+        raise problem(node, f'{what} is a list, each item after a "-"')
+    return list(node.value)
+
+
+def _value(node: yaml.Node, problem: Problem) -> Any:
+    try:
+        loader = yaml.SafeLoader('')
+        return loader.construct_object(node, deep=True)
+    except (yaml.YAMLError, ValueError) as error:
+        raise problem(node, str(error)) from None

@@ -1,0 +1,232 @@
+"""A class is graded one result at a time: none is lost, none is done twice, none costs another its mark."""
+
+from __future__ import annotations
+
+import csv
+import io
+import itertools
+import json
+import os
+import shutil
+import signal
+from pathlib import Path
+from typing import Any, NoReturn
+
+import pytest
+from edugrade.batch.class_page import class_page
+from edugrade.batch.entries import Entry
+from edugrade.batch.store import Store
+from edugrade.batch.tables import class_csv
+from edugrade.cli import main
+
+SOLUTIONS = Path(__file__).parents[3] / 'solutions'
+STUDENTS = ('anna', 'bert', 'carl', 'dora')
+
+
+@pytest.fixture
+def group(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Four right answers, a hostile one, a pipe, and a link to somebody else's; the private folders are beside them."""
+    folder = tmp_path / 'class'
+    text = (SOLUTIONS / 'static_frame.launch.py').read_text()
+    for name in STUDENTS:
+        (folder / name).mkdir(parents=True)
+        (folder / name / 'static_frame.launch.py').write_text(f'{text}# {name}\n')
+    (folder / 'mallory').mkdir()
+    (folder / 'mallory' / 'static_frame.launch.py').write_text('import posix\nposix.kill(posix.getpid(), 9)\n')
+    (folder / 'mallory' / 'link').symlink_to(folder / 'anna')
+    (folder / 'peter').mkdir()
+    os.mkfifo(folder / 'peter' / 'static_frame.launch.py')
+    (tmp_path / 'private').mkdir()
+    monkeypatch.setenv('TMPDIR', str(tmp_path / 'private'))
+    return folder
+
+
+def results(folder: Path) -> dict[str, Any]:
+    out = Path(f'{folder}.results')
+    return {str(path.relative_to(out)): path.read_bytes() for path in sorted(out.rglob('*.json'))}
+
+
+def killed_after(number: int, group: Path, monkeypatch: pytest.MonkeyPatch) -> NoReturn:
+    """Be a grader that is killed when it has written this many results and begins the next one."""
+    made = itertools.count()
+    save = Store.save
+
+    def last(self: Store, entry: Entry, content: dict[str, Any]) -> None:
+        if next(made) > number:
+            os.kill(os.getpid(), signal.SIGKILL)
+        save(self, entry, content)
+
+    monkeypatch.setattr(Store, 'save', last)
+    main(['batch', str(group), '--resume'])
+    os._exit(9)
+
+
+def test_each_submission_has_its_result_and_a_line_in_the_table(group: Path, tmp_path: Path) -> None:
+    assert main(['batch', str(group), '--csv', str(tmp_path / 'marks.csv'), '--html', str(tmp_path / 'pages')]) == 0
+    rows = list(csv.DictReader(io.StringIO((tmp_path / 'marks.csv').read_text())))
+    assert [(row['student'], row['earned']) for row in rows] == [
+        *((name, '12') for name in STUDENTS),
+        ('mallory', '0'),
+        ('peter', ''),
+    ]
+    assert rows[4]['first_problem'] == 'the program was ended by SIGKILL before the run was over'
+    assert 'regular file' in rows[5]['first_problem']
+    page = (tmp_path / 'pages' / 'index.html').read_text()
+    assert 'href="anna/static_frame.launch.py.html"' in page
+    assert (tmp_path / 'pages' / 'anna' / 'static_frame.launch.py.html').read_text().count('<section') == 1
+    assert os.listdir(tmp_path / 'private') == []
+
+
+def test_a_killed_grader_goes_on_where_it_was(group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert main(['batch', str(group)]) == 0
+    whole = results(group)
+    shutil.rmtree(f'{group}.results')
+    saved: list[str] = []
+    save = Store.save
+
+    def counted(self: Store, entry: Entry, content: dict[str, Any]) -> None:
+        save(self, entry, content)
+        saved.append(entry.student)
+
+    monkeypatch.setattr(Store, 'save', counted)
+    for number in (1, 2):  # killed after that many of the results still to be made
+        pid = os.fork()
+        if pid == 0:
+            killed_after(number, group, monkeypatch)
+        assert os.waitpid(pid, 0)[1] == signal.SIGKILL
+    before = set(results(group))
+    assert 2 <= len(before) < len(whole)
+    assert main(['batch', str(group), '--resume']) == 0
+    assert results(group) == whole
+    assert not {f'{name}/static_frame.launch.py.json' for name in saved if name != 'peter'} & before
+
+
+def test_an_edit_is_graded_again_and_the_rest_is_kept(group: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    main(['batch', str(group)])
+    (group / 'anna' / 'static_frame.launch.py').write_text('x = 1\n')
+    main(['batch', str(group), '--resume'])
+    assert '6 submissions, 4 of them from before; 5 have a mark.' in capsys.readouterr().out
+    found = json.loads(results(group)['anna/static_frame.launch.py.json'])
+    assert (found['student'], found['points']['earned']) == ('anna', 0)
+
+
+def test_half_a_result_is_no_result(group: Path) -> None:
+    store, entry = Store(f'{group}.results'), Entry('anna/static_frame.launch.py', 'anna')
+    path = Path(store.path(entry))
+    path.parent.mkdir(parents=True)
+    path.write_text('{"student": "an')
+    assert store.result(entry) is None
+
+
+def test_a_text_of_a_student_is_no_formula_and_no_markup() -> None:
+    row = (Entry('=x/<b>.launch.py', '=x'), {'refused': '<script>', 'exit_code': 2})
+    assert "\n'=x,,'=x/<b>.launch.py," in class_csv([row])
+    page = class_page([row], {'=x/<b>.launch.py': '=x/<b>.launch.py.html'})
+    assert '<script>' not in page
+    assert 'href="%3Dx/%3Cb%3E.launch.py.html"' in page
+
+
+def test_a_folder_that_is_none_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['batch', 'nowhere']) == 2
+    assert 'nowhere is not a folder' in capsys.readouterr().err
+
+
+RUBRIC = """
+from edugrade import Evidence, Failure, Rubric, Scenario, check
+
+@check(points=4)
+def a(run: Evidence) -> None:
+    'The first'
+
+@check(points=2)
+def b(run: Evidence) -> None:
+    'The second'
+    raise Failure('wrong', share={share})
+
+RUBRIC = Rubric(title='Two', scenarios=lambda random: [Scenario('one', {{}}, 1.0)], checks=[a, b])
+"""
+
+
+@pytest.fixture
+def two(tmp_path: Path) -> tuple[Path, Path]:
+    """A student's folder, and a rubric whose second check gives a quarter of its points."""
+    (tmp_path / 'class' / 'anna').mkdir(parents=True)
+    text = (SOLUTIONS / 'static_frame.launch.py').read_text()
+    (tmp_path / 'class' / 'anna' / 'two.launch.py').write_text(text)
+    (tmp_path / 'two.py').write_text(RUBRIC.format(share=0.25))
+    return tmp_path / 'class', tmp_path / 'two.py'
+
+
+def test_one_check_is_graded_again_and_the_rest_is_kept(two: tuple[Path, Path]) -> None:
+    folder, rubric = two
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 0
+    path = Path(f'{folder}.results/anna/two.launch.py.json')
+    first = json.loads(path.read_text())
+    assert first['points'] == {'earned': 4.5, 'possible': 6}
+    first['checks'][1]['reason'] = 'kept'
+    path.write_text(json.dumps(first))
+    rubric.write_text(RUBRIC.format(share=0.5))
+    assert main(['batch', str(folder), '--rubric', str(rubric), '--only', 'b']) == 0
+    again = json.loads(path.read_text())
+    assert again['points'] == {'earned': 5, 'possible': 6}
+    assert (again['checks'][1]['reason'], again['regraded']) == ('kept', ['b'])
+    assert again['receipt']['rubric'] != first['receipt']['rubric']
+
+
+def test_a_check_that_is_not_there_is_said_once_for_each(two: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    folder, rubric = two
+    main(['batch', str(folder), '--rubric', str(rubric), '--only', 'c'])
+    found = json.loads(Path(f'{folder}.results/anna/two.launch.py.json').read_text())
+    assert found['refused'] == 'the rubric has no check c'
+
+
+def test_the_student_is_in_every_output(two: tuple[Path, Path], tmp_path: Path) -> None:
+    folder, rubric = two
+    (folder / 'anna').rename(folder / 'Anna Ö_12_assignsubmission_file_')
+    words = ['--csv', str(tmp_path / 'c'), '--html', str(tmp_path / 'h'), '--junit', str(tmp_path / 'j')]
+    assert main(['batch', str(folder), '--rubric', str(rubric), *words]) == 0
+    found = json.loads(next(Path(f'{folder}.results').rglob('*.json')).read_text())
+    assert (found['student'], found['student_id']) == ('Anna Ö', '12')
+    assert (tmp_path / 'c').read_text().splitlines()[1].startswith('Anna Ö,12,')
+    assert 'name="two: Anna Ö: ' in (tmp_path / 'j').read_text()
+    assert '<property name="student" value="Anna Ö"/>' in (tmp_path / 'j').read_text()
+    index = (tmp_path / 'h' / 'index.html').read_text()
+    assert '>Anna Ö</a>' in index and 'two (of 6): 1 marks, 4.5 to 4.5, median 4.5, mean 4.5.' in index
+    (own,) = (tmp_path / 'h' / 'students').iterdir()
+    assert '4.5 of 6 points' in own.read_text()
+
+
+def test_two_batches_do_not_write_into_each_other(two: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    folder, rubric = two
+    with Store(f'{folder}.results').locked():
+        (Path(f'{folder}.results') / 'x.json.1234.part').write_text('half')
+        assert main(['batch', str(folder), '--rubric', str(rubric)]) == 2
+    assert 'another batch' in capsys.readouterr().err
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 0
+    assert not list(Path(f'{folder}.results').rglob('*.part'))
+
+
+def test_a_fault_of_ours_with_one_is_no_zero_and_costs_nobody_else(
+    group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from edugrade import grading, judging
+
+    judge, calls = judging.judge, itertools.count()
+
+    def breaks_once(*words: Any) -> Any:
+        if next(calls) == 0:
+            raise KeyError('ours')
+        return judge(*words)
+
+    monkeypatch.setattr(judging, 'judge', breaks_once)
+    assert grading is not None and main(['batch', str(group), '--csv', str(tmp_path / 'c')]) == 3
+    rows = list(csv.DictReader(io.StringIO((tmp_path / 'c').read_text())))
+    assert [row['earned'] for row in rows] == ['', '12', '12', '12', '0', '']
+    assert rows[0]['first_problem'] == "the grader broke on it: KeyError: 'ours'"
+
+
+def test_a_name_too_long_for_a_result_costs_nobody(two: tuple[Path, Path]) -> None:
+    folder, rubric = two
+    (folder / 'anna' / ('x' * 240 + '.launch.py')).write_bytes((folder / 'anna' / 'two.launch.py').read_bytes())
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 0
+    assert len(list(Path(f'{folder}.results').rglob('*.json'))) == 2
