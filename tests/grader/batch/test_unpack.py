@@ -110,7 +110,7 @@ ODD: dict[str, tuple[Callable[[Path], Path], str]] = {
     'no archive': (lambda path: path.write_bytes(b'hello') and path or path, 'cannot be unpacked'),
     'half a zip': (
         lambda path: path.write_bytes(zip_of(path, ('a', b'x' * 99)).read_bytes()[20:]) and path or path,
-        'no whole zip',
+        'cannot be unpacked',
     ),
     'half a gzip': (lambda path: path.write_bytes(gzip.compress(os.urandom(4000))[:900]) and path or path, 'cannot be unpacked'),
     'half a bzip2': (lambda path: path.write_bytes(bz2.compress(os.urandom(4000))[:900]) and path or path, 'cannot be unpacked'),
