@@ -65,34 +65,40 @@ class Planner:
         """Run it, and tell what happened."""
         from launch.frontend.collector_pause import collector_paused
 
-        with warnings.catch_warnings(record=True) as caught, collector_paused():
-            warnings.simplefilter('default')
-            process = self._host.run_launch(self._run)
+        with collector_paused():
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter('default')
+                endless = self._run_to_the_end()
+            self._host.close()
+            if endless is not None:
+                self._error = self._endless_error(endless)
+            if self._broken is not None:
+                raise self._broken
+            plan = {
+                'format': FORMAT,
+                'file': self._path,
+                'given': _plain(self._given),
+                'arguments': _plain(self._arguments),
+                'configurations': self._configurations,
+                'items': self._items,
+                'error': _plain(self._error),
+                'log': self._notes.logs,
+                'shutdown_reason': self._reason,
+                'stdout': self._notes.stdout,
+                'warnings': [str(warning.message) for warning in caught],
+            }
+            return dict(sorted(plan.items()))
+
+    def _run_to_the_end(self) -> str | None:
+        """Returns what to say when there is none."""
+        process = self._host.run_launch(self._run)
+        endless = run_to_rest(self._sim)
+        while endless is None and process.returncode is None:
+            self._let_something_end()
             endless = run_to_rest(self._sim)
-            while endless is None and process.returncode is None:
-                self._let_something_end()
-                endless = run_to_rest(self._sim)
-        self._host.close()
         if endless is None and self._watch is not None and self._watch.is_endless:
             endless = still_busy(self._sim)
-        if endless is not None:
-            self._error = self._endless_error(endless)
-        if self._broken is not None:
-            raise self._broken
-        plan = {
-            'format': FORMAT,
-            'file': self._path,
-            'given': _plain(self._given),
-            'arguments': _plain(self._arguments),
-            'configurations': self._configurations,
-            'items': self._items,
-            'error': _plain(self._error),
-            'log': self._notes.logs,
-            'shutdown_reason': self._reason,
-            'stdout': self._notes.stdout,
-            'warnings': [str(warning.message) for warning in caught],
-        }
-        return dict(sorted(plan.items()))
+        return endless
 
     def _endless_error(self, text: str) -> Plan:
         branch = self._watch.branch
@@ -224,9 +230,11 @@ def _plain(value: Any) -> Any:
     kind = type(value)
     if kind in _SCALARS:
         return value
-    if kind is dict or isinstance(value, Mapping):  # the first is answered ten times as fast
+    if kind is list:
+        return [item if type(item) in _SCALARS else _plain(item) for item in value]
+    if kind is dict or isinstance(value, Mapping):  # what is answered ten times as fast comes first
         texts = sorted([(str(key), item) for key, item in value.items()], key=_KEY)
         return {key: item if type(item) in _SCALARS else _plain(item) for key, item in texts}
     if isinstance(value, (list, tuple)):
-        return [item if type(item) in _SCALARS else _plain(item) for item in value]
+        return _plain(list(value))
     return value if isinstance(value, (str, int, float)) else str(value)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
 from edulaunch.graph.names import fully_qualified_name, remapped_namespace, remapped_node_name
@@ -29,10 +28,11 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
     :param index: how many processes came before.
     """
     details = action.process_description
+    command = list(details.command)
     item = {
         'kind': 'process',
         'index': index,
-        'cmd': list(details.command),
+        'cmd': command,
         'cwd': details.final_cwd,
         'process_name': details.final_name.rpartition('-')[0],
         'env_changes': _changes(environ, details.final_env),
@@ -41,16 +41,12 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
         'emulate_tty': action.emulate_tty,
         'respawn': action.respawn,
         'respawn_delay': action.respawn_delay,
-        'sigterm_timeout': _text(context, action.sigterm_timeout),
-        'sigkill_timeout': _text(context, action.sigkill_timeout),
+        'sigterm_timeout': perform_substitutions(context, action.sigterm_timeout),
+        'sigkill_timeout': perform_substitutions(context, action.sigkill_timeout),
     }
     if hasattr(action, 'node_executable'):
-        item.update(_node_part(action, context, details))
+        item.update(_node_part(action, command, details.word_count))
     return item
-
-
-def _text(context: LaunchContext, value: Any) -> str:
-    return perform_substitutions(context, normalize_to_list_of_substitutions(value))
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
@@ -61,15 +57,18 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
     return {**changed, **{name: None for name in sorted(base) if name not in env}}
 
 
-def _node_part(action: Any, context: LaunchContext, details: Any) -> Item:
-    own = len(details.cmd)
-    prefix, command = details.command[:-own], details.command[-own:]
-    package = None if action.node_package is None else _text(context, action.node_package)
+def _node_part(action: Any, words: list[str], own: int) -> Item:
+    """What only a node has.
+
+    :param own: how many of the words of the command line are the node's own; before them stands a prefix.
+    """
+    prefix, command = words[:-own], words[-own:]
+    program = action.process_spec_details()
     arguments, others = _split(command[1:])
     return {
         'kind': 'node',
-        'package': package,
-        'executable': _text(context, action.node_executable),
+        'package': program['package'],
+        'executable': program['executable'],
         'prefix': prefix,
         'arguments': arguments,
         'other_ros_arguments': others,

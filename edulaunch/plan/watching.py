@@ -8,6 +8,7 @@ Event handlers are wrapped too, for what they return is visited later, in anothe
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from launch._help import is_students
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from launch.event import Event
     from launch.launch_context import LaunchContext
 
+_is_students = lru_cache(maxsize=256)(is_students)
 Executed = Callable[[Branch, 'LaunchContext'], object]
 
 _PHASES = {'ProcessStarted': 'on_start', 'TimerEvent': 'timer', 'ProcessExited': 'on_exit', 'Shutdown': 'on_shutdown'}
@@ -101,7 +103,7 @@ class Watched(LaunchDescriptionEntity):
             action: Any = self._entity
             condition = None if action.condition is None else action.condition.in_words
             origin = action.origin
-            if origin is not None and not is_students(origin.file):
+            if origin is not None and not _is_students(origin.file):
                 origin = None
             self._branch = watch.branch = self._branch.add(Branch(action, origin, condition))
             if hasattr(action, 'period'):

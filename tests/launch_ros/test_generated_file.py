@@ -136,3 +136,11 @@ def test_a_substituted_file_is_there_until_it_is_cleaned_up(temporary_folder: Pa
     assert plain.evaluate(LaunchContext()) == source
     plain.cleanup()
     assert (source.exists(), plain.param_file) == (True, source)
+
+
+@pytest.mark.parametrize(
+    'word', ['nan', 'NaN', 'inf', 'Infinity', 'yes', 'On', 'n', 'null', 'e1', 'x10', 'a_b', 'word', '_1', '/a']
+)
+def test_a_word_is_taken_as_it_is_only_when_its_text_would_give_it_back(word: str) -> None:
+    file = GeneratedParameters('f', '/**', {'a': word})
+    assert repr(file.entries()) == repr(read_parameter_file(file.text))

@@ -37,12 +37,15 @@ class Action(LaunchDescriptionEntity):
 
     def __init__(self, *, condition: Condition | None = None) -> None:
         self.__condition = condition
-        self.__origin = caller_outside_launch(self)
+        self.__origin: Any = caller_outside_launch(self)
 
     @property
     def origin(self) -> Origin | None:
         """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
-        return origin_of(self.__dict__.get('_Action__origin'))
+        place: Any = self.__dict__.get('_Action__origin')
+        if type(place) is tuple:
+            place = self.__origin = origin_of(place)
+        return place  # type: ignore[no-any-return]
 
     def set_origin(self, file: str, line: int) -> None:
         """For frontends, whose actions are made by a parser: say which line of which file asked for this one."""

@@ -9,14 +9,13 @@ import weakref
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.parameter_files import PARAMETERS_KEY, Entry, read_parameter_file
-from edulaunch.graph.parameters import scalar_from_text
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
 # What YAML writes without quotes, and on one line: it cannot be taken for anything but a text.
 _WORD = re.compile(r'[A-Za-z_/](?:[A-Za-z0-9_/.*-]|[A-Za-z0-9_/.*-] (?=[A-Za-z0-9_/.*-])){0,59}')
-_MEANINGS = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null', 'y', 'n'))
+_MEANINGS = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'null', 'y', 'n', 'nan', 'inf', 'infinity'))
 _LARGEST = 2**63
 _PATHS = 'launch_ros.parameter_files'
 
@@ -122,7 +121,7 @@ def _is_kept(value: Any) -> bool:
 
 
 def _is_word(text: str) -> bool:
-    return _WORD.fullmatch(text) is not None and text.lower() not in _MEANINGS and scalar_from_text(text) == text
+    return _WORD.fullmatch(text) is not None and text.lower() not in _MEANINGS
 
 
 def temporary_path(key: str, state: dict[str, Any]) -> str:

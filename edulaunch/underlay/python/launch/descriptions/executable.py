@@ -114,6 +114,11 @@ class Executable:
         """The same, for those who do not read the files that it names. (edulaunch only.)"""
         return self._command
 
+    @property
+    def word_count(self) -> int:
+        """How many words the command line has without a prefix, which no substitution is made for. (edulaunch only.)"""
+        return len(self.__words)
+
     def write_before_look(self, write: Callable[[], object]) -> None:
         """Let `write` put the files that the command names on the disk before somebody looks at it. (edulaunch only.)"""
         self._named_files = write
