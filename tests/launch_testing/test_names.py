@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import re
 import unittest
 from pathlib import Path
 from typing import Any
 from unittest import mock
 
 import launch_testing
-import launch_testing_ros
 import pytest
-import rclpy
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, TimerAction
 from launch_testing.junitxml import unittestCaseToXml, unittestResultToXml
@@ -20,7 +17,6 @@ from launch_testing.pytest import hooks
 from launch_testing.test_result import TestResult
 from launch_testing.test_runner import LaunchTestRunner
 from launch_testing_ros.pytest import hooks as ros_hooks
-from std_msgs.msg import String
 
 
 def test_ready_aggregator_calls_once() -> None:
@@ -37,16 +33,6 @@ def test_arguments_are_printed(capsys: pytest.CaptureFixture[str]) -> None:
         capsys.readouterr().out
         == "Arguments (pass arguments as '<name>:=<value>'):\n\n    'speed':\n        no description given\n"
     )
-
-
-def test_expected_output_comes_from_a_file(tmp_path: Path) -> None:
-    (tmp_path / 'a.txt').write_text('one\ntwo\n')
-    (tmp_path / 'b.regex').write_text('o.e\n')
-    read: Any = launch_testing.tools.expected_output_from_file
-    assert read(tmp_path / 'a') == read(str(tmp_path / 'a.txt')) == ['one', 'two']
-    assert read(tmp_path / 'b') == [re.compile('o.e')]
-    with pytest.raises(RuntimeError, match='could not find output check file'):
-        read(tmp_path / 'c')
 
 
 def test_a_class_that_cannot_be_set_up_is_in_the_xml() -> None:
@@ -91,23 +77,3 @@ def test_hooks_know_launch_tests(tmp_path: Path) -> None:
     entrypoint = hooks.find_launch_test_entrypoint(file)
     assert entrypoint is not None and [mark.name for mark in entrypoint.pytestmark] == ['rostest'] and 'rostest' in hooks.MARKS
     assert issubclass(ros_hooks.LaunchROSTestModule, pytest.File) and issubclass(hooks.LaunchTestItem, pytest.Item)
-
-
-def test_data_is_republished() -> None:
-    rclpy.init()
-    node = rclpy.create_node('republisher')
-    heard: list[str] = []
-    node.create_subscription(String, 'loud', lambda message: heard.append(message.data), 10)
-    talker = node.create_publisher(String, 'quiet', 10)
-    republisher = launch_testing_ros.DataRepublisher(
-        node, 'quiet', 'loud', String, lambda message: String(data=message.data.upper()) if message.data else None
-    )
-    for text in ('hello', ''):
-        talker.publish(String(data=text))
-    for _ in range(4):
-        rclpy.spin_once(node, timeout_sec=0.1)
-    assert (heard, republisher.get_num_received(), republisher.get_num_republished()) == (['HELLO'], 2, 1)
-    assert [message.data for message in republisher.get_republished()] == ['HELLO']
-    republisher.shutdown()
-    node.destroy_node()
-    rclpy.shutdown()

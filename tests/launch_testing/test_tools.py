@@ -1,37 +1,13 @@
-"""Comparing and filtering texts; parameters and markers."""
+"""Comparing texts; parameters and markers."""
 
 from __future__ import annotations
 
 import re
-from typing import Any
 
 import launch_testing
 import pytest
 from launch_testing.markers import keep_alive, retry_on_failure
-from launch_testing.tools import basic_output_filter, build_text_match, expect_output
-
-
-@pytest.mark.parametrize(
-    ('arguments', 'answer'),
-    [
-        ({'expected_text': 'b', 'text': 'abc'}, True),
-        ({'expected_text': 'b', 'text': 'abc', 'strict': True}, False),
-        ({'expected_text': re.compile('a.c'), 'text': 'abc', 'strict': True}, True),
-        ({'expected_lines': ['a', re.compile('c+')], 'text': 'a\nb\nccc\n'}, True),
-        ({'expected_lines': ['c', 'a'], 'text': 'a\nb\nc\n'}, False),
-        ({'expected_lines': ['a', 'b'], 'lines': ['a\n', 'b\n'], 'strict': True}, True),
-        ({'expected_lines': ['a'], 'lines': ['a', 'b'], 'strict': True}, False),
-    ],
-)
-def test_expected_output(arguments: dict[str, Any], answer: bool) -> None:
-    assert expect_output(**arguments) is answer
-
-
-def test_expectations_must_be_unambiguous() -> None:
-    with pytest.raises(ValueError, match="Either 'expected_text' or 'expected_lines'"):
-        expect_output(text='a')
-    with pytest.raises(ValueError, match="Either 'text' or 'lines'"):
-        expect_output(expected_text='a')
+from launch_testing.tools import build_text_match
 
 
 def test_a_match_says_where_it_is() -> None:
@@ -40,11 +16,6 @@ def test_a_match_says_where_it_is() -> None:
     assert match('xabcabc', 3) == (4, 7)
     with pytest.raises(ValueError, match='Unknown format for expected text: expected a text or a compiled .* got int: 3'):
         build_text_match(3)
-
-
-def test_filters_leave_lines_out() -> None:
-    wanted = basic_output_filter(filtered_prefixes=['[INFO]'], filtered_patterns=['.*noise'])
-    assert wanted('[INFO] a\nb\nsome noise\nc') == 'b\nc'
 
 
 def test_parametrize_accepts_names_and_values_of_all_kinds() -> None:
@@ -89,3 +60,18 @@ def test_every_exported_name_is_there() -> None:
     for module in (launch_testing, launch_testing.actions, launch_testing.asserts, launch_testing.tools, launch_testing.util):
         for name in module.__all__:
             assert getattr(module, name) is not None
+
+
+@pytest.mark.parametrize(
+    ('module', 'name', 'instead'),
+    [
+        ('launch_testing.actions', 'GTest', 'ExecuteProcess'),
+        ('launch_testing.tools', 'launch_process', 'generate_test_description'),
+        ('launch_testing.tools', 'expect_output', 'proc_output.assertWaitFor'),
+        ('launch_testing_ros', 'DataRepublisher', 'a subscription'),
+        ('osrf_pycommon.process_utils', 'async_execute_process', 'subprocess'),
+    ],
+)
+def test_what_is_not_here_is_told_with_what_to_use(module: str, name: str, instead: str) -> None:
+    with pytest.raises(ImportError, match=rf"(?s)^cannot import name '{name}' from '{module}'\n  help: .*{instead}"):
+        exec(f'from {module} import {name}')

@@ -5,11 +5,13 @@ import time
 import unittest
 
 import launch_testing
-import launch_testing.tools
+import launch_testing.asserts
 import launch_testing.util
 import pytest
 from launch import LaunchDescription
 from launch.actions import OpaqueFunction
+from launch.events.matchers import matches_action
+from launch.events.process import ShutdownProcess
 from launch_ros.actions import Node
 
 
@@ -28,8 +30,9 @@ class TestMore(unittest.TestCase):
 
     def test_process_of_the_test(self, launch_service, proc_info, proc_output):
         talker = Node(package='demo_nodes_py', executable='talker')
-        with launch_testing.tools.launch_process(launch_service, talker, proc_info, proc_output) as process:
-            self.assertTrue(process.wait_for_output(lambda text: 'World: 3' in text, timeout=20))
-            self.assertTrue(process.running)
-        self.assertTrue(process.wait_for_shutdown(timeout=10))
-        self.assertEqual(process.exit_code, 0)
+        launch_service.include_launch_description(LaunchDescription([talker]))
+        proc_info.assertWaitForStartup(talker)
+        proc_output.assertWaitFor('World: 3', process=talker, timeout=20)
+        launch_service.emit_event(ShutdownProcess(process_matcher=matches_action(talker)))
+        proc_info.assertWaitForShutdown(talker, timeout=10)
+        launch_testing.asserts.assertExitCodes(proc_info, process=talker)

@@ -8,7 +8,6 @@ import pytest
 from launch import LaunchDescription
 from launch_ros.actions import Node
 from launch_testing_ros import WaitForTopics
-from launch_testing_ros.tools import basic_output_filter
 from std_msgs.msg import String
 
 
@@ -36,6 +35,3 @@ class TestTopics(unittest.TestCase):
         topics.shutdown()
         with self.assertRaisesRegex(RuntimeError, 'Did not receive messages on these topics: .*silence'):
             WaitForTopics([('silence', String)], timeout=1.0).__enter__()
-
-    def test_output_is_filtered(self):
-        self.assertEqual(basic_output_filter(filtered_prefixes=['a'])('a\nb\n'), 'b\n')

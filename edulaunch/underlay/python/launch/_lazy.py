@@ -7,7 +7,7 @@ them all.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import Any
 
@@ -17,12 +17,16 @@ sub-module.
 """
 
 
-def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+def lazy_exports(
+    package: str, exports: Exports, absent: Mapping[str, str] | None = None
+) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Make the `__getattr__` and `__dir__` of a package that loads its `exports` late.
 
     The sub-modules themselves are attributes too, as they are upstream
     (`launch.actions.timer_action.TimerAction`). A name that is not there gives Python's own AttributeError
     (which `from package import name` turns into ImportError).
+
+    :param absent: names of ROS 2 that are not here, each with what to use in its place; asked for, they are an ImportError.
     """
     modules = {*exports.values(), *(name for name, module in exports.items() if not module)}
 
@@ -32,6 +36,10 @@ def lazy_exports(package: str, exports: Exports) -> tuple[Callable[[str], Any], 
             value = getattr(import_module(f'{package}.{exports[name]}'), name)
         elif name and name in modules:
             value = import_module(f'{package}.{name}')
+        elif absent and name in absent:
+            raise ImportError(
+                f'cannot import name {name!r} from {package!r}\n  help: it is not part of edulaunch: {absent[name]}'
+            )
         else:
             raise AttributeError(f'module {package!r} has no attribute {name!r}')
         setattr(sys.modules[package], name, value)
