@@ -7,7 +7,10 @@ import sys
 from collections.abc import Callable, Mapping
 from functools import cache
 from gettext import NullTranslations
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from edulaunch.advice.retelling import Retelling
 
 LOCALE = os.path.join(os.path.dirname(__file__), 'locale')
 ENGLISH = 'en'
@@ -31,6 +34,10 @@ class Reader(NamedTuple):
     def says(self, text: str) -> str:
         """A sentence of ours in the reader's language."""
         return _catalogue(self.language).gettext(text) if text and self.language != ENGLISH else text
+
+    def retells(self, text: str) -> str:
+        """A finished English sentence of ours, or of a rubric, in the reader's language."""
+        return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def place(self, file: str, line: int | None) -> str:
         """A place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
@@ -84,3 +91,11 @@ def _catalogue(language: str) -> NullTranslations:
     from gettext import translation
 
     return translation('advice', LOCALE, [language, language.partition('_')[0]], fallback=True)
+
+
+@cache
+def _retelling(language: str) -> Retelling:
+    from edulaunch.advice.retelling import Retelling
+
+    catalogue = getattr(_catalogue(language), '_catalog', {})
+    return Retelling({english: other for english, other in catalogue.items() if english and isinstance(english, str)})

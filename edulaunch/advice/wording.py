@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
 MOST_TOLD = 5
 """Findings that are told where nobody asked for them."""
-SIGNS = {'error': 'warning', 'warning': 'warning', 'info': 'note'}
-"""How a line begins: an error is the reader's program's, not that of the command that says it."""
 
 
 class Told(NamedTuple):
@@ -42,7 +40,7 @@ def told(finding: Finding, reader: Reader | None = None) -> Told:
     what, why, do = (_worded(templates, facts, reader) for templates in (rule.what, rule.why, rule.do))
     who = (finding.process,) if finding.process and finding.process not in what else ()
     where = ', '.join((*who, *place(finding, reader)))
-    return Told(what, where, why, do, rule.lesson, reader.says(SIGNS[rule.level]))
+    return Told(what, where, why, do, rule.lesson, _sign(rule.level, reader))
 
 
 def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, most: int = MOST_TOLD) -> list[str]:
@@ -66,6 +64,11 @@ def place(finding: Finding, reader: Reader) -> Iterator[str]:
         yield reader.place(finding.file, finding.line)
     if finding.time_s is not None:
         yield reader.says('at {time:.2f} s').format(time=finding.time_s)
+
+
+def _sign(level: str, reader: Reader) -> str:
+    """How a line begins: an error is one of the reader's program, not of the command that tells it."""
+    return reader.says('note') if level == 'info' else reader.says('warning')
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:

@@ -1,0 +1,162 @@
+"""For those who translate: `python -m edulaunch.advice.catalogue` brings the catalogues of all languages up to date.
+
+A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new ones come in untranslated, changed ones marked `fuzzy`;
+`advice.mo`, which readers load, is made of it anew. A new language: make the folder. Needs Babel (`pip install edulaunch[dev]`).
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from datetime import datetime, timezone
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.reader import LOCALE
+from edulaunch.advice.registry import all_rules
+
+if TYPE_CHECKING:
+    from babel.messages.catalog import Catalog
+
+HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+GRADER = os.path.join(os.path.dirname(HOUSE), 'grader')
+ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
+"""Of edulaunch: where `says('...')` is looked for."""
+REPORTS = (
+    'checks',
+    'edugrade/library',
+    *(f'edugrade/{name}.py' for name in ('failure', 'judging', 'recorded', 'terminal', 'verdicts')),
+)
+"""Of the grader: where every text that is a sentence may be told to a student."""
+_FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
+_CODE = re.compile(r'^\W*\w+\(.*\)$|\(\?!|\\')
+"""A call that is to be written as it stands, a regular expression."""
+_FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
+
+
+def messages() -> dict[str, str]:
+    """Every sentence with where it comes from: the rule, or the module."""
+    found: dict[str, str] = {}
+    for rule in all_rules().values():
+        for text in (*rule.what, *rule.why, *rule.do):
+            found.setdefault(text, rule.name)
+    for folder in ROOMS:
+        for path in _python_files(os.path.join(HOUSE, folder)):
+            for text in _given_to_says(_tree(path)):
+                found.setdefault(text, f'edulaunch/{os.path.relpath(path, HOUSE)}')
+    for place in REPORTS:
+        for path in _python_files(os.path.join(GRADER, place)):
+            for text in _sentences(_tree(path)):
+                found.setdefault(text, f'grader/{os.path.relpath(path, GRADER)}')
+    return found
+
+
+def _given_to_says(tree: ast.AST) -> Iterator[str]:
+    """The texts that are given to `says(...)`."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == 'says':
+            yield from (value.value for value in node.args if isinstance(value, ast.Constant) and isinstance(value.value, str))
+
+
+def _sentences(tree: ast.AST) -> Iterator[str]:
+    """The texts of several words, f-strings as templates; of docstrings the first line where it is a check's sentence."""
+    inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+            first = node.body[0]
+            assert isinstance(first, ast.Expr)
+            inner.add(id(first.value))
+            if isinstance(node, ast.FunctionDef) and node.decorator_list:
+                yield (ast.get_docstring(node) or '').partition('\n')[0]
+        text = template_of(node) if id(node) not in inner else ''
+        if len(_WORD.findall(_FIELD.sub('', text))) >= 2 and not _CODE.search(text):
+            yield text
+
+
+def template_of(node: ast.AST) -> str:
+    """A text in a program as a template; '' for anything else."""
+    if isinstance(node, ast.Constant):
+        return str(node.value).replace('{', '{{').replace('}', '}}') if isinstance(node.value, str) else ''
+    if not isinstance(node, ast.JoinedStr):
+        return ''
+    names: set[str] = set()
+    parts = []
+    for part in node.values:
+        if isinstance(part, ast.FormattedValue):
+            name = re.sub(r'\W+', '_', ast.unparse(part.value)).strip('_')[:24] or 'value'
+            while name in names:
+                name += '_'
+            names.add(name)
+            parts.append(f'{{{name}}}')
+        else:
+            parts.append(template_of(part))
+    return ''.join(parts)
+
+
+def _python_files(folder: str) -> Iterator[str]:
+    if os.path.isfile(folder):
+        yield folder
+    for place, _, names in sorted(os.walk(folder)):
+        yield from (os.path.join(place, name) for name in sorted(names) if name.endswith('.py'))
+
+
+def _tree(path: str) -> ast.AST:
+    with open(path, encoding='utf-8') as file:
+        return ast.parse(file.read())
+
+
+def languages() -> list[str]:
+    """The languages that have a folder."""
+    return sorted(name for name in os.listdir(LOCALE) if os.path.isdir(os.path.join(LOCALE, name)))
+
+
+def path_of(language: str, ending: str) -> str:
+    """The catalogue of a language: 'po' for people, 'mo' for gettext."""
+    return os.path.join(LOCALE, language, 'LC_MESSAGES', f'advice.{ending}')
+
+
+def read(language: str) -> Catalog:
+    """The catalogue of a language; empty when it is new."""
+    from babel.messages.catalog import Catalog
+    from babel.messages.pofile import read_po
+
+    if not os.path.isfile(path_of(language, 'po')):
+        return Catalog(language)
+    with open(path_of(language, 'po'), 'rb') as file:
+        return read_po(file, language)
+
+
+def update(language: str) -> tuple[int, int]:
+    """Write both files of a language anew; returns how many sentences there are, and how many of them lack a translation."""
+    from babel.messages.catalog import Catalog
+    from babel.messages.mofile import write_mo
+    from babel.messages.pofile import write_po
+
+    template = Catalog(project='edulaunch', creation_date=_FIXED)
+    for text, where in messages().items():
+        template.add(text, auto_comments=[where])
+    catalogue = read(language)
+    catalogue.update(template)
+    catalogue.revision_date, catalogue.fuzzy = _FIXED, False
+    catalogue.project, catalogue.version = 'edulaunch', '1'
+    catalogue.msgid_bugs_address = catalogue.last_translator = catalogue.language_team = 'edulaunch'
+    catalogue.header_comment = (
+        f'# The sentences of edulaunch in the language {language!r}; `python -m edulaunch.advice.catalogue`'
+    )
+    with open(path_of(language, 'po'), 'wb') as file:
+        write_po(file, catalogue, width=0, ignore_obsolete=True)
+    with open(path_of(language, 'mo'), 'wb') as file:
+        write_mo(file, catalogue)
+    lacking = [message for message in catalogue if message.id and (message.fuzzy or not message.string)]
+    return len(catalogue), len(lacking)
+
+
+def main() -> None:
+    """Bring every language up to date, and say how far it is."""
+    for language in languages():
+        print('{}: {} sentences, {} of them not translated'.format(language, *update(language)))
+
+
+if __name__ == '__main__':
+    main()
