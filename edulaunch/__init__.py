@@ -57,6 +57,7 @@ _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
 attached.PLACES.update({name: ('edulaunch.canvas.text_table', name) for name in ('message_table', 'log_table')})
 attached.PLACES.update(
+    advice_marks=('edulaunch.advice.marks', 'marks'),
     judge=('edulaunch.advice', 'judge'),
     told=('edulaunch.advice', 'told'),
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 DIED = 'programs.died'
 """Is not told of a program whose error another rule explains."""
+FAILS = 'launch.fails'
+"""Is not told beside a rule that knows why."""
 MOST = 20
 """Findings of one rule: more of the same tell nobody anything."""
 
@@ -33,7 +35,9 @@ def judge(recording: Recording) -> list[Finding]:
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
     """What is wrong with a launch file, by its dry run."""
-    return in_order(_asked('plans', rehearsal))
+    findings = in_order(_asked('plans', rehearsal))
+    better = [one for one in findings if one.rule != FAILS]
+    return better if any(rule_named(one.rule).level == LEVELS[0] for one in better) else findings
 
 
 def judge_failure(error: Failure | BaseException) -> list[Finding]:

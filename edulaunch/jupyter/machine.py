@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from edulaunch.advice.reader import reader_here
 from edulaunch.advice.wording import said_at_the_end
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
@@ -18,6 +19,7 @@ from edulaunch.jupyter.line import Line, number_of
 from edulaunch.launching import LaunchRun, find_launch_file
 from edulaunch.machine import wire
 from edulaunch.machine.asking import ask, has_terminals_machine
+from edulaunch.machine.doctor import doctors_text, is_doctor
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.remote_input import RemoteInput
 from edulaunch.machine.snapshot import glance, snapshot
@@ -218,3 +220,5 @@ class Machine:
         if words[:1] == ['run'] and not line.quiet:
             for text in said_at_the_end(glance(session), since_s=began_s):
                 self._write('stderr', f'{text}\n')
+        elif is_doctor(argv):
+            self._write('stdout', doctors_text(session, reader_here()))

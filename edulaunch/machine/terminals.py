@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.reader import reader_of
 from edulaunch.advice.wording import said_at_the_end
 from edulaunch.machine import wire
+from edulaunch.machine.doctor import doctors_text, is_doctor
 from edulaunch.machine.remote_input import RemoteInput
 from edulaunch.machine.snapshot import glance, snapshot
 from edulaunch.machine.words import run_words
@@ -129,6 +130,8 @@ class Terminal:
             said = said_at_the_end(glance(self._terminals.session), self._reader, self._began_s)
             self._show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)
+        elif is_doctor(self.words):
+            self._show('stdout', doctors_text(self._terminals.session, self._reader))
         self.ended(code)
 
     def ended(self, code: int) -> None:
