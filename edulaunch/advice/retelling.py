@@ -46,8 +46,8 @@ class Retelling:
     """
 
     def __init__(self, catalogue: Mapping[str, str]) -> None:
-        self._whole = {_plain(english): _plain(other) for english, other in catalogue.items() if not _names(english)}
-        found = [_pattern(english, other) for english, other in catalogue.items() if _names(english)]
+        self._whole = {_plain(english): _plain(other) for english, other in catalogue.items() if not fields_of(english)}
+        found = [_pattern(english, other) for english, other in catalogue.items() if fields_of(english)]
         self._patterns = sorted(filter(None, found), key=lambda pattern: -sum(map(len, pattern.texts)))
 
     def __call__(self, text: str, depth: int = 0) -> str:
@@ -62,7 +62,8 @@ class Retelling:
         return text
 
 
-def _names(template: str) -> list[str]:
+def fields_of(template: str) -> list[str]:
+    """Names of the facts in a template."""
     return [name for _, name, _, _ in Formatter().parse(template) if name]
 
 

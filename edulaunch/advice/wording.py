@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from string import Formatter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.advice.finding import Finding
 from edulaunch.advice.reader import Reader, reader_here
 from edulaunch.advice.registry import rule_named
+from edulaunch.advice.retelling import fields_of
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -74,14 +74,9 @@ def _sign(level: str, reader: Reader) -> str:
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
     """The first of the templates whose facts are all known, with the facts in it; '' when there is none."""
     for template in templates:
-        if all(facts.get(name) not in (None, [], ()) for name in fields(template)):
+        if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
             return reader.says(template).format_map({name: _listed(value) for name, value in facts.items()})
     return ''
-
-
-def fields(template: str) -> list[str]:
-    """Names of the facts in a template."""
-    return [name for _, name, _, _ in Formatter().parse(template) if name]
 
 
 def _listed(value: Any) -> Any:

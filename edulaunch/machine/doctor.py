@@ -1,5 +1,5 @@
-"""What `ros2 doctor` says of a machine besides ROS 2's own checks. It is no part of what the command printed inside the simulation:
-a recording has no sentence in anybody's language.
+"""What `ros2 doctor` says of a machine besides ROS 2's own checks. It is no part of what the command printed inside the
+simulation: a recording has no sentence in anybody's language.
 """
 
 from __future__ import annotations

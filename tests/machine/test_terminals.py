@@ -54,3 +54,22 @@ def test_a_closed_terminal_ends_its_programs(desk: Desk, signum: int) -> None:
     launch.send(signum)
     launch.end()
     assert desk.said('node list') == '/talker\n'
+
+
+def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: Desk) -> None:
+    file = desk.folder / 'two.launch.py'
+    file.write_text(
+        'from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\ndef generate_launch_description():\n'
+        "    return LaunchDescription([Node(package='demo_nodes_py', executable='talker') for _ in 'ab'])\n"
+    )
+    launch = desk.ros2('launch two.launch.py')
+    launch.until('process started with pid')
+    launch.until('Publishing')
+    launch.type('\x03')
+    assert launch.end() == 0
+    told = launch.output.replace('\r', '').partition('warning: ')[2]
+    assert told.startswith('two nodes are called /talker: one of talker-1, one of talker-2 (two.launch.py:6, at ')
+    silent = desk.ros2('launch --quiet two.launch.py')
+    silent.until('Publishing')
+    silent.type('\x03')
+    assert silent.end() == 0 and 'warning: ' not in silent.output

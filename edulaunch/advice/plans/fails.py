@@ -28,6 +28,12 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
             rehearsal.plan['file'],
             file=file or rehearsal.plan['file'],
             line=int(line) if line.isdigit() else None,
-            text=error['text'].partition('\n')[0],
+            text=_telling_line(error['text']),
             help=error.get('help'),
         )
+
+
+def _telling_line(text: str) -> str:
+    """ROS 2 puts what went wrong under a heading."""
+    lines = [line.strip(' -') for line in text.splitlines() if line.strip()]
+    return next((line for line in lines if not line.endswith(':')), text)

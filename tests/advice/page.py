@@ -1,0 +1,99 @@
+"""`docs/advice.md`: every rule with its failing example and what is told of it. `python -m tests.advice.page` writes it anew."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import edulaunch
+from edulaunch.advice.registry import all_rules, rules_over
+from edulaunch.advice.rule import GROUPS, Rule
+from tests.advice.harness import EXAMPLES, WITHOUT, example
+
+PAGE = Path(__file__).parents[2] / 'docs' / 'advice.md'
+HEAD = """# Advice
+
+The commonest mistakes in ROS 2 raise no error: nothing happens, and nobody says why. edulaunch looks at each run, launch file and
+package by the rules on this page and says what is wrong, where, and what to do. It says so
+
+- at the end of `ros2 launch`, `ros2 run`, `edulaunch launch` and `edulaunch.run` (the worst five; `--quiet` is silent), also under a
+  notebook's cell, and as `recording.warnings`; `recording.advice` has the findings as data,
+- on the live view and the replay: a mark on the node, topic or frame opens the sentence,
+- in the feedback of `edugrade`, as the likely cause of a check that failed,
+- when asked: `ros2 doctor` for what runs, `edulaunch doctor FILE|FOLDER|RECORDING|PACKAGE [--json]` for everything else.
+
+A rule *states* what it is sure of, and *asks* where it cannot know what was meant. `EDULAUNCH_LANG=de` tells the sentences in German;
+recordings have no sentences in them, and are the same in every language.
+
+This page is made from the rules and their examples, which are tests (`tests/advice/examples`): `python -m tests.advice.page`.
+"""
+KINDS = {'errors': 'an error', 'plans': 'a launch file', 'recordings': 'a run', 'sources': "a package's files"}
+LANGUAGES = {'.py': 'python', '.xml': 'xml', '.yaml': 'yaml', '.txt': 'cmake', '.md': 'text'}
+
+
+def page() -> str:
+    """The text of the page."""
+    rules = all_rules()
+    kinds = {rule.name: kind for kind in KINDS for rule in rules_over(kind)}
+    counted = {group: [rule for rule in rules.values() if rule.group == group] for group in GROUPS}
+    lines = [
+        HEAD,
+        f'There are {len(rules)} rules: ' + ', '.join(f'{len(of)} on {group}' for group, of in counted.items() if of) + '.',
+    ]
+    for group, of_group in counted.items():
+        if of_group:
+            lines += ['', f'## {group}']
+            for rule in of_group:
+                lines += ['', *_section(rule, kinds[rule.name])]
+    return '\n'.join(lines) + '\n'
+
+
+def _section(rule: Rule, kind: str) -> Iterator[str]:
+    yield f'### {rule.name}'
+    yield ''
+    lesson = f', lesson [{rule.lesson}](../lessons/{rule.lesson}.ipynb)' if rule.lesson else ''
+    yield f'Looks at {KINDS[kind]}; {rule.level}, {rule.confidence}{lesson}.'
+    if rule.name in WITHOUT:
+        yield ''
+        yield f'> {rule.what[0]}'
+        return
+    yield from _example(example(rule.name, 'failing'))
+    yield ''
+    yield '```text'
+    yield (EXAMPLES / rule.name / 'told.txt').read_text(encoding='utf-8').partition('\n\n')[0].rstrip()
+    yield '```'
+
+
+def _example(path: Path) -> Iterator[str]:
+    """The files of an example; those of a folder by their names, and of what does not help to see the mistake only the name."""
+    files = (
+        [path]
+        if path.is_file()
+        else sorted(file for file in path.rglob('*') if file.is_file() and '__pycache__' not in file.parts)
+    )
+    for file in files:
+        yield ''
+        name = file.name if path.is_file() else file.relative_to(path).as_posix()
+        text = _text(file)
+        if not text.strip():
+            yield f'`{name}`' + ('' if text is None else ' (empty)')
+            continue
+        yield f'`{name}`'
+        yield ''
+        yield f'```{LANGUAGES.get(file.suffix, "text")}'
+        yield text.rstrip()
+        yield '```'
+
+
+def _text(file: Path) -> str:
+    try:
+        return file.read_text(encoding='utf-8')
+    except UnicodeDecodeError:
+        return f'(not UTF-8: begins with the bytes {file.read_bytes()[:8].hex(" ")})'
+
+
+if __name__ == '__main__':
+    edulaunch.source()
+    PAGE.write_text(page(), encoding='utf-8')
+    sys.stdout.write(f'{PAGE.name}: {len(all_rules())} rules\n')
