@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.recordings.dead_programs import ENDED_WELL
 from edulaunch.advice.rule import rule
 from edulaunch.advice.runs import node_place, origin_place
 from edulaunch.nearest import nearest
@@ -30,11 +31,14 @@ SET = 'rcl_interfaces/srv/SetParameters'
     level='error',
 )
 def not_declared(recording: Recording) -> Iterator[Finding]:
-    """Unless another node declares what comes from the same place: a file for several nodes names parameters of all."""
+    """Unless another node declares what comes from the same place: a file for several nodes names parameters of all. A program
+    that died had perhaps not come to declaring it.
+    """
+    dead = {process.name for process in recording.processes if process.returncode not in ENDED_WELL}
     taken = {(parameter, origin) for _, _, parameter, _, origin in recording._content['parameters']}
     for fact in recording.facts:
         name = fact.data.get('parameter', '')
-        if fact.kind == 'parameter not declared' and (name, fact.data['origin']) not in taken:
+        if fact.kind == 'parameter not declared' and (name, fact.data['origin']) not in taken and fact.process not in dead:
             file, line = origin_place(recording, fact.process, fact.data['origin'])
             declared = [one for one in fact.data['declared'] if not one.startswith(ROS_PARAMETERS)]
             facts = {'node': fact.data['node'], 'value': fact.data['value'], 'near': nearest(name, declared)}
