@@ -411,8 +411,7 @@ class Recording:
     @property
     def silent_notes(self) -> list[str]:
         """What the engine noticed and ROS 2 says nothing of."""
-        strangers = [misfit.note for misfit in self.misfits if misfit.why == 'TYPE']
-        notes = [note for note in self.notes if note.kind in SILENT or note in strangers]
+        notes = [note for note in self.notes if note.kind in SILENT]
         return list(dict.fromkeys(note.text if note.process is None else f'{note.process}: {note.text}' for note in notes))
 
     @cached_property

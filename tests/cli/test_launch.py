@@ -285,14 +285,14 @@ def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_pat
     script = tmp_path / 'hears.py'
     script.write_text(
         'import rclpy\nfrom geometry_msgs.msg import Pose\nrclpy.init()\nnode = rclpy.create_node("hears")\n'
-        'node.create_subscription(Pose, "/turtle1/pose", print, 10)\n'
+        'node.create_subscription(Pose, "/turtle1/pose", print, 10)\nrclpy.spin(node)\n'
     )
     _, _, err = run(
         describe("Node(package='turtlesim', executable='turtlesim_node')", f"ExecuteProcess(cmd=['python3', '{script}'])")
     )
     assert err == (
-        'warning: turtlesim_node-1: /turtle1/pose: /turtlesim (turtlesim/msg/Pose) and /hears (geometry_msgs/msg/Pose) '
-        'cannot talk because of TYPE\n'
+        'warning: /turtlesim publishes turtlesim/msg/Pose on /turtle1/pose, but /hears expects geometry_msgs/msg/Pose: '
+        'they do not hear each other (@/my.launch.py:5, at 0.00 s)\n  help: use one message type on both sides, or two topics\n'
     )
 
 
