@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from .results import Refusal, Report
 
 
+VERBS = {'batch': '.batch.command', 'doctor': '.doctor', 'schema': '.report_schema', 'sign': '.signature', 'verify': '.verify'}
+"""Words that may stand in the place of a path, and the modules with their `main`."""
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Grade launch files and print the reports. Returns the exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
@@ -41,14 +45,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _command(words: list[str]) -> int:
-    if words == ['doctor'] and not os.path.exists('doctor'):
-        from .doctor import main as examine
+    if words and words[0] in VERBS and not os.path.isfile(words[0]):
+        from importlib import import_module
 
-        return examine()
-    if words[:1] == ['batch'] and not os.path.isfile('batch'):
-        from .batch.command import main as grade_class
-
-        return grade_class(words[1:])
+        exit_code: int = import_module(VERBS[words[0]], __package__).main(words[1:])
+        return exit_code
     options = read_options(words)
     return _hints(options) if options.hint else _grade(options)
 

@@ -7,7 +7,7 @@ import os
 import re
 import socket
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from .limits import Limits
@@ -159,7 +159,7 @@ def report(findings: list[Finding]) -> str:
     return '\n'.join([*lines, '', last]) + '\n'
 
 
-def main() -> int:
+def main(words: Sequence[str] = ()) -> int:
     """The command. Returns 0 when everything held, else 1."""
     findings = list(examine())
     print(report(findings), end='')

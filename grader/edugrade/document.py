@@ -13,7 +13,7 @@ from .receipt import receipt
 from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
 
-FORMAT = 1
+FORMAT = 2
 LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
 
 

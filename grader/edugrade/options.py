@@ -38,7 +38,7 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument('--json', metavar='FILE', help='write the report as JSON too')
     parser.add_argument('--junit', metavar='FILE', help='write it as JUnit XML too, as CI servers read it')
     parser.add_argument('--html', metavar='FILE', help='write it as a page too, with pictures and a replay')
-    _add_common(parser)
+    add_common(parser)
     parser.add_argument(
         '--student', metavar='NAME', default='', help='whose it is: kept in the reports, part of what chooses the runs'
     )
@@ -70,11 +70,11 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument('--csv', metavar='FILE', help='write all marks as a table too')
     parser.add_argument('--html', metavar='DIR', help='write a page for the class and one for each submission too')
     parser.add_argument('--junit', metavar='FILE', help='write all results as JUnit XML too')
-    _add_common(parser)
+    add_common(parser)
     return parser.parse_args(words)
 
 
-def _add_common(parser: argparse.ArgumentParser) -> None:
+def add_common(parser: argparse.ArgumentParser) -> None:
     """The options that every way of grading has."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='take this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(

@@ -57,7 +57,7 @@ def test_a_gap_says_where_it_is() -> None:
 
 def test_several_reports_are_one_document() -> None:
     found = document_of_all([report(PASSED), report(FAILED)], [Refusal('b', 'no such file', 'look')], 2)
-    assert (found['format'], found['exit_code'], len(found['reports'])) == (1, 2, 2)
+    assert (found['format'], found['exit_code'], len(found['reports'])) == (2, 2, 2)
     assert found['refused'] == [{'given': 'b', 'reason': 'no such file', 'help': 'look'}]
 
 

@@ -1,0 +1,136 @@
+"""``edugrade verify REPORT``: makes a mark again from the same things, and says whether it holds."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from edulaunch.errors import UnusableInput
+
+from .course_secret import CourseSecret
+from .document import document
+from .grading import grade, plan_work
+from .limits import Limits
+from .options import add_common
+from .receipt import receipt
+from .signature import is_signed_by, read_report
+from .submission import Submission
+from .terminal import printable
+
+MOST_PLACES = 20_000  # files that are looked at in search of a submission
+NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
+
+
+def main(words: Sequence[str]) -> int:
+    """The command: 0 when the report holds, 1 when it does not, 2 when that cannot be found out."""
+    parser = argparse.ArgumentParser(
+        prog='edugrade verify', description='Make a mark again from the same text, rubric and seed, and say whether it holds.'
+    )
+    parser.add_argument('report', metavar='REPORT', help='a JSON report, or a result of a batch')
+    parser.add_argument('--submission', metavar='PATH', help='what was graded; else it is looked for beside the report')
+    parser.add_argument('--key', metavar='FILE', help='the report must be signed by this public key (PEM)')
+    add_common(parser)
+    options = parser.parse_args(words)
+    report = read_report(options.report)
+    differences = [*_of_the_signature(report, options.key), *_made_again(report, options)]
+    for line in differences:
+        print(printable(f'  {line}'))
+    points, rubric = report.get('points', {}), report.get('rubric', {})
+    mark = f'{rubric.get("name")}: {points.get("earned")} of {points.get("possible")} points'
+    print(printable(f'{options.report} DOES NOT HOLD ({mark}).' if differences else f'{options.report} holds: {mark}.'))
+    return 1 if differences else 0
+
+
+def _of_the_signature(report: dict[str, Any], key: str | None) -> Iterator[str]:
+    if key is not None and not is_signed_by(report, key):
+        yield (
+            'signature: none' if 'signature' not in report else 'signature: the report is not as the owner of this key signed it'
+        )
+
+
+def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator[str]:
+    """What is different when it is graded again: the mark, its reasons, and what it was made from."""
+    before, seed = report['receipt'], report['receipt'].get('seed')
+    if type(seed) is not int:
+        raise UnusableInput(f'the receipt of {options.report} has no seed')
+    submission = Submission(options.submission or _find(report, options.report))
+    rubric = options.rubric or report['rubric']['name'] if submission.exercise != report['rubric']['name'] else options.rubric
+    work = plan_work(submission, rubric, seed)
+    yield from _of_the_seed(report, options.course_secret_file, submission)
+    now = receipt(work)
+    yield from (f'{words}: another one' for key, words in NAMES.items() if before.get(key) != now[key])
+    (made,) = grade([work], Limits(options.limit, sandbox=options.sandbox), options.workspace)
+    again = document(made)
+    for key in ('points', 'verdict'):
+        if report.get(key) != again[key]:
+            yield f'{key}: {_words(report.get(key))} in the report, {_words(again[key])} now'
+    yield from _of_the_list('check', report['checks'], again['checks'], ('status', 'points', 'earned', 'reason', 'seen'))
+    yield from _of_the_list(
+        'run', report.get('scenarios'), again['scenarios'], ('arguments', 'duration_s', 'seed', 'outcome', 'digest')
+    )
+
+
+def _of_the_seed(report: dict[str, Any], secret_file: str | None, submission: Submission) -> Iterator[str]:
+    if secret_file is None:
+        return
+    secret = CourseSecret(secret_file)
+    student = str(report.get('student_id') or report.get('student') or '')
+    if report['receipt'].get('seed') != secret.seed(report['rubric']['name'], student, submission.sha256):
+        yield 'seed: not the one that this course secret chooses for this student and text'
+
+
+def _of_the_list(what: str, before: Any, now: list[dict[str, Any]], keys: Sequence[str]) -> Iterator[str]:
+    known = {item.get('name'): item for item in before if isinstance(item, dict)} if isinstance(before, list) else {}
+    for item in now:
+        found = known.pop(item['name'], None)
+        if found is None:
+            yield f'{what} {item["name"]}: not in the report'
+        else:
+            for key in keys:
+                if found.get(key) != item[key]:
+                    yield f'{what} {item["name"]}: {key} {_words(found.get(key))} in the report, {_words(item[key])} now'
+    yield from (f'{what} {name}: only in the report' for name in known)
+
+
+def _words(value: Any) -> str:
+    if isinstance(value, dict) and set(value) == {'earned', 'possible'}:
+        return f'{value["earned"]} of {value["possible"]}'
+    text = str(value)
+    return text if len(text) <= 80 else f'{text[:80]}...'
+
+
+def _find(report: dict[str, Any], path: str) -> str:
+    """The submission with the report's hash: beside the report, here, or where a batch has it.
+
+    :raises UnusableInput: when there is none.
+    """
+    file, wanted = str(report.get('submission', {}).get('file')), report['receipt'].get('submission')
+    for place in _places(report, file, os.path.abspath(path)):
+        try:
+            if os.path.isfile(place) and Submission(place).sha256 == wanted:
+                return place
+        except UnusableInput:
+            continue
+    raise UnusableInput(
+        f'{file}, as the report names it, is not found with the text that was graded', help='give --submission PATH'
+    )
+
+
+def _places(report: dict[str, Any], file: str, path: str) -> Iterator[str]:
+    yield from (os.path.join(os.path.dirname(path), file), file)
+    folder = os.path.dirname(path)
+    while os.path.dirname(folder) != folder:
+        if os.path.exists(os.path.join(folder, '.lock')):  # the results of a batch
+            inside = str(report.get('path'))
+            if folder.endswith('.results'):
+                yield from (os.path.join(folder[: -len('.results')], inside, *rest) for rest in ((), (file,)))
+            count = 0
+            for place, _, names in os.walk(os.path.join(folder, '.unpacked')):
+                count += len(names)
+                if count > MOST_PLACES:
+                    return
+                yield os.path.join(place, file)
+            return
+        folder = os.path.dirname(folder)
