@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from edulaunch.checking import check
     from edulaunch.errors import EdulaunchError, LaunchFileError, UnusableInput
     from edulaunch.explaining import explain
+    from edulaunch.jupyter.interact import interact
     from edulaunch.machine.started import start
     from edulaunch.recording import Recording
     from edulaunch.session import Session, run
@@ -36,6 +37,7 @@ __all__ = [
     'UnusableInput',
     'check',
     'explain',
+    'interact',
     'run',
     'source',
     'start',
@@ -49,6 +51,7 @@ _PLACES = {
     'UnusableInput': ('errors', 'UnusableInput'),
     'check': ('checking', 'check'),
     'explain': ('explaining', 'explain'),
+    'interact': ('jupyter.interact', 'interact'),
     'run': ('session', 'run'),
     'source': ('sourcing', 'source'),
     'start': ('machine.started', 'start'),

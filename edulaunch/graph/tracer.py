@@ -51,6 +51,11 @@ class Tracer:
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         """A parameter was declared or changed (value None: undeclared)."""
 
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        """What a parameter was declared to be: limits are the least and the largest value, and the step (0: any)."""
+
     def process_started(self, process: Any) -> None:
         """A program began."""
 

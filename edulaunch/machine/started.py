@@ -153,6 +153,16 @@ class Machine:
         """
         return desk_widget(self, tab)
 
+    def slider(self, node: str, name: str, limits: tuple[float, float] | None = None) -> Any:
+        """A widget that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
+
+        :param limits: the least and the largest value; default: the range that the node declares.
+        :raises UnusableInput: when ipywidgets is not installed, there is no such node or parameter, or no range is known.
+        """
+        from edulaunch.machine.sliders import slider
+
+        return slider(self, node, name, limits)
+
     def take(self, words: dict[str, Any]) -> None:
         """Do by hand what a page would ask for."""
         self.do_for(self._hand, words)

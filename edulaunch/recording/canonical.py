@@ -25,7 +25,7 @@ def canonical(content: dict[str, Any]) -> dict[str, Any]:
     short = {part: shorten(content[part]) for part in TEXT_PARTS}
     topics = [{**topic, 'messages': shorten(topic['messages'])} if _has_text(topic) else topic for topic in content['topics']]
     output = _without_library_frames(shorten(content['output']))
-    short['facts'] = shorten(content.get('facts') or [])
+    short |= {part: shorten(content.get(part) or []) for part in ('facts', 'descriptors')}
     return {**content, **short, 'output': output, 'topics': topics, 'roots': []}
 
 

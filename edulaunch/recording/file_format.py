@@ -1,8 +1,8 @@
 """A recording as text: JSON lines, the same bytes for the same run.
 
-The first line is the header, then one line per part, then one line each with odd facts and with the texts of the student's own
-message types if there are any, then one line per topic. Messages are wire tuples written as JSON
-lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
+The first line is the header, then one line per part, then one line each with odd facts, with what parameters were declared to be,
+and with the texts of the student's own message types if there are any, then one line per topic. Messages are wire tuples written
+as JSON lists; byte strings are written as {"hex": ...}. Only plain data is ever read back.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from edulaunch.recording import schema
 FORMAT = 'edulaunch recording'
 VERSION = 1
 PARTS = tuple(schema.PARTS)
-OPTIONAL_PARTS = ('facts', 'interfaces')
+OPTIONAL_PARTS = ('facts', 'descriptors', 'interfaces')
 HEADER_NUMBERS = ('seed', 'start_ns', 'duration_ns')
 TYPE_NAME = re.compile(r'[A-Za-z]\w*/(msg|srv|action)/[A-Za-z][A-Za-z0-9]*', re.ASCII)
 TOPIC_KEYS = tuple(schema.TOPIC)
@@ -63,7 +63,8 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
         )
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
-    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'interfaces': {}, 'topics': []}
+    content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': []}
+    content |= {'interfaces': {}, 'topics': []}
     for number, line in enumerate(lines[1:], 2):
         if line:
             part = _parse(line, name, number)
@@ -95,8 +96,9 @@ def _check(content: dict[str, Any], name: str) -> None:
     for part, fits in schema.PARTS.items():
         if not fits(content.get(part)):
             raise RecordingError(f'{name} is damaged: the part {part!r} is missing, cut off or no such part.')
-    if not schema.FACTS(content['facts']):
-        raise RecordingError(f"{name} is damaged: the part 'facts' is cut off or no such part.")
+    for part, fits in schema.OPTIONAL.items():
+        if not fits(content[part]):
+            raise RecordingError(f'{name} is damaged: the part {part!r} is cut off or no such part.')
     texts = content['interfaces']
     if not schema.table(schema.text)(texts) or not all(map(TYPE_NAME.fullmatch, texts)):
         raise RecordingError(f"{name} is damaged: the part 'interfaces' does not hold texts of message types.")

@@ -34,6 +34,7 @@ class Recorder(Tracer):
         self.nodes: list[list[Any]] = []
         self.processes: list[dict[str, Any]] = []
         self.parameters: list[list[Any]] = []
+        self.descriptors: list[list[Any]] = []
         self.calls: list[list[Any]] = []
         self.logs: list[list[Any]] = []
         self.output_lines: list[list[Any]] = []
@@ -82,6 +83,7 @@ class Recorder(Tracer):
             'output': self.output_lines,
             'notes': self.notes,
             'facts': self.facts_now(),
+            'descriptors': self.descriptors,
             'interfaces': self._interfaces(),
             'topics': topics,
         }
@@ -175,6 +177,13 @@ class Recorder(Tracer):
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         if self.on:
             self.parameters.append([self._now(), node.fully_qualified_name, name, value, origin])
+
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        if self.on:
+            row = [self._now(), node.fully_qualified_name, name, description, read_only, None if limits is None else list(limits)]
+            self.descriptors.append(row)
 
     def process_started(self, process: Process) -> None:
         if self.on:

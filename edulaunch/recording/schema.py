@@ -19,6 +19,11 @@ def number(value: Any) -> bool:
     return type(value) is int and -FAR <= value < FAR
 
 
+def quantity(value: Any) -> bool:
+    """A number, whole or not."""
+    return type(value) in (int, float)
+
+
 def maybe(check: Check) -> Check:
     """What passes the check, or None."""
     return lambda value: value is None or check(value)
@@ -115,6 +120,13 @@ PARTS: dict[str, Check] = {
     'output': each(row(number, text, text, text)),
     'notes': each(row(number, _word, text, text)),
 }
-FACTS: Check = each(row(number, _word, text, table(anything), number, number))
-"""A part that is only there when something odd has happened: time, process, kind, data, how often, last time."""
+OPTIONAL: dict[str, Check] = {
+    'facts': each(row(number, _word, text, table(anything), number, number)),
+    'descriptors': each(row(number, text, text, text, truth, maybe(row(quantity, quantity, quantity)))),
+}
+"""Parts that are only there when there is something in them.
+
+Something odd has happened: time, process, kind, data, how often, last time. A parameter is declared to be more than its type
+says: time, node, name, description, whether it is read-only, and (least, largest, step).
+"""
 TOPIC: dict[str, Check] = {'topic': text, 'type': text, 'times': each(number), 'publishers': each(number), 'messages': each(wire)}

@@ -32,7 +32,7 @@ class Source(Protocol):
         """(topic, type) of all there are."""
 
     def part(self, name: str) -> Sequence[Any]:
-        """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'calls', 'logs', 'output' or 'notes'."""
+        """The rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or 'notes'."""
 
     def forgotten(self, what: object) -> int:
         """How many messages of a (topic, type), or rows of a part, a machine that runs for long no longer has."""
@@ -96,7 +96,8 @@ class Film:
                 elif kind == SCAN_TYPE:
                     piece['scans'] += self._scans(topic, times, wires)
         piece['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
-        for name in ('parameters', 'logs', 'output', 'notes'):
+        piece['parameters'] = [_parameter(row) for row in self._new('parameters')]
+        for name in ('descriptors', 'logs', 'output', 'notes'):
             piece[name] = [_event(row) for row in self._new(name)]
         for name, row_of, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
             piece[name] = self._living(name, row_of, end)
@@ -192,6 +193,13 @@ def _text(value: Any) -> str:
 def _event(row: Sequence[Any]) -> list[Any]:
     """A row that begins with its time."""
     return [row[0] // 1000, *map(_json, row[1:])]
+
+
+def _parameter(row: Sequence[Any]) -> list[Any]:
+    """[time, node, name, value, origin, whether its numbers are doubles: a browser does not tell 1.0 from 1]"""
+    value = row[3]
+    entries = value if isinstance(value, (list, tuple)) else [value]
+    return [*_event(row), bool(entries) and all(isinstance(entry, float) for entry in entries)]
 
 
 def _endpoint(row: Sequence[Any]) -> list[Any]:

@@ -42,7 +42,7 @@ class OfRecording:
 
     def part(self, name: str) -> Sequence[Any]:
         """See `Source.part`."""
-        rows: Sequence[Any] = self._content[name]
+        rows: Sequence[Any] = self._content.get(name) or ()
         return rows
 
     def forgotten(self, what: object) -> int:

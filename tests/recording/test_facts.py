@@ -58,6 +58,12 @@ def test_facts_survive_the_file_and_count_in_the_digest_without_folders(stage: S
     assert Recording.from_bytes(b'\n'.join(line for line in without if b'"facts"' not in line)).digest() != first.digest()
 
 
+@pytest.mark.parametrize('part', [b'{"descriptors":3}', b'{"descriptors":[[1,"/n","p","",false,[0,1]]]}'])
+def test_damaged_descriptors_are_refused(part: bytes) -> None:
+    with pytest.raises(RecordingError, match="the part 'descriptors'"):
+        Recording.from_bytes(turtle_run().to_bytes() + part + b'\n')
+
+
 @pytest.mark.parametrize('part', [b'{"facts":3}', b'{"facts":[[1,"p","kind",{},1]]}', b'{"facts":[[1,"p","kind",[],1,2]]}'])
 def test_damaged_facts_are_refused(part: bytes) -> None:
     with pytest.raises(RecordingError, match="the part 'facts'"):

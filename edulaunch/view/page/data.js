@@ -94,7 +94,7 @@ class Store {
   constructor() {
     Object.assign(this, {
       start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), nodes: [], processes: [], endpoints: [],
-      parameters: [], logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
+      parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
   apply(piece) {
@@ -116,7 +116,8 @@ class Store {
     }
     const rows = (name, make) => { for (const row of piece[name] || []) { this[name].push(make(row)); this.version++; } };
     rows('endpoints', ([t, kind, name, type, node, index, qos]) => ({ t: t / 1e6, kind, name, type, node, index, qos }));
-    rows('parameters', ([t, node, name, value, origin]) => ({ t: t / 1e6, node, name, value, origin }));
+    rows('parameters', ([t, node, name, value, origin, double]) => ({ t: t / 1e6, node, name, value, origin, double }));
+    for (const [, node, name, description, fixed, limits] of piece.descriptors || []) { this.descriptors.set(node + ' ' + name, { description, fixed, limits }); this.version++; }
     rows('logs', ([t, process, logger, level, text]) => ({ t: t / 1e6, process, logger, level, text }));
     rows('output', ([t, process, stream, text]) => ({ t: t / 1e6, process, stream, text }));
     rows('notes', ([t, process, kind, text]) => ({ t: t / 1e6, process, kind, text }));

@@ -167,7 +167,7 @@ class GraphView {
       const process = store.processes.find(row => row?.name === box.node.process);
       rows.push(make('b', {}, box.name), ` runs in ${box.node.process}${process ? `, pid ${process.pid}` : ''}`);
       const given = store.parametersAt(time).filter(row => row.node === box.name);
-      rows.push(make('p', { class: 'mono' }, given.map(row => `${row.name}: ${JSON.stringify(row.value)}`).join('   ')));
+      rows.push(make('p', { class: 'mono' }, given.map(row => `${row.name}: ${written(row)}`).join('   ')));
     }
     for (const topic of box.kind === 'topic' ? store.byName(box.name) : []) {
       const number = topic.at(time);

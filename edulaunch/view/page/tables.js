@@ -3,6 +3,12 @@
 const LEVELS = [[50, 'FATAL'], [40, 'ERROR'], [30, 'WARN'], [20, 'INFO'], [10, 'DEBUG']];
 const levelName = level => (LEVELS.find(([value]) => level >= value) || [0, 'DEBUG'])[1];
 
+/* A parameter's value as a parameter file has it: doubles have a point. */
+function written({ value, double }) {
+  if (Array.isArray(value)) return `[${value.map(entry => written({ value: entry, double })).join(', ')}]`;
+  return typeof value === 'string' ? value : double && Number.isInteger(value) ? value.toFixed(1) : JSON.stringify(value);
+}
+
 class LogView {
   constructor(desk) {
     this.desk = desk;
@@ -55,19 +61,37 @@ class ParameterView {
     if (key === this.key || this.box.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
     this.key = key;
     this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'where it came from'].map(text => make('th', {}, text))),
-      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name), make('td', {}, this.value(row)), make('td', { class: 'soft' }, row.origin))));
+      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', { class: 'soft' }, row.origin))));
     if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 4 }, 'no node has parameters yet')));
   }
+  about(row) {
+    const said = this.desk.store.descriptors.get(row.node + ' ' + row.name);
+    return said?.description ? make('span', { class: 'soft about' }, said.description) : '';
+  }
+  /* What a value is changed with: a slider where a range was declared, a box for true or false, else text as `ros2 param set` takes it. */
   value(row) {
-    if (!this.desk.live) return JSON.stringify(row.value);
-    const colour = /^background_[rgb]$/.test(row.name), input = make('input', {
-      type: typeof row.value === 'boolean' ? 'checkbox' : colour ? 'range' : 'text', min: colour ? 0 : undefined, max: colour ? 255 : undefined,
-      'aria-label': `${row.node} ${row.name}`,
-    });
-    if (typeof row.value === 'boolean') input.checked = row.value;
-    else input.value = typeof row.value === 'string' ? row.value : JSON.stringify(row.value);
-    input.addEventListener('change', () => this.desk.send({ op: 'param', node: row.node, name: row.name, value: input.type === 'checkbox' ? String(input.checked) : input.value }));
-    return colour ? make('span', {}, input, ' ', input.value) : input;
+    const said = this.desk.store.descriptors.get(row.node + ' ' + row.name) || {}, label = `${row.node} ${row.name}`, text = written(row);
+    if (!this.desk.live || said.fixed) return make('span', {}, text, said.fixed ? make('span', { class: 'soft' }, ' read-only') : '');
+    const set = value => this.desk.send({ op: 'param', node: row.node, name: row.name, value });
+    if (typeof row.value === 'boolean') {
+      const box = make('input', { type: 'checkbox', 'aria-label': label });
+      box.checked = row.value;
+      box.addEventListener('change', () => set(String(box.checked)));
+      return box;
+    }
+    const input = make('input', { type: 'text', 'aria-label': label });
+    input.value = text;
+    input.addEventListener('change', () => set(input.value));
+    const [low, high, step] = said.limits || [];
+    if (typeof row.value !== 'number' || !(high - low < 1e9)) return input;
+    const slider = make('input', { type: 'range', min: low, max: high, step: step || (row.double ? (high - low) / 1000 : 1), 'aria-label': label });
+    slider.value = row.value;
+    input.className = 'short';
+    input.setAttribute('aria-label', `${label} as a number`);
+    const now = () => written({ value: Number(slider.value), double: row.double });
+    slider.addEventListener('input', () => { input.value = now(); });
+    slider.addEventListener('change', () => set(now()));
+    return make('span', { class: 'range' }, make('small', { class: 'soft' }, low), slider, make('small', { class: 'soft' }, high), input);
   }
 }
 

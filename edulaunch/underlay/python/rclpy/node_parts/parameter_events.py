@@ -42,12 +42,22 @@ class ParameterEvents:
         core = self._core
         for parameter in (*new, *changed):
             core.graph.tracer.parameter(core.entry, parameter.name, parameter.value, self._origin(parameter))
+        for parameter in new:
+            self._describe(parameter.name)
         for parameter in deleted:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
         if not core.context.alive:
             raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
         stamp = divmod(core.clock.now_ns(), S_TO_NS)
         self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
+
+    def _describe(self, name: str) -> None:
+        """Tell what a parameter is declared to be, where that says more than its type."""
+        core = self._core
+        said = core.parameters.descriptors[name]
+        limits = [(each.from_value, each.to_value, each.step) for each in (*said.integer_range, *said.floating_point_range)]
+        if said.description or said.read_only or limits:
+            core.graph.tracer.descriptor(core.entry, name, said.description, said.read_only, limits[0] if limits else None)
 
     def _wires(self, parameters: list[Parameter]) -> tuple[Any, ...]:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
