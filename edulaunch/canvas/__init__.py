@@ -7,6 +7,7 @@ matplotlib is loaded when the first picture is drawn.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.canvas.picture import Picture, shown
@@ -27,31 +28,46 @@ __all__ = [
 ]
 
 
-def plot_turtles(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
+def plot_turtles(
+    recording: Recording,
+    time_s: float | None = None,
+    *,
+    frames: bool | Sequence[str] = False,
+    colours: bool = True,
+    ax: Any = None,
+) -> Any:
     """The turtle windows, and the field of each robot, as they look at a time.
 
     :param time_s: seconds since the start; default: the end of the recording.
+    :param frames: draw tf frames on top: all, or the named ones, such as ['carrot1'].
+    :param colours: trails of turtles that share a window have their own colours, as long as nobody gave them a pen.
     :param ax: matplotlib axes to draw on, in metres; a list of them when there are several windows.
     :returns: a Picture, or what was given as `ax`.
     :raises ValueError: when nothing moved in the recording, or for another number of axes than of windows.
+    :raises KeyError: when a named frame is not there; the message names the nearest one.
     """
     from edulaunch.canvas.turtle_scene import turtle_scene
     from edulaunch.canvas.worlds import read_worlds
 
-    return shown(turtle_scene(read_worlds(recording), recording.duration_s if time_s is None else time_s), 'draw_turtles', ax)
+    when = recording.duration_s if time_s is None else time_s
+    known = recording.frames_at(when) if frames is not False else {}
+    only = frames if isinstance(frames, Sequence) else None
+    scene = turtle_scene(read_worlds(recording), when, colours=colours, frames=known, only=only)
+    return shown(scene, 'draw_turtles', ax)
 
 
-def plot_frames(recording: Recording, time_s: float | None = None, *, ax: Any = None) -> Any:
-    """The tf frames from above, as rviz2 shows them: each tree of frames in its root frame.
+def plot_frames(recording: Recording, time_s: float | None = None, *, side: str = 'xy', ax: Any = None) -> Any:
+    """The tf frames from above or from a side, as rviz2 shows them: each tree of frames in its root frame.
 
     :param time_s: seconds since the start; default: the end of the recording.
+    :param side: 'xy' from above; 'xz' or 'yz': which axes go across and up.
     :param ax: matplotlib axes to draw on, in metres; a list of them when there are several trees.
     :returns: a Picture, or what was given as `ax`.
-    :raises ValueError: when no frame had been broadcast by then, or for another number of axes than of trees.
+    :raises ValueError: when no frame had been broadcast by then, for another side, or another number of axes than of trees.
     """
     from edulaunch.canvas.frames_scene import frames_scene
 
-    return shown(frames_scene(recording, recording.duration_s if time_s is None else time_s), 'draw_frames', ax)
+    return shown(frames_scene(recording, recording.duration_s if time_s is None else time_s, side), 'draw_frames', ax)
 
 
 def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:

@@ -49,6 +49,14 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
     return found[name]
 
 
+def seen_from(fixed: Placed, place: Placed) -> Placed:
+    """A frame as another one of its tree sees it."""
+    x, y, z, w = fixed.turn
+    back = (-x, -y, -z, w)
+    a, b = place.position, fixed.position
+    return Placed(place.root, rotated(back, (a[0] - b[0], a[1] - b[1], a[2] - b[2])), multiplied(back, place.turn))
+
+
 def rotated(turn: Quaternion, vector: Vector) -> Vector:
     """The vector turned by a unit quaternion."""
     x, y, z, w = turn

@@ -1,4 +1,4 @@
-"""tf frames from above as an image: axes, names, and an arrow from each frame to its parent."""
+"""tf frames from above or from a side as an image: axes, names, and an arrow from each frame to its parent."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ ALONE, BESIDE, LEFT, BETWEEN, BELOW, ABOVE = 420, 340, 34, 22, 40, 40
 AXIS = 30.0
 X_COLOUR: Colour = (204, 36, 29)
 Y_COLOUR: Colour = (46, 140, 48)
-LEGEND = 'thick: x axis   thin: y axis   arrow: to the parent frame (dashed: static)   [m]'
+Z_COLOUR: Colour = (38, 92, 178)
+LEAST = 0.05
+"""An axis that points towards who looks is not drawn."""
+LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
 def sheet(scene: FramesScene) -> Sheet:
@@ -29,16 +32,17 @@ def sheet(scene: FramesScene) -> Sheet:
 def draw(scene: FramesScene, axes: Sequence[Axes]) -> None:
     """Each tree in axes of its own, and the time above the first."""
     for ax, view in zip(axes, scene.views, strict=True):
-        _draw_view(ax, view)
+        _draw_view(ax, view, scene.side)
     axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED), y=1.0)
     axes[-1].annotate(
         LEGEND, (0, 0), (0, -30), xycoords='axes fraction', textcoords='offset points', fontsize=SMALL - 1, color=rgb(MUTED)
     )
 
 
-def _draw_view(ax: Axes, view: View) -> None:
+def _draw_view(ax: Axes, view: View, side: str) -> None:
     world(ax, view.limits, grid=True)
-    ax.set_title(f'fixed frame: {view.root}', family='DejaVu Sans Mono', y=1.0)
+    seen = '' if side == 'xy' else f', {side[0]} and {side[1]}'
+    ax.set_title(f'fixed frame: {view.root}{seen}', family='DejaVu Sans Mono', y=1.0)
     places = {mark.name: (mark.x, mark.y) for mark in view.frames}
     pixels = dict(zip(places, points_of(ax, list(places.values())), strict=True))
     for mark in view.frames:
@@ -47,14 +51,22 @@ def _draw_view(ax: Axes, view: View) -> None:
             style = {'linestyle': '--' if mark.is_static else '-', 'mutation_scale': 10}
             ax.annotate('', places[mark.parent], places[mark.name], arrowprops={**line, **style})
     for mark in view.frames:
-        _draw_axes(ax, mark)
-    _draw_names(ax, view.frames, pixels)
+        draw_axes(ax, mark)
+    draw_names(ax, view.frames, pixels, side)
 
 
-def _draw_axes(ax: Axes, mark: FrameMark) -> None:
-    for (dx, dy), colour, letter, width in ((mark.y_axis, Y_COLOUR, 'y', 1.6), (mark.x_axis, X_COLOUR, 'x', 3.2)):
+def draw_axes(ax: Axes, mark: FrameMark) -> None:
+    """The axes of a frame, those that can be seen."""
+    looks = (
+        (mark.z_axis, Z_COLOUR, 'z', 1.6, ':'),
+        (mark.y_axis, Y_COLOUR, 'y', 1.6, '-'),
+        (mark.x_axis, X_COLOUR, 'x', 3.2, '-'),
+    )
+    for (dx, dy), colour, letter, width, style in looks:
+        if math.hypot(dx, dy) < LEAST:
+            continue
         for text, reach, line in (
-            ('', AXIS, {'arrowstyle': '-', 'color': rgb(colour), 'linewidth': width}),
+            ('', AXIS, {'arrowstyle': '-', 'color': rgb(colour), 'linewidth': width, 'linestyle': style}),
             (letter, AXIS + 7, None),
         ):
             ax.annotate(
@@ -73,14 +85,16 @@ def _draw_axes(ax: Axes, mark: FrameMark) -> None:
     ax.plot([mark.x], [mark.y], 'o', color=rgb(INK), markersize=5)
 
 
-def _draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float, float]]) -> None:
-    """Names clear of axes and of each other; a height above the ground is said in words."""
-    texts = [mark.name + (f' (z={mark.z:.2f})' if abs(mark.z) >= 0.005 else '') for mark in frames]
+def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float, float]], side: str) -> None:
+    """Names clear of axes and of each other; from above a height over the ground is said in words."""
+    texts = [mark.name + (f' (z={mark.z:.2f})' if side == 'xy' and abs(mark.z) >= 0.005 else '') for mark in frames]
     anchors = [pixels[mark.name] for mark in frames]
     reach = AXIS + 11
-    ends = [(place, axis) for place, mark in zip(anchors, frames, strict=True) for axis in (mark.x_axis, mark.y_axis)]
+    ends = [
+        (place, axis) for place, mark in zip(anchors, frames, strict=True) for axis in (mark.x_axis, mark.y_axis, mark.z_axis)
+    ]
     taken = [box for (x, y), (dx, dy) in ends for box in along((x, y), (x + dx * reach, y + dy * reach))]
-    taken += [box for mark in frames if mark.parent for box in along(pixels[mark.name], pixels[mark.parent], 1.5)]
+    taken += [box for mark in frames if mark.parent in pixels for box in along(pixels[mark.name], pixels[mark.parent], 1.5)]
     boxes = place_labels(anchors, [(mono_width(text) + 4, TEXT + 3) for text in texts], box_of(ax), 6, taken)
     for text, mark, (x, y), box in zip(texts, frames, anchors, boxes, strict=True):
         line = {'arrowstyle': '-', 'linestyle': ':', 'color': rgb(INK), 'linewidth': 0.7, 'shrinkB': 0}

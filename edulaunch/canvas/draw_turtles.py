@@ -50,18 +50,27 @@ def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
     size = (window.limits[1] - window.limits[0]) / (9.5 if window.kind == 'turtlesim' else 11.0)
     parts = turtle() if window.kind == 'turtlesim' else robot()
     for body in window.bodies:
-        _draw_body(ax, body, parts, size)
+        _draw_body(ax, body, body.outline or parts, 1.0 if body.outline else size)
+    if window.frames:
+        from edulaunch.canvas.draw_frames import draw_axes, draw_names
+
+        for mark in window.frames:
+            draw_axes(ax, mark)
+        places = points_of(ax, [(mark.x, mark.y) for mark in window.frames])
+        own = {body.name for body in window.bodies}
+        strange = [mark for mark in window.frames if mark.name not in own]
+        draw_names(ax, strange, dict(zip((mark.name for mark in window.frames), places, strict=True)), 'xy')
     if names and window.bodies:
         _draw_names(ax, window.bodies, size / (window.limits[1] - window.limits[0]) * side_of(ax))
 
 
-def _draw_body(ax: Axes, body: Body, parts: list[Part], size: float) -> None:
-    """A turtle or robot, `size` metres long."""
+def _draw_body(ax: Axes, body: Body, parts: Sequence[Part], size: float) -> None:
+    """A turtle or robot; its parts are in units of `size` metres."""
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
     shell = SHELLS[body.number % len(SHELLS)]
     for kind, corners in parts:
         points = [(body.x + c * px - s * py, body.y + s * px + c * py) for px, py in corners]
-        fill = {'shell': shell, 'plate': shade(shell), 'seam': shade(shell, 0.5)}.get(kind) or LOOKS[kind]
+        fill = {'shell': shell, 'nose': shell, 'plate': shade(shell), 'seam': shade(shell, 0.5)}.get(kind) or LOOKS[kind]
         polygon(ax, points, fill, shade(shell, 0.5) if kind in ('plate', 'seam') else INK)
 
 

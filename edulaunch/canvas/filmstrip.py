@@ -51,15 +51,15 @@ def _window(window: Window) -> Iterator[str]:
         yield f'<polyline points="{points}" fill="none" stroke="{_hex(trail.colour)}" stroke-width="{max(trail.width, 3)}"/>'
     size = WINDOW_PX / (9.5 if window.kind == 'turtlesim' else 11.0)
     for body in window.bodies:
-        yield from _body(body, window.kind, (body.x - left) * scale, (top - body.y) * scale, size)
+        yield from _body(body, window.kind, (body.x - left) * scale, (top - body.y) * scale, scale if body.outline else size)
 
 
 def _body(body: Body, kind: str, x: float, y: float, size: float) -> Iterator[str]:
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
     shell = SHELLS[body.number % len(SHELLS)]
-    for part, corners in turtle() if kind == 'turtlesim' else robot():
+    for part, corners in body.outline or (turtle() if kind == 'turtlesim' else robot()):
         points = _points((x + c * px - s * py, y - s * px - c * py) for px, py in corners)
-        fill = {'shell': shell, 'plate': shade(shell), 'seam': shell}.get(part) or LOOKS[part]
+        fill = {'shell': shell, 'nose': shell, 'plate': shade(shell), 'seam': shell}.get(part) or LOOKS[part]
         yield f'<polygon points="{points}" fill="{_hex(fill)}" stroke="{_hex(INK)}"/>'
 
 

@@ -46,13 +46,7 @@ def robot() -> list[Part]:
     return parts
 
 
-LOOKS: dict[str, Colour] = {
-    'skin': (243, 233, 208),
-    'eye': (31, 41, 51),
-    'wheel': (31, 41, 51),
-    'body': (76, 106, 146),
-    'nose': (246, 249, 252),
-}
+LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
 """Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
 
 

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
+from edulaunch.canvas.composing import placed, seen_from
+from edulaunch.canvas.frames_scene import FrameMark, mark_of
+from edulaunch.canvas.outlines import Part
+from edulaunch.canvas.shapes import SHELLS
 from edulaunch.canvas.style import Colour
 from edulaunch.canvas.thinning import thinned
 from edulaunch.canvas.worlds import GAP_S, Pen, Row, Track, World
+from edulaunch.recording.absent import not_recorded
+
+if TYPE_CHECKING:
+    from edulaunch.recording.records import Frame
 
 FINENESS = 5000
 """Trails are exact to this part of the window's width: well below an image pixel."""
@@ -21,13 +30,14 @@ class Trail(NamedTuple):
 
 
 class Body(NamedTuple):
-    """A turtle or robot: its name, where it is (metres, radians), and which of its window's tracks it is."""
+    """A turtle or robot: its name, where it is (metres, radians), which of its window's tracks it is, and a robot's outline."""
 
     name: str
     x: float
     y: float
     theta: float
     number: int
+    outline: list[Part] = []
 
 
 class Window(NamedTuple):
@@ -39,6 +49,7 @@ class Window(NamedTuple):
     limits: tuple[float, float, float, float]
     bodies: list[Body]
     trails: list[Trail]
+    frames: list[FrameMark] = []
 
 
 class TurtleScene(NamedTuple):
@@ -58,19 +69,57 @@ class TurtleScene(NamedTuple):
         return f't={self.time_s:.3f} s: {", ".join(bodies) or "nobody is there"}'
 
 
-def turtle_scene(worlds: list[World], time_s: float) -> TurtleScene:
-    """The worlds at a time."""
-    return TurtleScene(round(time_s, 9), [_window(world, time_s) for world in worlds])
+def turtle_scene(
+    worlds: list[World],
+    time_s: float,
+    *,
+    colours: bool = True,
+    frames: Mapping[str, Frame] | None = None,
+    only: Sequence[str] | None = None,
+) -> TurtleScene:
+    """The worlds at a time.
+
+    :param colours: trails of turtles that share a window have their own colours, as long as nobody gave them a pen.
+    :param frames: tf frames that are drawn on top, or those of them that are named in `only`.
+    :raises NotRecorded: for a name that is no frame.
+    """
+    windows = [_window(world, time_s, colours and len(world.tracks) > 1) for world in worlds]
+    if frames:
+        known = placed(dict(frames))
+        for name in only or ():
+            if name not in known:
+                raise not_recorded(f'no frame {name!r}', name, known)
+        windows = [window._replace(frames=_marks(world, frames, only)) for world, window in zip(worlds, windows, strict=True)]
+    return TurtleScene(round(time_s, 9), windows)
 
 
-def _window(world: World, time_s: float) -> Window:
+def _marks(world: World, frames: Mapping[str, Frame], only: Sequence[str] | None) -> list[FrameMark]:
+    """The frames that hang together with a world, seen from its frame."""
+    places = placed(dict(frames))
+    fixed = world.frame or 'world'
+    own = {track.name for track in world.tracks}
+    if fixed not in places or (world.kind == 'turtlesim' and not own & places.keys()):
+        return []
+    marks = []
+    for name, place in places.items():
+        if name != fixed and place.root == places[fixed].root and (only is None or name in only):
+            marks.append(mark_of(name, seen_from(places[fixed], place), frames.get(name)))
+    return marks
+
+
+def _window(world: World, time_s: float, colours: bool) -> Window:
     wiped_s = max((wipe for wipe in world.wipes if wipe <= time_s), default=-1.0)
     bodies, trails = [], []
     for number, track in enumerate(world.tracks):
         row = track.row_at(time_s)
         if row is not None:
-            bodies.append(Body(track.name, row[1], row[2], row[3], number))
-        trails += trails_of(track, wiped_s, time_s, (world.limits[1] - world.limits[0]) / FINENESS)
+            bodies.append(Body(track.name, row[1], row[2], row[3], number, track.outline))
+        own = (
+            track
+            if not colours or len(track.pens) > 1
+            else track._replace(pens=[track.pens[0]._replace(colour=SHELLS[number % len(SHELLS)])])
+        )
+        trails += trails_of(own, wiped_s, time_s, (world.limits[1] - world.limits[0]) / FINENESS)
     return Window(world.title, world.kind, world.background, world.limits, bodies, trails)
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
+from edulaunch.canvas.composing import Placed, heading, placed
+from edulaunch.canvas.outlines import FOOTPRINTS, Part, outline_of, outline_of_footprint
 from edulaunch.canvas.style import Colour
 from edulaunch.recording.absent import NothingToDraw
 from edulaunch.recording.trajectory import ODOMETRY, POSE, moving_things
@@ -36,11 +39,15 @@ class Pen(NamedTuple):
 
 
 class Track(NamedTuple):
-    """A turtle or robot: rows of (time in seconds, x, y in metres, heading in radians), and its pens in order of time."""
+    """A turtle or robot: rows of (time in seconds, x, y in metres, heading in radians), and its pens in order of time.
+
+    `outline` is what a robot looks like from above, when it says so; see :mod:`edulaunch.canvas.outlines`.
+    """
 
     name: str
     rows: list[Row]
     pens: list[Pen]
+    outline: list[Part] = []
 
     def row_at(self, time_s: float) -> Row | None:
         """Where it was; None when it was not there. The first pose stands for the moment before it too."""
@@ -51,10 +58,10 @@ class Track(NamedTuple):
 
 
 class World(NamedTuple):
-    """One turtlesim window, or the field of one robot.
+    """One turtlesim window, or the field of the robots that share an odometry frame, or a frame above it that stands still.
 
     `kind` is 'turtlesim' or 'robot'; `limits` is (left, right, bottom, top) in metres; `wipes` are the times when the canvas was
-    cleared; `frame` is the tf frame in which a robot says where it is ('' for turtles, which do not say).
+    cleared; `frame` is the tf frame of the field ('' for turtles, which do not say).
     """
 
     title: str
@@ -79,8 +86,7 @@ def read_worlds(recording: Recording) -> list[World]:
         if recording.topics[topic].type == POSE:
             windows.setdefault(recording.topics[topic].publishers[0], []).append((name, topic))
     worlds = [_turtle_window(recording, node, turtles) for node, turtles in sorted(windows.items())]
-    fields = [_robot_field(recording, topic) for topic in things.values() if recording.topics[topic].type == ODOMETRY]
-    return worlds + [field for field in fields if field is not None]
+    return worlds + _robot_fields(recording, [topic for topic in things.values() if recording.topics[topic].type == ODOMETRY])
 
 
 def _turtle_window(recording: Recording, node: str, turtles: list[tuple[str, str]]) -> World:
@@ -116,17 +122,59 @@ def _pens(recording: Recording, turtle: str) -> list[Pen]:
     return pens
 
 
-def _robot_field(recording: Recording, topic: str) -> World | None:
-    """The field of a robot shows its whole way at any time, so that pictures of different times compare."""
-    track = recording.trajectory(topic)
-    rows: list[Row] = [(float(t), float(x), float(y), float(a)) for t, x, y, a in zip(*track, strict=True)]
-    if not rows:
-        return None
-    xs, ys = [row[1] for row in rows], [row[2] for row in rows]
-    half = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 0.6
+def _robot_fields(recording: Recording, topics: list[str]) -> list[World]:
+    """A field for each robot; one for all that share a frame that stands still. It shows their whole way at any time, so that
+    pictures of different times compare.
+    """
+    if not topics:
+        return []
+    frames = recording.frames_at(recording.duration_s)
+    still = placed({name: frame for name, frame in frames.items() if frame.is_static})
+    groups: dict[str, list[tuple[str, str]]] = {}
+    for topic in topics:
+        for _, message in recording.messages(topic)[:1]:
+            frame = message.header.frame_id
+            groups.setdefault(still[frame].root if frame in still else frame, []).append((topic, frame))
+    return [_field(recording, root, robots, still) for root, robots in groups.items()]
+
+
+def _field(recording: Recording, root: str, robots: list[tuple[str, str]], still: dict[str, Placed]) -> World:
+    """One robot in its odometry frame, or several in their root frame."""
+    alone, tracks = len(robots) == 1, []
+    for topic, frame in robots:
+        namespace = topic.rpartition('/')[0]
+        rows: list[Row] = [tuple(map(float, row)) for row in zip(*recording.trajectory(topic), strict=True)]
+        if not alone and frame in still:
+            rows = [_moved(row, still[frame]) for row in rows]
+        name = 'robot' if alone or not namespace else namespace.removeprefix('/')
+        tracks.append(Track(name, rows, [Pen(-1.0, ROBOT_TRAIL, 3, True)], _outline(recording, namespace)))
+    xs, ys = ([row[axis] for track in tracks for row in track.rows] for axis in (1, 2))
+    reach = max((math.hypot(*corner) for track in tracks for part in track.outline for corner in part.corners), default=0.0)
+    half = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 0.6 + reach
     x, y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-    pens = [Pen(-1.0, ROBOT_TRAIL, 3, True)]
-    frame = recording.messages(topic)[0][1].header.frame_id
-    return World(
-        topic, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], [Track('robot', rows, pens)], frame
-    )
+    title, frame = robots[0] if alone else (f'robots in {root}', root)
+    return World(title, 'robot', (255, 255, 255), (x - half, x + half, y - half, y + half), [], tracks, frame)
+
+
+def _moved(row: Row, place: Placed) -> Row:
+    """A pose in a frame, seen from the frame's root."""
+    time, x, y, angle = row
+    turn = heading(place.turn)
+    c, s = math.cos(turn), math.sin(turn)
+    return (time, place.position[0] + c * x - s * y, place.position[1] + s * x + c * y, angle + turn)
+
+
+def _outline(recording: Recording, namespace: str) -> list[Part]:
+    """The robot description of a namespace or one above it, else the footprint of a node in there."""
+    named = {name.removesuffix('/robot_description'): name for name in recording.topics if name.endswith('/robot_description')}
+    for above in sorted(named, key=len, reverse=True):
+        texts = [getattr(message, 'data', '') for _, message in recording.messages(named[above])]
+        if texts and f'{namespace}/'.startswith(f'{above}/'):
+            return outline_of(texts[-1])
+    for node in recording.nodes:
+        if node.name.startswith(f'{namespace}/'):
+            known = recording.parameters(node.name)
+            for name in FOOTPRINTS:
+                if name in known and (found := outline_of_footprint(str(known[name].value))):
+                    return found
+    return []

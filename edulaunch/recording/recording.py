@@ -429,13 +429,13 @@ class Recording:
             )
         return calls
 
-    def plot_turtles(self, time_s: float | None = None, *, ax: Any = None) -> Any:
-        """The turtle windows at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_turtles`."""
-        return attached('plot_turtles')(self, time_s, ax=ax)
+    def plot_turtles(self, time_s: float | None = None, **looks: Any) -> Any:
+        """The turtle windows at a time (default: the end); for `looks` see :func:`edulaunch.canvas.plot_turtles`."""
+        return attached('plot_turtles')(self, time_s, **looks)
 
-    def plot_frames(self, time_s: float | None = None, *, ax: Any = None) -> Any:
-        """tf frames from above at a time (default: the end): a Picture, or `ax`; see :func:`edulaunch.canvas.plot_frames`."""
-        return attached('plot_frames')(self, time_s, ax=ax)
+    def plot_frames(self, time_s: float | None = None, *, side: str = 'xy', ax: Any = None) -> Any:
+        """tf frames from above or from a side, at a time (default: the end); see :func:`edulaunch.canvas.plot_frames`."""
+        return attached('plot_frames')(self, time_s, side=side, ax=ax)
 
     def plot_tf_tree(self, *, ax: Any = None) -> Any:
         """Which frame is whose parent, and who broadcasts it; see :func:`edulaunch.canvas.plot_tf_tree`."""

@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, Protocol
 
+from edulaunch.canvas.outlines import FOOTPRINTS, outline_of, outline_of_footprint
 from edulaunch.recording.frames import TF_TYPE
 from edulaunch.view.advice import Mark, told
 from edulaunch.view.columns import FINE, number_steps, text_steps
 
 NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
 FLOATS = {'float32', 'float64'}
+TEXT_TYPE = 'std_msgs/msg/String'
 SCAN_TYPE = 'sensor_msgs/msg/LaserScan'
 SCAN_EVERY_US = 200_000
 """A scan is shown five times a second: there are hundreds of numbers in each."""
@@ -84,6 +86,7 @@ class Film:
             'topics': [],
             'tf': [],
             'scans': [],
+            'robots': [],
         }
         for topic, kind in source.topics():
             first = max(self._told.get((topic, kind), 0), source.forgotten((topic, kind)))
@@ -93,10 +96,16 @@ class Film:
                 piece['topics'].append(self._columns(topic, kind, times, wires))
                 if kind == TF_TYPE:
                     piece['tf'] += self._transforms(topic, times, publishers, wires)
+                elif kind == TEXT_TYPE and topic.endswith('/robot_description'):
+                    piece['robots'] += self._robots(topic, times, wires)
                 elif kind == SCAN_TYPE:
                     piece['scans'] += self._scans(topic, times, wires)
         piece['endpoints'] = [_endpoint(row) for row in self._new('endpoints')]
-        piece['parameters'] = [_parameter(row) for row in self._new('parameters')]
+        parameters = self._new('parameters')
+        piece['parameters'] = [_parameter(row) for row in parameters]
+        for time, node, name, value, _ in parameters:
+            if name in FOOTPRINTS and (outline := outline_of_footprint(str(value))):
+                piece['robots'].append([time // 1000, node, False, outline])
         for name in ('descriptors', 'logs', 'output', 'notes'):
             piece[name] = [_event(row) for row in self._new(name)]
         for name, row_of, end in (('nodes', _node, 3), ('processes', _process, 'ended'), ('calls', _call, 6)):
@@ -159,6 +168,14 @@ class Film:
             scales = (1, 1, *[FINE] * 3, *[FINE * 100] * 4)
             columns = [self._steps((*key, i), [row[i] for row in rows], scale) for i, scale in enumerate(scales)]
             found.append({'child': child, 'parent': parent, 'by': publisher, 'static': topic == '/tf_static', 'c': columns})
+        return found
+
+    def _robots(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
+        """[time, namespace, True: a description and no footprint, outline from above] of robots that describe themselves."""
+        found = []
+        for time, wire in zip(times, wires, strict=True):
+            if outline := outline_of(wire[0]):
+                found.append([time // 1000, topic.removesuffix('/robot_description'), True, outline])
         return found
 
     def _scans(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:

@@ -65,11 +65,12 @@ def desk(browser: Any, tmp_path: Path, recording: Recording) -> Iterator[Desk]:
     assert desk.errors == []
 
 
+@pytest.mark.parametrize('colours', [False, True])
 @pytest.mark.parametrize('part', [0.0, 0.2, 0.31, 0.62, 1.0])
-def test_stills_and_desk_show_the_same_scene(desk: Desk, recording: Recording, part: float) -> None:
-    desk.page.get_by_label('a colour for each trail').uncheck()
+def test_stills_and_desk_show_the_same_scene(desk: Desk, recording: Recording, part: float, colours: bool) -> None:
+    desk.page.get_by_label('a colour for each trail').set_checked(colours)
     desk.seek(part)
-    scene = turtle_scene(read_worlds(recording), desk.time()).windows[0]
+    scene = turtle_scene(read_worlds(recording), desk.time(), colours=colours).windows[0]
     shown = {body.name: desk.pose(body.name) for body in scene.bodies}
     assert shown == {body.name: (pytest.approx(body.x, abs=0.04), pytest.approx(body.y, abs=0.04)) for body in scene.bodies}
     assert ('turtle2' in desk.label()) == ('turtle2' in shown)
@@ -173,5 +174,54 @@ def test_what_the_rules_say_stands_on_what_it_is_about(browser: Any, tmp_path: P
     desk.seek(1.0)
     desk.open('tree')
     desk.until('.tree .box', '⚠ turtle2')
+    assert desk.errors == []
+    page.close()
+
+
+TWO_ROBOTS = """
+from pathlib import Path
+from ament_index_python import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+def generate_launch_description():
+    share, actions = get_package_share_directory('turtlebot3_gazebo'), []
+    for number, (name, model) in enumerate((('tb1', 'burger'), ('tb2', 'waffle'))):
+        urdf = Path(share, 'urdf', f'turtlebot3_{model}.urdf').read_text()
+        robot = {'robot_description': urdf, 'frame_prefix': f'{name}/'}
+        twist = '{twist: {linear: {x: 0.2}, angular: {z: %g}}}' % (0.3 - 0.5 * number)
+        actions += [
+            Node(package='robot_state_publisher', executable='robot_state_publisher', namespace=name, parameters=[robot]),
+            Node(package='turtlebot3_gazebo', executable='waffle_simulator', namespace=name, parameters=[{'y_pose': number * 0.8}]),
+            ExecuteProcess(cmd=['ros2', 'topic', 'pub', f'/{name}/cmd_vel', 'geometry_msgs/msg/TwistStamped', twist]),
+        ]
+    return LaunchDescription(actions)
+"""
+
+
+def test_two_robots_share_a_map_and_look_as_they_describe_themselves(browser: Any, tmp_path: Path, shots: Path) -> None:
+    (tmp_path / 'two.launch.py').write_text(TWO_ROBOTS)
+    recording = edulaunch.run(tmp_path / 'two.launch.py', duration_s=8)
+    recording.replay().save(tmp_path / 'two.html')
+    page = browser.new_page(viewport={'width': 1200, 'height': 800})
+    desk = Desk(page)
+    page.goto((tmp_path / 'two.html').as_uri())
+    page.locator('.worlds canvas').first.wait_for()
+    desk.seek(1.0)
+    page.screenshot(path=shots / 'robots.png')
+    (window,) = turtle_scene(read_worlds(recording), desk.time()).windows
+    left, right, low, high = window.limits
+    shown = {body.name: desk.pose(body.name) for body in window.bodies}
+    assert shown == {body.name: (pytest.approx(body.x, abs=0.02), pytest.approx(body.y, abs=0.02)) for body in window.bodies}
+    assert page.locator('.worlds canvas').count() == 1
+    for body in window.bodies:
+        (_, corners), dark = next(part for part in body.outline if part.kind == 'body'), (31, 41, 51)
+        back = min(x for x, _ in corners) * 0.6  # behind the nose, within the box
+        x, y = body.x + back * math.cos(body.theta), body.y + back * math.sin(body.theta)
+        colour = page.locator('.worlds canvas').first.evaluate(
+            '(canvas, [x, y]) => [...canvas.getContext("2d").getImageData(x * canvas.width, y * canvas.height, 1, 1).data]',
+            [(x - left) / (right - left), (high - y) / (high - low)],
+        )
+        assert colour[2] > colour[0] + 30 and colour[:3] != dark, (body.name, colour)
     assert desk.errors == []
     page.close()

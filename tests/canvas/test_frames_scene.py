@@ -49,3 +49,22 @@ def test_before_the_first_broadcast_the_error_says_who_will(maker: Any) -> None:
 def test_without_any_broadcaster_the_error_says_so(maker: Any) -> None:
     with pytest.raises(ValueError, match='no node is a tf broadcaster'):
         frames_scene(maker.done(1.0), 1.0)
+
+
+def test_from_a_side_the_height_of_a_lidar_is_seen(maker: Any) -> None:
+    maker.node('/broadcaster', publishes=TF)
+    maker.say('/tf', TF['/tf'], 0.5, [[[0, 0, 'base_link', 'laser', 0.1, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0]]])
+    recording = maker.done(1.0)
+    for side, place, axes in (
+        ('xy', (0.1, 0.2, 0.3), ((1, 0), (0, 1), (0, 0))),
+        ('xz', (0.1, 0.3, 0.2), ((1, 0), (0, 0), (0, 1))),
+        ('yz', (0.2, 0.3, 0.1), ((0, 0), (1, 0), (0, 1))),
+    ):
+        scene = frames_scene(recording, 1.0, side)
+        laser = scene.views[0].frames[1]
+        assert (laser.x, laser.y, laser.z) == place
+        assert (laser.x_axis, laser.y_axis, laser.z_axis) == axes
+    assert scene.caption() == 't=1.000 s: seen from the side, y and z: in base_link: laser at (0.200, 0.300)'
+    with pytest.raises(ValueError, match="there is no side 'xzy'") as caught:
+        frames_scene(recording, 1.0, 'xzy')
+    assert "did you mean 'xz'" in caught.value.help  # type: ignore[attr-defined]

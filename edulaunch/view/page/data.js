@@ -93,7 +93,7 @@ class Track {
 class Store {
   constructor() {
     Object.assign(this, {
-      start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), nodes: [], processes: [], endpoints: [],
+      start: 0, now: 0, from: 0, grows: false, topics: new Map(), tracks: new Map(), scans: new Map(), robots: [], nodes: [], processes: [], endpoints: [],
       parameters: [], descriptors: new Map(), logs: [], output: [], notes: [], calls: [], advice: null, version: 0, publisherNode: new Map(),
     });
   }
@@ -114,6 +114,7 @@ class Store {
       if (!this.scans.has(topic)) this.scans.set(topic, []);
       this.scans.get(topic).push({ time: time / 1e6, frame, angle, step, ranges });
     }
+    for (const [time, name, described, parts] of piece.robots || []) { this.robots.push({ t: time / 1e6, name, described, parts }); this.version++; }
     const rows = (name, make) => { for (const row of piece[name] || []) { this[name].push(make(row)); this.version++; } };
     rows('endpoints', ([t, kind, name, type, node, index, qos]) => ({ t: t / 1e6, kind, name, type, node, index, qos }));
     rows('parameters', ([t, node, name, value, origin, double]) => ({ t: t / 1e6, node, name, value, origin, double }));

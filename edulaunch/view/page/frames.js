@@ -48,13 +48,13 @@ class FramesView {
     for (const control of [this.target, this.source, this.when]) control.addEventListener('input', () => this.desk.redraw());
     return box;
   }
-  choices(names) {
+  choices(names, tree) {
     const key = names.join('\n');
     if (key === this.known) return;
     this.known = key;
-    const usual = names.includes('world') ? 'world' : names[0];
+    const usual = names.includes('world') ? 'world' : names[0], near = names.filter(name => tree.root(name) === tree.root(usual));
     for (const [select, wanted] of [[this.fixed, usual], [this.target, names.includes('turtle2') ? 'turtle2' : usual],
-      [this.source, names.includes('turtle1') ? 'turtle1' : names[names.length - 1]]]) {
+      [this.source, names.includes('turtle1') ? 'turtle1' : near[near.length - 1]]]) {
       const before = select.value || wanted;
       select.replaceChildren(...names.map(name => make('option', { value: name }, name)));
       select.value = names.includes(before) ? before : wanted;
@@ -62,7 +62,7 @@ class FramesView {
   }
   draw(time) {
     const tree = this.desk.tree(time), names = tree.names();
-    this.choices(names);
+    this.choices(names, tree);
     const width = this.box.clientWidth - 4, height = Math.min(width * 0.72, 430);
     const pen = sized(this.canvas, width, height);
     pen.fillStyle = this.desk.colours.field;

@@ -35,10 +35,37 @@ class Mover {
     const turn = Math.atan2(Math.sin(next.a - here.a), Math.cos(next.a - here.a));
     return { x: here.x + part * (next.x - here.x), y: here.y + part * (next.y - here.y), a: here.a + part * turn };
   }
-  row(i) { return { x: this.x.a[i], y: this.y.a[i], a: this.heading(i) }; }
+  row(i) {
+    const [x, y] = this.point(i);
+    return { x, y, a: this.heading(i) + (this.base ? this.base.a : 0) };
+  }
+  /* In the frame of the world, which may be one that stands still above the robot's own. */
+  point(i) {
+    const x = this.x.a[i], y = this.y.a[i], { base } = this;
+    return base ? [base.x + x * Math.cos(base.a) - y * Math.sin(base.a), base.y + x * Math.sin(base.a) + y * Math.cos(base.a)] : [x, y];
+  }
+  /* What it looks like from above: its description, of its namespace or the nearest above, else a footprint within its namespace. */
+  outline() {
+    const mine = this.topic.name.replace(/\/[^/]*$/, '');
+    const near = this.store.robots.filter(row => row.described ? `${mine}/`.startsWith(`${row.name}/`) : row.name.startsWith(`${mine}/`));
+    near.sort((one, two) => two.described - one.described || (two.described ? two.name.length - one.name.length : 0) || two.t - one.t);
+    return near[0]?.parts;
+  }
 }
 
-/* The worlds of a store: a window for each turtlesim node, one field for all robots of one odometry frame. */
+/* The frame that stands still above a frame, and where the frame is in it. */
+function stillRoot(store, frame) {
+  let pose = IDENTITY;
+  const above = new Map([...store.tracks.values()].filter(track => track.fixed && track.c[0].n).map(track => [track.child, track]));
+  for (let steps = 0; above.has(frame) && steps < 100; steps++) {
+    const track = above.get(frame);
+    pose = product(track.transform(track.c[0].n - 1), pose);
+    frame = track.parent;
+  }
+  return { root: frame, base: { x: pose.p[0], y: pose.p[1], a: yawOf(pose.q) } };
+}
+
+/* The worlds of a store: a window for each turtlesim node, a field for each robot, one for all that share a frame that stands still. */
 function readWorlds(store) {
   const windows = new Map();
   for (const topic of store.topics.values()) {
@@ -46,11 +73,20 @@ function readWorlds(store) {
     if ((!turtle && topic.type !== 'nav_msgs/msg/Odometry') || !topic.t.n) continue;
     const end = store.endpoints.find(row => row.kind === 'publisher' && row.name === topic.name && row.type === topic.type);
     const owner = end ? store.nodeName(end.node) : topic.name;
-    const frame = turtle ? '' : topic.value('header.frame_id', 0);
-    const key = turtle ? owner : `robots in ${frame || 'odom'}`;
-    if (!windows.has(key)) windows.set(key, { title: key, kind: turtle ? 'turtlesim' : 'robot', node: owner, frame, movers: [] });
+    const frame = turtle ? '' : topic.value('header.frame_id', 0) || 'odom', { root, base } = turtle ? {} : stillRoot(store, frame);
+    const key = turtle ? owner : `robots in ${root}`;
+    if (!windows.has(key)) windows.set(key, { title: key, kind: turtle ? 'turtlesim' : 'robot', node: owner, frame: root, movers: [] });
     const world = windows.get(key);
-    world.movers.push(new Mover(store, topic, world, world.movers.length));
+    world.movers.push(Object.assign(new Mover(store, topic, world, world.movers.length), { base, frame }));
+  }
+  for (const world of windows.values()) {
+    if (world.kind === 'robot' && world.movers.length === 1) {  /* one alone is shown where it says that it is */
+      const [mover] = world.movers;
+      Object.assign(world, { title: mover.topic.name, frame: mover.frame });
+      mover.base = null;
+      mover.name = 'robot';
+    }
+    for (const mover of world.movers) if (mover.robot) mover.parts = mover.outline();
   }
   const worlds = [...windows.values()].sort((a, b) => (a.kind === b.kind ? a.title.localeCompare(b.title) : a.kind === 'turtlesim' ? -1 : 1));
   for (const world of worlds) world.movers.forEach(mover => { mover.pens = world.kind === 'turtlesim' ? pensOf(store, mover) : [ROBOT_PEN]; });
@@ -96,13 +132,14 @@ class WorldView {
     for (const mover of this.world.movers) {
       for (let i = mover.seen || 0; i < mover.topic.t.n; i++) {
         mover.box ??= [Infinity, -Infinity, Infinity, -Infinity];
-        mover.box = [Math.min(mover.box[0], mover.x.a[i]), Math.max(mover.box[1], mover.x.a[i]),
-          Math.min(mover.box[2], mover.y.a[i]), Math.max(mover.box[3], mover.y.a[i])];
+        const [x, y] = mover.point(i);
+        mover.box = [Math.min(mover.box[0], x), Math.max(mover.box[1], x), Math.min(mover.box[2], y), Math.max(mover.box[3], y)];
       }
       mover.seen = mover.topic.t.n;
       [left, right, low, high] = [Math.min(left, mover.box[0]), Math.max(right, mover.box[1]), Math.min(low, mover.box[2]), Math.max(high, mover.box[3])];
     }
-    const half = Math.max(right - left, high - low, 1) * 0.6, x = (left + right) / 2, y = (low + high) / 2;
+    const reach = Math.max(0, ...this.world.movers.flatMap(mover => (mover.parts || []).flatMap(([, corners]) => corners.map(([a, b]) => Math.hypot(a, b)))));
+    const half = Math.max(right - left, high - low, 1) * 0.6 + reach, x = (left + right) / 2, y = (low + high) / 2;
     return [x - half, x + half, y - half, y + half];
   }
   resize(side) {
@@ -171,10 +208,10 @@ class WorldView {
         pen.strokeStyle = rgb(own ? SHELLS[mover.number % SHELLS.length] : colour);
         pen.lineWidth = Math.max(1, width * this.side / 500);
         pen.beginPath();
-        pen.moveTo(...this.place(mover.x.a[i], mover.y.a[i]));
+        pen.moveTo(...this.place(...mover.point(i)));
         open = true;
       }
-      pen.lineTo(...this.place(mover.x.a[i + 1], mover.y.a[i + 1]));
+      pen.lineTo(...this.place(...mover.point(i + 1)));
     }
     if (open) pen.stroke();
   }
@@ -216,9 +253,23 @@ class WorldView {
     pen.save();
     pen.translate(...this.place(x, y));
     pen.rotate(-a);
+    if (mover.parts) { this.shape(pen, mover.parts, colour); pen.restore(); return; }
     const stamp = this.stamp(mover.robot ? drawRobot : drawTurtle, colour, size), side = stamp.width / this.ratio;
     pen.drawImage(stamp, -side / 2, -side / 2, side, side);
     pen.restore();
+  }
+  /* A robot as it describes itself, in its real size; where that is small its nose is not. */
+  shape(pen, parts, colour) {
+    const reach = Math.max(...parts.flatMap(([, corners]) => corners.flat().map(Math.abs))), grow = Math.max(1, 15 / (reach * this.scale));
+    pen.scale(this.scale, -this.scale);
+    for (const [kind, corners] of parts) {
+      const nose = kind === 'nose', by = nose ? grow : 1;
+      pen.lineWidth = (nose ? 1.6 : 1) / this.scale;
+      shape(pen, nose ? rgb(colour) : kind === 'wheel' ? '#1f2933' : 'rgba(76,106,146,0.85)', nose ? '#fff' : '#1f2933', () => {
+        for (const [x, y] of corners) pen.lineTo(x * by, y * by);
+        pen.closePath();
+      });
+    }
   }
   /* A body drawn once for each colour and size: a turtle has twenty lines, and there may be a hundred turtles. */
   stamp(draw, colour, size) {
