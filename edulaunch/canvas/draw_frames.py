@@ -7,10 +7,9 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 
-from edulaunch.canvas.draw_turtles import rows_of
 from edulaunch.canvas.frames_scene import FrameMark, FramesScene, View
 from edulaunch.canvas.labels import along, leader, place_labels
-from edulaunch.canvas.sheet import HALO, Sheet, box_of, points_of, rgb, world
+from edulaunch.canvas.sheet import HALO, Sheet, box_of, points_of, rgb, rows_of, world
 from edulaunch.canvas.style import INK, MUTED, SMALL, TEXT, Colour, mono_width
 
 ALONE, BESIDE, LEFT, BETWEEN, BELOW, ABOVE = 420, 340, 34, 22, 40, 40

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 
+from edulaunch.canvas.draw_frames import draw_axes, draw_names
 from edulaunch.canvas.labels import Box, place_labels
 from edulaunch.canvas.shapes import LOOKS, SHELLS, Part, robot, shade, turtle
-from edulaunch.canvas.sheet import Sheet, box_of, points_of, polygon, rgb, side_of, world
+from edulaunch.canvas.sheet import Sheet, box_of, points_of, polygon, rgb, rows_of, side_of, world
 from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, mono_width
 from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 
@@ -21,15 +22,6 @@ TURTLESIM_PX = 500
 def sheet(scene: TurtleScene) -> Sheet:
     """One window beside the other, at most three in a row."""
     return rows_of(len(scene.windows), 3, SIDE, LEFT, BETWEEN, ABOVE, BELOW)
-
-
-def rows_of(count: int, most: int, side: float, left: float, between: float, above: float, below: float) -> Sheet:
-    """Squares in rows of at most `most`, with room around each."""
-    columns = min(most, count)
-    rows = math.ceil(count / columns)
-    width, height = left + side + between, above + side + below
-    corners = [(number % columns * width + left, (rows - number // columns) * height - above) for number in range(count)]
-    return Sheet(columns * width, rows * height, [Box(x, y - side, x + side, y) for x, y in corners])
 
 
 def draw(scene: TurtleScene, axes: Sequence[Axes]) -> None:
@@ -52,8 +44,6 @@ def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
     for body in window.bodies:
         _draw_body(ax, body, body.outline or parts, 1.0 if body.outline else size)
     if window.frames:
-        from edulaunch.canvas.draw_frames import draw_axes, draw_names
-
         for mark in window.frames:
             draw_axes(ax, mark)
         places = points_of(ax, [(mark.x, mark.y) for mark in window.frames])

@@ -5,6 +5,7 @@ A layout pixel is a point (1/72 inch), so sizes of fonts and lines are layout pi
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -41,6 +42,15 @@ class Sheet(NamedTuple):
     width: float
     height: float
     boxes: list[Box]
+
+
+def rows_of(count: int, most: int, side: float, left: float, between: float, above: float, below: float) -> Sheet:
+    """Squares in rows of at most `most`, with room around each."""
+    columns = min(most, count)
+    rows = math.ceil(count / columns)
+    width, height = left + side + between, above + side + below
+    corners = [(number % columns * width + left, (rows - number // columns) * height - above) for number in range(count)]
+    return Sheet(columns * width, rows * height, [Box(x, y - side, x + side, y) for x, y in corners])
 
 
 def png_of(sheet: Sheet, draw: Callable[[Sequence[Axes]], None], scale: float = SCALE) -> bytes:
