@@ -180,11 +180,7 @@ class SilentPipe(Input):
         process: Process = current_task().owner
         if deadline_ns is None and not self._is_told:
             self._is_told = True
-            process.note(
-                'waits for input',
-                'waits for input that never comes: a program of a launch has no keyboard. '
-                'Start it with ros2 run in a terminal of its own, or give it its text (stdin=, --stdin)',
-            )
+            process.fact('waits for input', None, {})
         self._wait_for_ever(deadline_ns)
         return False
 

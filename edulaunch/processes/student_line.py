@@ -33,3 +33,13 @@ def waiting_line(task: Task) -> dict[str, Any]:
     """:func:`student_line` of a task that is parked."""
     frame = getattr(task._greenlet, 'gr_frame', None)
     return {} if frame is None else student_line(frame)
+
+
+def coroutine_line(coroutine: Any) -> dict[str, Any]:
+    """Where a coroutine waits, in the same form."""
+    line: dict[str, Any] = {}
+    while (frame := getattr(coroutine, 'cr_frame', None)) is not None:
+        if is_own(frame.f_code.co_filename):
+            line = {'file': frame.f_code.co_filename, 'line': frame.f_lineno, 'function': frame.f_code.co_name}
+        coroutine = coroutine.cr_await
+    return line

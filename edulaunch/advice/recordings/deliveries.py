@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import fact_place, is_ros_own, names_of, node_place, own_nodes, programs
+from edulaunch.advice.runs import fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
 from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
@@ -128,23 +128,51 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
 )
 def no_server(recording: Recording) -> Iterator[Finding]:
     """A client that lived a second, of what nobody ever offered; of our own nodes only those that ask."""
-    served, own = names_of(recording, 'service'), own_nodes(recording)
-    actions = _actions(recording, 'service')
-    asked = {(row[3], row[1]) for row in recording._content['calls']}
+    served, actions, own = names_of(recording, 'service'), _actions(recording), own_nodes(recording)
+    lines = {(fact.data['node'], fact.data['name']): fact for fact in recording.facts if fact.kind in MISSING}
+    parameters = _parameters(recording)
     for end in recording.ends:
-        if end.kind != 'client' or recording.duration_s - end.made_s < SECOND or (end.node, end.name) in _parameters(recording):
+        name = end.name.removesuffix(GOAL)
+        if (
+            end.kind != 'client'
+            or recording.duration_s - end.made_s < SECOND
+            or '/_action/' in name
+            or (end.node, name) in parameters
+        ):
             continue
-        action = end.name.removesuffix('/_action/send_goal')
-        is_action = action != end.name
-        if '/_action/' in end.name and not is_action:
-            continue
-        known = actions if is_action else served
-        name = action if is_action else end.name
-        if name not in known and (end.node in own or (end.node, end.name) in asked):
-            file, line = node_place(recording, end.node)
+        known = actions if name != end.name else served
+        fact = lines.get((end.node, name))
+        if name not in known and (end.node in own or fact is not None):
+            file, line = node_place(recording, end.node) if fact is None else fact_place(recording, fact)
             near = nearest(name, known) or _alike(name, known)
-            kind_of = 'action' if is_action else 'service'
-            yield found('service', name, file=file, line=line, time_s=end.made_s, node=end.node, near=near, kind_of=kind_of)
+            facts = {'node': speaker(recording, end.node), 'kind_of': 'action' if name != end.name else 'service', 'near': near}
+            yield found('service', name, file=file, line=line, time_s=end.made_s, **facts)
+
+
+GOAL = '/_action/send_goal'
+MISSING = ('request lost', 'server awaited')
+
+
+@rule(
+    'messages.asked-too-early',
+    what='{node} asks {service} {gap_s} s before anybody offers it: the request is lost',
+    why='a request without a server is thrown away, and its answer never comes',
+    do='wait for the server before you ask: client.wait_for_service()',
+    lesson='05_large_project',
+    level='error',
+)
+def asked_too_early(recording: Recording) -> Iterator[Finding]:
+    """A request that found no server, of a service that came later."""
+    offered: dict[str, float] = {}
+    for end in recording.ends:
+        if end.kind == 'service':
+            offered.setdefault(end.name.removesuffix(GOAL), end.made_s)
+    for fact in recording.facts:
+        gap_s = offered.get(fact.data.get('name', ''), 0.0) - fact.time_s
+        if fact.kind == 'request lost' and gap_s > 0:
+            file, line = fact_place(recording, fact)
+            facts = {'node': fact.data['node'], 'gap_s': round(gap_s, 3)}
+            yield found('service', fact.data['name'], file=file, line=line, time_s=fact.time_s, **facts)
 
 
 def _alike(name: str, known: list[str]) -> str | None:
@@ -153,11 +181,10 @@ def _alike(name: str, known: list[str]) -> str | None:
     return same[0] if len(same) == 1 else None
 
 
-def _actions(recording: Recording, kind: str) -> list[str]:
-    ending = '/_action/send_goal'
-    return list(
-        dict.fromkeys(end.name.removesuffix(ending) for end in recording.ends if end.kind == kind and end.name.endswith(ending))
-    )
+def _actions(recording: Recording) -> list[str]:
+    """Names of all actions that were offered."""
+    names = (end.name for end in recording.ends if end.kind == 'service' and end.name.endswith(GOAL))
+    return list(dict.fromkeys(name.removesuffix(GOAL) for name in names))
 
 
 def _parameters(recording: Recording) -> set[tuple[str, str]]:

@@ -188,20 +188,20 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
 
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor.spinner is not None and executor.note_nested_spin():
-        from rclpy.execution.deadlocks import note_future_wait, note_spin
+        from rclpy.execution.deadlocks import note_spin, note_wait
 
         source = None if future is None or future._done else getattr(future, 'source', None)
         if source is not None and not source.callback_group.can_execute(source):
-            note_future_wait(f'rclpy.{function}()', source)
+            note_wait(function, source)
         else:
-            note_spin(f'rclpy.{function}', node, executor)
+            note_spin(function, node, executor)
     elif executor.spinner is None:
         core = getattr(node, '_rclpy', None)
         other = None if core is None else core.executor
         if other is not None and other is not executor and other.spinner is not None and other.note_nested_spin():
             from rclpy.execution.deadlocks import note_lost_node
 
-            note_lost_node(f'rclpy.{function}', node, other)
+            note_lost_node(function, node, other)
     return executor
 
 

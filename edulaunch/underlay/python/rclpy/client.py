@@ -71,12 +71,13 @@ class Client(ServiceEnd, Entity):
     def _note_deadlock(self) -> None:
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
-            from rclpy.execution.deadlocks import note_call
+            from rclpy.execution.deadlocks import note_wait
 
-            note_call('client.call', self, 'service')
+            note_wait('call', self)
 
-    def awaited_words(self) -> str:
-        return f"the reply of service '{self._impl.service_name}'"
+    def awaited(self) -> dict[str, str]:
+        """What it waits for, for a fact."""
+        return {'name': self._impl.service_name, 'kind': 'service'}
 
     def call_async(self, request: Any) -> Future:
         """Send a request; the future gets the reply. Without a server the request is lost.

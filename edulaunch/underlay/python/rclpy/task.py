@@ -95,14 +95,14 @@ class Future:
         executor = source.ready_list.executor
         if executor is None or not executor.cannot_serve(source):
             return
-        from rclpy.execution.deadlocks import POLLS, note_future_wait
+        from rclpy.execution.deadlocks import POLLS, note_wait
 
         turn, now = executor.turn_mark(), current_task().sim.now_ns
         last_turn, looks, last_ns = self._looks
         looks = looks + (now > last_ns) if turn == last_turn else 0
         self._looks = turn, looks, now
         if looks == POLLS:
-            note_future_wait('looking at future.done() in a loop', source)
+            note_wait('look', source)
 
     def result(self) -> Any:
         """The result, None while there is none; raises the exception when it ended with one."""
@@ -245,10 +245,10 @@ class Task(Future):
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
         """A callback that waits keeps its group: a client of the same group gets no answer."""
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
-            from rclpy.execution.deadlocks import note_future_wait
-            from rclpy.impl.student_place import coroutine_place
+            from edulaunch.processes.student_line import coroutine_line
+            from rclpy.execution.deadlocks import note_wait
 
-            note_future_wait('await', source, coroutine_place(self._running))
+            note_wait('await', source, coroutine_line(self._running))
 
     def executing(self) -> bool:
         """Whether it is being run just now."""

@@ -68,7 +68,7 @@ class ClientGoalHandle:
 
     def cancel_goal(self) -> Any:
         """Ask the server to cancel, and wait for its answer. Some other thread must spin."""
-        return self._action_client._wait_for(self.cancel_goal_async(), 'cancel_goal')
+        return self._action_client._wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future:
         """Ask the server to cancel; the future gets a CancelGoal.Response."""
@@ -76,7 +76,7 @@ class ClientGoalHandle:
 
     def get_result(self) -> Any:
         """Wait for the result. Some other thread must spin."""
-        return self._action_client._wait_for(self.get_result_async(), 'get_result')
+        return self._action_client._wait_for(self.get_result_async())
 
     def get_result_async(self) -> Future:
         """Ask for the result; the future gets a response with `.status` and `.result`."""
@@ -190,15 +190,15 @@ class ActionClient(Waitable):
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
         """Send a goal and wait for its result. Some other thread must spin: inside a callback it waits for ever."""
-        goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs), 'send_goal')
-        return self._wait_for(self._get_result_async(goal_handle), 'get_result')
+        goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs))
+        return self._wait_for(self._get_result_async(goal_handle))
 
-    def _wait_for(self, future: Future, what: str) -> Any:
+    def _wait_for(self, future: Future) -> Any:
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
-            from rclpy.execution.deadlocks import note_call
+            from rclpy.execution.deadlocks import note_wait
 
-            note_call(what, self, 'action')
+            note_wait('call', self)
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
         while not future._done:
@@ -244,8 +244,9 @@ class ActionClient(Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
-    def awaited_words(self) -> str:
-        return f"the answer of action '{self._name}'"
+    def awaited(self) -> dict[str, str]:
+        """What it waits for, for a fact."""
+        return {'name': self._name, 'kind': 'action'}
 
     def _remember(self, kind: str, sequence: int) -> Future:
         future = Future()

@@ -75,15 +75,17 @@ class Life:
         try:
             result = function(start)
         except Exception as error:
-            return self._mistaken(callback, f'raised {type(error).__name__}: {error}')
+            return self._mistaken(callback, {'raised': f'{type(error).__name__}: {error}'})
         if not isinstance(result, TransitionCallbackReturn):
-            return self._mistaken(callback, f'returned {result!r}, not a TransitionCallbackReturn')
+            return self._mistaken(callback, {'returned': repr(result)})
         return result
 
-    def _mistaken(self, callback: str, what: str) -> TransitionCallbackReturn:
-        """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing, so we do."""
+    def _mistaken(self, callback: str, how: dict[str, str]) -> TransitionCallbackReturn:
+        """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing: a fact."""
         core = core_of(self.node)
-        core.process.note('mistake', f"{callback}() of node '{core.full_name}' {what}; rclpy takes that for ERROR")
+        core.process.fact(
+            'transition failed', (core.entry.index, callback), {'node': core.full_name, 'callback': callback, **how}
+        )
         return TransitionCallbackReturn.ERROR
 
     def _leave(self, result: TransitionCallbackReturn) -> None:

@@ -368,16 +368,11 @@ def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
     """Note that the result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
     if callback is not None:
         return
-    from rclpy.impl.student_place import student_place
+    from edulaunch.processes.student_line import student_line
 
-    core.process.note(
-        'mistake',
-        (
-            f"{function}() of node '{core.full_name}'{student_place()} got None for its callback, so nothing will be called. "
-            'Give '
-            'the function itself, without brackets: self.tick, not self.tick()'
-        ),
-    )
+    line = student_line()
+    data = {'node': core.full_name, 'function': function, 'file': line.get('file'), 'line': line.get('line')}
+    core.process.fact('callback missing', (core.entry.index, core.next_number()), data)
 
 
 def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: CallbackGroup | None, side: str) -> None:
