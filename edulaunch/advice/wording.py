@@ -55,7 +55,7 @@ def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, mos
 def said_at_the_end(recording: Recording, reader: Reader | None = None, since_s: float = 0.0) -> list[str]:
     """What is said where a run has ended; of a machine that went on from before, what came since."""
     findings = [one for one in recording.advice if one.time_s is None or one.time_s >= since_s]
-    return [*warning_lines(findings, reader), *(f'warning: {line}' for line in recording.silent_notes)]
+    return warning_lines(findings, reader)
 
 
 def place(finding: Finding, reader: Reader) -> Iterator[str]:

@@ -34,10 +34,6 @@ if TYPE_CHECKING:
     from edulaunch.recording.trajectory import Trajectory
 
 
-SILENT = ('deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'waits for input')
-"""Kinds of notes that people should hear of, and of which ROS 2 says nothing."""
-
-
 UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
 """Kinds of notes about what differs from run to run."""
 
@@ -406,13 +402,7 @@ class Recording:
     @property
     def warnings(self) -> list[str]:
         """What people should hear of after the run, in words: dead programs, misspelt names, and what went wrong in silence."""
-        return [*map(str, map(attached('told'), self.advice)), *self.silent_notes]
-
-    @property
-    def silent_notes(self) -> list[str]:
-        """What the engine noticed and ROS 2 says nothing of."""
-        notes = [note for note in self.notes if note.kind in SILENT]
-        return list(dict.fromkeys(note.text if note.process is None else f'{note.process}: {note.text}' for note in notes))
+        return [*map(str, map(attached('told'), self.advice))]
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import edulaunch
+from edulaunch.recording.records import Fact
 
 from .cases import CASES, CORPUS
 
@@ -35,10 +36,18 @@ def journal(recording: edulaunch.Recording, name: str) -> list[str]:
     case = CASES[name]
     events = _written(recording, CORPUS / name)
     events += [(note.time_s, f'{note.process or "launch"}  ! {note.kind}: {note.text}') for note in recording.notes]
+    events += [
+        (fact.time_s, f'{fact.process or "launch"}  ! {fact.kind}: {_plain(fact, CORPUS / name)}') for fact in recording.facts
+    ]
     for topic, *fields in case.topics:
         events += _values(recording, topic, fields)
     events.sort(key=lambda event: event[0])
     return [f'{time:7.3f}  {text}'.rstrip() for time, text in events]
+
+
+def _plain(fact: Fact, folder: Path) -> str:
+    """What a fact says, and how often."""
+    return f'{fact.data} x{fact.times}'.replace(str(folder), '@')
 
 
 def _written(recording: edulaunch.Recording, folder: Path) -> list[tuple[float, str]]:

@@ -21,12 +21,16 @@ class Notes(Tracer):
     """Keeps what a test may want to look at."""
 
     def __init__(self) -> None:
-        self.notes: list[tuple[str, str]] = []
         self.parameters: list[tuple[str, str, Any, str]] = []
         self.logs: list[tuple[int, str, str]] = []
+        self.facts: list[tuple[str, dict[str, Any]]] = []
 
-    def note(self, process: Any, kind: str, text: str) -> None:
-        self.notes.append((kind, text))
+    def fact(self, process: Any, kind: str, key: Any, data: dict[str, Any]) -> None:
+        self.facts.append((kind, data))
+
+    def waits(self) -> list[tuple[str, dict[str, Any]]]:
+        """The facts about waits that cannot end."""
+        return [(kind, data) for kind, data in self.facts if 'sleep' not in kind]
 
     def parameter(self, node: Any, name: str, value: Any, origin: str) -> None:
         self.parameters.append((node.fully_qualified_name, name, value, origin))

@@ -1,4 +1,4 @@
-"""Waiting inside a callback for what only a later callback brings: it hangs, as in ROS 2, and the recording says why."""
+"""Waiting inside a callback for what only a later callback brings: it hangs, as in ROS 2, and the recording has the facts."""
 
 from __future__ import annotations
 
@@ -47,27 +47,32 @@ def spin(node: Node, future: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ('wait', 'executor', 'words'),
+    ('wait', 'executor', 'waiting'),
     [
-        (look, SingleThreadedExecutor, 'looking at future.done() in a loop'),
-        (look, MultiThreadedExecutor, 'looking at future.done() in a loop'),
-        (spin, SingleThreadedExecutor, 'rclpy.spin_until_future_complete()'),
+        (look, SingleThreadedExecutor, 'look'),
+        (look, MultiThreadedExecutor, 'look'),
+        (spin, SingleThreadedExecutor, 'spin_until_future_complete'),
     ],
 )
-def test_a_wait_for_a_client_of_the_same_group_is_explained(world: World, wait: Any, executor: Any, words: str) -> None:
+def test_a_wait_for_a_client_of_the_same_group_is_explained(world: World, wait: Any, executor: Any, waiting: str) -> None:
     world.start(asking(wait, executor))
     world.run(5)
-    ((kind, text),) = world.tracer.notes
-    assert (kind, text.split(' (')[0]) == ('deadlock', f"{words} in on_timer() of node '/node'")
-    assert '(test_deadlocks.py:' in text
-    assert "the reply of service '/nothing' can only be taken when on_timer() has ended" in text
+    ((kind, data),) = world.tracer.waits()
+    assert (kind, data['waiting'], data['callback'], data['node'], data['name']) == (
+        'callback waits',
+        waiting,
+        'on_timer',
+        '/node',
+        '/nothing',
+    )
+    assert data['file'] == __file__ and data['line'] > 40
 
 
 @pytest.mark.parametrize('group', [ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup])
 def test_a_wait_with_threads_and_another_group_is_none(world: World, group: Any) -> None:
     world.start(asking(look, MultiThreadedExecutor, group))
     world.run(5)
-    assert world.tracer.notes == []
+    assert world.tracer.waits() == []
 
 
 def awaiting(world: World, group: Any) -> Callable[[], None]:
@@ -90,14 +95,14 @@ def awaiting(world: World, group: Any) -> Callable[[], None]:
 def test_awaiting_a_client_of_the_same_group_is_explained(world: World) -> None:
     world.start(awaiting(world, None))
     assert world.run(1.2) == []
-    ((_, text),) = world.tracer.notes
-    assert text.startswith("await in on_timer() of node '/node' (test_deadlocks.py:")
+    ((_, data),) = world.tracer.facts
+    assert (data['waiting'], data['function'], data['file']) == ('await', 'on_timer', __file__)
 
 
 def test_awaiting_a_client_of_another_group_is_no_deadlock(world: World) -> None:
     world.start(awaiting(world, ReentrantCallbackGroup))
     assert world.run(1.2) == [(500.0, 'main', 'answered'), (1000.0, 'main', 'answered')]
-    assert world.tracer.notes == []
+    assert world.tracer.waits() == []
 
 
 def test_looking_once_in_each_callback_is_no_deadlock(world: World) -> None:
@@ -112,7 +117,7 @@ def test_looking_once_in_each_callback_is_no_deadlock(world: World) -> None:
 
     world.start(program)
     assert world.run(1)[-1] == (1000.0, 'main', False)
-    assert [kind for kind, _ in world.tracer.notes] == ['lost request']
+    assert [kind for kind, _ in world.tracer.facts] == ['request lost']
 
 
 def test_a_loop_that_only_looks_lets_the_world_go_on(world: World) -> None:
@@ -137,9 +142,5 @@ def test_waiting_for_the_client_of_a_node_that_nobody_spins_is_explained(world: 
 
     world.start(program)
     world.run(1)
-    ((kind, text),) = world.tracer.notes
-    assert kind == 'deadlock'
-    assert text.endswith(
-        "waits for ever: the reply of service '/nothing' comes to a client of another node, which nobody spins. "
-        "Spin the client's node."
-    )
+    ((kind, data),) = world.tracer.facts
+    assert (kind, data['node'], data['name'], data['kind']) == ('other node spun', '/spun', '/nothing', 'service')

@@ -225,7 +225,9 @@ def test_a_node_that_another_executor_takes_in_a_callback_is_lost(world: World) 
 
     world.start(program)
     assert world.run(5) == [(100.0, 'main', 'tick')]
-    assert [kind for kind, text in world.tracer.notes if 'takes the node out of the executor' in text] == ['nested spin']
+    assert [(kind, data['callback'], data['spins']) for kind, data in world.tracer.facts] == [
+        ('node taken away', '<lambda>', 'spin_once')
+    ]
 
 
 def test_rclpy_spin_once_leaves_a_node_where_it_was(ros: Ros, world: World) -> None:

@@ -91,8 +91,8 @@ def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
 
     assert ros(body) == [(TransitionCallbackReturn.ERROR, 'finalized')]
     assert world.tracer.logs == []  # ROS 2 says nothing
-    assert world.tracer.notes == [
-        ('mistake', "on_configure() of node '/n' raised ValueError: broken on purpose; rclpy takes that for ERROR")
+    assert world.tracer.facts == [
+        ('transition failed', {'node': '/n', 'callback': 'on_configure', 'raised': 'ValueError: broken on purpose'})
     ]
 
 
@@ -105,7 +105,7 @@ def test_a_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> 
         world.say(Forgetful('n').trigger_configure().name)
 
     assert ros(body) == ['ERROR']
-    assert 'returned None, not a TransitionCallbackReturn' in world.tracer.notes[0][1]
+    assert world.tracer.facts[0][1]['returned'] == 'None'
 
 
 def test_transitions_that_do_not_start_here_are_refused(ros: Ros, world: World) -> None:

@@ -197,7 +197,7 @@ def test_a_rate_inside_a_callback_is_explained(world: World) -> None:
 
     world.start(program)
     world.run(1)
-    assert [kind for kind, _ in world.tracer.notes] == ['deadlock']
+    assert [(kind, data['callback']) for kind, data in world.tracer.facts] == [('rate in callback', 'sleep')]
 
 
 def test_rates_must_be_positive(ros: Callable[..., list[Any]], world: World) -> None:

@@ -22,7 +22,8 @@ def _of(recording: Recording, kind: str, *rest: str) -> Iterator[Finding]:
         if fact.kind == kind:
             file, line = fact_place(recording, fact)
             facts: dict[str, Any] = {name: fact.data.get(name) for name in rest}
-            facts['callback'] = fact.data.get('callback') or 'lambda'
+            facts['callback'] = fact.data.get('callback') or fact.data.get('function') or 'lambda'
+            facts['awaited'] = fact.data.get('name')
             node = fact.data.get('node') or node_of(recording, fact.process)
             yield found('node', node, file=file, line=line, time_s=fact.time_s, **facts)
 
@@ -41,10 +42,9 @@ def _of(recording: Recording, kind: str, *rest: str) -> Iterator[Finding]:
 )
 def deadlock(recording: Recording) -> Iterator[Finding]:
     """By call(), by a loop around future.done(), by spinning until a future is done, or by await in the same group."""
-    for finding in _of(recording, 'callback waits', 'waiting', 'name'):
+    for finding in _of(recording, 'callback waits', 'waiting'):
         waiting = finding.facts['waiting']
-        facts = {'awaited': finding.facts.pop('name'), 'waiting': WAITS.get(waiting, f'{waiting}()')}
-        yield finding._replace(facts={**finding.facts, **facts})
+        yield finding._replace(facts={**finding.facts, 'waiting': WAITS.get(waiting, f'{waiting}()')})
 
 
 @rule(
@@ -76,7 +76,7 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.other-node-spun',
-    what='{node} is spun until the answer of {name} comes, but the client that waits for it is of another node',
+    what='{node} is spun until the answer of {awaited} comes, but the client that waits for it is of another node',
     why='an answer is taken by the node that asked, and nobody spins that one',
     do='spin the node that made the client, or make the client in {node}',
     lesson=LESSON,
@@ -85,7 +85,7 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
 )
 def other_node_spun(recording: Recording) -> Iterator[Finding]:
     """`spin_until_future_complete` with the future of another node's client."""
-    return _of(recording, 'other node spun', 'name')
+    return _of(recording, 'other node spun')
 
 
 @rule(
