@@ -144,9 +144,7 @@ KINDS = {
         )
     ),
     'ROS 1; with ROS 2 it is rclpy': Absent(modules=('rospy', 'roslib', 'actionlib', 'rospkg', 'dynamic_reconfigure')),
-    'of the old setuptools; use importlib.resources, importlib.metadata or ament_index_python': Absent(
-        modules=('pkg_resources', 'pkgutil')
-    ),
+    'of the old setuptools; use importlib.resources or ament_index_python': Absent(modules=('pkg_resources', 'pkgutil')),
     'diagnostics; diagnostic_msgs is here': Absent(
         modules=('diagnostic_updater', 'diagnostic_aggregator', 'diagnostic_common_diagnostics')
     ),

@@ -40,8 +40,6 @@ class Contents:
         self.programs: set[str] = set()
         self.python_modules: dict[str, str] = {}
         self.native: dict[str, int] = {}
-        self.announced: dict[str, list[str]] = {}
-        self.version = ''
         self.broken: PackageWarning | None = None
         self.interfaces = False
         self.warnings: list[PackageWarning] = []

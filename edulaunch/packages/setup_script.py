@@ -163,13 +163,6 @@ class _SetupScript:
     def _executables(self, options: dict[str, Any]) -> None:
         groups = self._groups(options)
         entries = list(self._console_scripts(groups))
-        version = options.get('version')
-        self.contents.version = version.strip() if isinstance(version, str) else ''
-        self.contents.announced = {
-            group: [line.strip() for line in _lines(lines) if isinstance(line, str) and _ENTRY.fullmatch(line)]
-            for group, lines in groups.items()
-            if isinstance(group, str)
-        }
         scripts = [script for script in self._known(options, 'scripts') or () if isinstance(script, str)]
         if not entries and not scripts:
             return

@@ -48,7 +48,6 @@ def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
         options['packages'] = _found(folder, wanted, namespaces='find_namespace' in given['packages'])
     options['entry_points'] = {group: _listed(text) for group, text in section('options.entry_points').items()}
     options['data_files'] = _pairs(folder, {name: _listed(text) for name, text in section('options.data_files').items()})
-    options['version'] = section('metadata').get('version', '')
     return {name: value for name, value in options.items() if value}
 
 
@@ -79,7 +78,6 @@ def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
     }
     for group, announced in project.get('entry-points', {}).items():
         options['entry_points'][group] = [f'{name} = {place}' for name, place in announced.items()]
-    options['version'] = project.get('version')
     return {name: value for name, value in options.items() if value}
 
 

@@ -16,18 +16,18 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 VIEWS = {
-    '_tkinter': 'window_view.make_tkinter',
+    '_tkinter': 'refused_view.make_tkinter',
     'asyncio': 'asyncio_view.make',
     'atexit': 'atexit_view.make',
     'builtins': 'builtins_view.make',
     'datetime': 'datetime_view.make',
     'fcntl': 'keyboard_view.make_fcntl',
     'importlib': 'importlib_view.make',
-    'importlib.metadata': 'metadata_view.make',
+    'importlib.metadata': 'refused_view.make_metadata',
     'importlib.resources': 'importlib_view.make_resources',
     'importlib.util': 'importlib_view.make_util',
     'io': 'files_view.make_io',
-    'multiprocessing': 'multiprocessing_view.make',
+    'multiprocessing': 'refused_view.make_multiprocessing',
     'numpy': 'numpy_view.make',
     'numpy.random': 'numpy_view.make_random',
     'os': 'os_view.make',
@@ -44,7 +44,7 @@ VIEWS = {
     'threading': 'threading_view.make',
     'time': 'time_view.make',
     'tty': 'keyboard_view.make_tty',
-    'turtle': 'window_view.make_turtle',
+    'turtle': 'refused_view.make_turtle',
     'uuid': 'uuid_view.make',
 }
 """Module name -> what makes its view, called as make(new module, process)."""
