@@ -1,16 +1,26 @@
-"""What runs inside the process of `ros2 launch`, and how its end is told. Loaded when the first launch runs."""
+"""`ros2 launch` as a process of the simulation, and how its end is told."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+import signal
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
+from edulaunch.errors import LaunchFileError
 from edulaunch.packages import Index
-from edulaunch.processes.current import current_process
+from edulaunch.processes.host import Host
 from edulaunch.processes.origin import Origin
+from edulaunch.processes.process import Process
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.recording import Recorder
 
-if TYPE_CHECKING:
-    from edulaunch.launching import LaunchRun
-    from edulaunch.session import Session
+_STOPPED = {
+    'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
+    'RunawayProgramError': (
+        'the launch file never came to its end and was stopped',
+        'look for a loop that does not end: a launch file only says what to start',
+    ),
+}
 
 
 class Explanation(NamedTuple):
@@ -22,22 +32,83 @@ class Explanation(NamedTuple):
     line: int | None
 
 
-def run_launch_service(launch: LaunchRun) -> int:
-    """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""
-    from launch import LaunchDescription, LaunchService
-    from launch.actions import IncludeLaunchDescription
-    from launch.launch_description_sources import AnyLaunchDescriptionSource
+class LaunchRun:
+    """One `ros2 launch` in the simulation: the process, its arguments, and how it ended."""
 
-    include = IncludeLaunchDescription(AnyLaunchDescriptionSource(launch.path), launch_arguments=list(launch.arguments.items()))
-    service = LaunchService(argv=list(launch.process.argv), noninteractive=not launch.interactive, debug=launch.debug)
-    service.include_launch_description(LaunchDescription([include]))
-    return int(service.run())
+    def __init__(
+        self,
+        host: Host,
+        recorder: Recorder,
+        path: str,
+        arguments: dict[str, str],
+        *,
+        console: Callable[[str, str], object] | None,
+        interactive: bool,
+        debug: bool,
+    ) -> None:
+        self.path = path
+        self.arguments = arguments
+        self.interactive = interactive
+        self.debug = debug
+        words = ['ros2', 'launch', path, *(f'{name}:={value}' for name, value in arguments.items())]
+        spec = ProcessSpec(argv=tuple(words), name='launch')
+        self.process = Process(host, spec, host.next_pid(), words, self._main)
+        self.process.on_output = console
+        self._host = host
+        self.recorder = recorder
 
+    def start(self) -> None:
+        """Let the process begin."""
+        self._host.adopt(self.process)
 
-def first_error(launch: LaunchRun) -> BaseException | None:
-    """The first exception that launch caught, if any."""
-    errors = launch.process.state.get('launch.exceptions')
-    return errors[0] if errors else None
+    @property
+    def is_over(self) -> bool:
+        """Whether launch has ended."""
+        return self.process.returncode is not None
+
+    def interrupt(self) -> None:
+        """SIGINT for launch and, in a terminal, for everything it started."""
+        self.process.send_signal(signal.SIGINT)
+        if self.interactive:
+            for process in self._host.processes:
+                if process is not self.process:
+                    process.send_signal(signal.SIGINT)
+
+    def _main(self, process: Process) -> int:
+        """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""
+        from launch import LaunchDescription, LaunchService
+        from launch.actions import IncludeLaunchDescription
+        from launch.launch_description_sources import AnyLaunchDescriptionSource
+
+        include = IncludeLaunchDescription(AnyLaunchDescriptionSource(self.path), launch_arguments=list(self.arguments.items()))
+        service = LaunchService(argv=list(process.argv), noninteractive=not self.interactive, debug=self.debug)
+        service.include_launch_description(LaunchDescription([include]))
+        return int(service.run())
+
+    @property
+    def error(self) -> BaseException | None:
+        """The first exception that launch caught, if any."""
+        errors = self.process.state.get('launch.exceptions')
+        return errors[0] if errors else None
+
+    def raise_error(self) -> None:
+        """Raise what went wrong in the launch file, if something did.
+
+        :raises LaunchFileError: with ROS 2's text, the place and one line of help.
+        """
+        error = self.error
+        if error is not None:
+            told = explain(error, self.process.index)
+            raise LaunchFileError(told.text, help=told.help) from error
+        stopped = self.process.exception
+        if stopped is not None and stopped['type'] in _STOPPED:
+            place = stopped['place']
+            what, help = _STOPPED[stopped['type']]
+            raise LaunchFileError(what if place is None else f'{what}\n  at {place}', help=help)
+
+    def describe(self, recorder: Recorder) -> None:
+        """Tell the recorder what was launched."""
+        recorder.launch = describe(self)
 
 
 def explain(error: BaseException, index: Index) -> Explanation:
@@ -55,7 +126,7 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     """What a recording keeps of a launch."""
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
-    told = None if (error := first_error(launch)) is None else explain(error, launch.process.index)
+    told = None if (error := launch.error) is None else explain(error, launch.process.index)
     unread = [*_unknown_arguments(launch, [row[0] for row in declared]), *_undeclared_there(launch)]
     return {
         'file': launch.path,
@@ -93,17 +164,3 @@ def _undeclared_there(launch: LaunchRun) -> list[list[Any]]:
             row = [name, list(declared), source(file), *place]
             found += [row] if row not in found else []
     return found
-
-
-def show_arguments(session: Session, package_or_path: str, file: str | None) -> int:
-    """`ros2 launch ... -s`: print the arguments that may be given."""
-    from ros2launch.api import print_arguments_of_launch_file
-
-    from edulaunch.launching import find_launch_file
-
-    path = find_launch_file(session.index, package_or_path, file)
-    process = current_process()
-    process.index, process.host.index = session.index, session.index
-    process.env.update(session.host.env)
-    print_arguments_of_launch_file(launch_file_path=path)
-    return 0

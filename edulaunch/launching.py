@@ -1,27 +1,14 @@
-"""`ros2 launch` as a process of the simulation."""
+"""Launch files, found as `ros2 launch` finds them."""
 
 from __future__ import annotations
 
 import os
-import signal
-from collections.abc import Callable
 
-from edulaunch.errors import LaunchFileError, UnusableInput
+from edulaunch.errors import UnusableInput
 from edulaunch.nearest import nearest
 from edulaunch.packages import Index
-from edulaunch.processes.host import Host
-from edulaunch.processes.process import Process
-from edulaunch.processes.spec import ProcessSpec
-from edulaunch.recording import Recorder
 
 SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py', '_launch.xml', '_launch.yaml', '.launch')
-_STOPPED = {
-    'KeyboardInterrupt': ('the launch file was interrupted before its end', 'run it again'),
-    'RunawayProgramError': (
-        'the launch file never came to its end and was stopped',
-        'look for a loop that does not end: a launch file only says what to start',
-    ),
-}
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
@@ -102,81 +89,3 @@ def launch_files_of(index: Index, package: str) -> list[str]:
             if name.endswith(SURE_LAUNCH_SUFFIXES) or (os.path.basename(folder) == 'launch' and name.endswith(LAUNCH_SUFFIXES))
         }
     )
-
-
-class LaunchRun:
-    """One `ros2 launch` in the simulation: the process, its arguments, and how it ended."""
-
-    def __init__(
-        self,
-        host: Host,
-        recorder: Recorder,
-        path: str,
-        arguments: dict[str, str],
-        *,
-        console: Callable[[str, str], object] | None,
-        interactive: bool,
-        debug: bool,
-    ) -> None:
-        self.path = path
-        self.arguments = arguments
-        self.interactive = interactive
-        self.debug = debug
-        words = ['ros2', 'launch', path, *(f'{name}:={value}' for name, value in arguments.items())]
-        spec = ProcessSpec(argv=tuple(words), name='launch')
-        self.process = Process(host, spec, host.next_pid(), words, self._main)
-        self.process.on_output = console
-        self._host = host
-        self.recorder = recorder
-
-    def start(self) -> None:
-        """Let the process begin."""
-        self._host.adopt(self.process)
-
-    @property
-    def is_over(self) -> bool:
-        """Whether launch has ended."""
-        return self.process.returncode is not None
-
-    def interrupt(self) -> None:
-        """SIGINT for launch and, in a terminal, for everything it started."""
-        self.process.send_signal(signal.SIGINT)
-        if self.interactive:
-            for process in self._host.processes:
-                if process is not self.process:
-                    process.send_signal(signal.SIGINT)
-
-    def _main(self, process: Process) -> int:
-        from edulaunch.launch_process import run_launch_service
-
-        return run_launch_service(self)
-
-    @property
-    def error(self) -> BaseException | None:
-        """What went wrong in a launch file, if something did."""
-        from edulaunch.launch_process import first_error
-
-        return first_error(self)
-
-    def raise_error(self) -> None:
-        """Raise what went wrong in the launch file, if something did.
-
-        :raises LaunchFileError: with ROS 2's text, the place and one line of help.
-        """
-        error = self.error
-        if error is not None:
-            from edulaunch.launch_process import explain
-
-            told = explain(error, self.process.index)
-            raise LaunchFileError(told.text, help=told.help) from error
-        stopped = self.process.exception
-        if stopped is not None and stopped['type'] in _STOPPED:
-            place = stopped['place']
-            what, help = _STOPPED[stopped['type']]
-            raise LaunchFileError(what if place is None else f'{what}\n  at {place}', help=help)
-
-    def describe(self, recorder: Recorder) -> None:
-        """Tell the recorder what was launched."""
-        from edulaunch.launch_process import describe
-
-        recorder.launch = describe(self)

@@ -10,7 +10,8 @@ from typing import TextIO
 
 from edulaunch.attached import attached
 from edulaunch.graph.graph import Graph
-from edulaunch.launching import LaunchRun, find_launch_file
+from edulaunch.launch_process import LaunchRun
+from edulaunch.launching import find_launch_file
 from edulaunch.packages import Index
 from edulaunch.packages.discovery import install_folders, workspaces_of_command
 from edulaunch.processes.host import Host

@@ -16,7 +16,8 @@ from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.hosting import Hosting
 from edulaunch.jupyter.jobs import Job, Jobs
 from edulaunch.jupyter.line import Line, number_of
-from edulaunch.launching import LaunchRun, find_launch_file
+from edulaunch.launch_process import LaunchRun
+from edulaunch.launching import find_launch_file
 from edulaunch.machine import wire
 from edulaunch.machine.asking import ask, has_terminals_machine
 from edulaunch.machine.doctor import doctors_text, is_doctor

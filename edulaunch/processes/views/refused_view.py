@@ -1,5 +1,5 @@
-"""What the simulated machine has not: modules that can be imported, because many are by accident, and that tell when they are used
-what to use in their place.
+"""What the simulated machine has not: modules that can be imported, because many are by accident, and that tell when they are
+used what to use in their place.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 NO_COPY = 'multiprocessing.{} cannot be used: the simulation cannot copy a running program'
 NO_DISPLAY = 'no display name and no $DISPLAY environment variable'
-THREADS = '{} wants another process; in place of it use threading (Thread, queue.Queue, ThreadPoolExecutor), which works in simulated time'
-SCREEN = '{} opens a window; the simulation has no screen. turtlesim is drawn by edulaunch itself, other windows cannot be shown'
-UNBUILT = '{} asks for what `colcon build` writes about a package of the workspace, which is not built here: read its package.xml'
+THREADS = '{} wants another process: use threading (Thread, queue.Queue, ThreadPoolExecutor), which works in simulated time'
+SCREEN = '{} opens a window; the simulation has no screen. edulaunch draws turtlesim itself, other windows cannot be shown'
+UNBUILT = '{} asks for what `colcon build` writes about a package, which is not built here: read its package.xml'
 LOCKS = 'Lock RLock Event Condition Semaphore BoundedSemaphore Barrier'
 PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Array RawValue RawArray {LOCKS} get_context'.split()
 
