@@ -65,6 +65,7 @@ attached.PLACES.update(
     told=('edulaunch.advice', 'told'),
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
     replay=('edulaunch.view.replay', 'Replay'),
+    help_below=('edulaunch.advice.below', 'help_below'),
     ros2=('edulaunch.cli.inside', 'main'),
     completions=('edulaunch.cli.ros2_candidates', 'candidates'),
 )

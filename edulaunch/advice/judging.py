@@ -57,15 +57,8 @@ def failures(recording: Recording) -> Iterator[Failure]:
     for process in recording.processes:
         error = process.exception
         if error:
-            yield Failure(
-                error['type'],
-                error['message'],
-                error['file'],
-                error['line'],
-                process.ended_s,
-                process.name,
-                error.get('facts') or {},
-            )
+            file, line = (error['file'], error['line']) if error['file'] else (process.file, process.line)
+            yield Failure(error['type'], error['message'], file, line, process.ended_s, process.name, error.get('facts') or {})
 
 
 def in_order(findings: Iterable[Finding]) -> list[Finding]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.advice.finding import Finding
@@ -52,9 +52,14 @@ def warning_lines(findings: Sequence[Finding], reader: Reader | None = None, mos
     return lines
 
 
-def said_at_the_end(recording: Recording, reader: Reader | None = None, since_s: float = 0.0) -> list[str]:
-    """What is said where a run has ended; of a machine that went on from before, what came since."""
-    findings = [one for one in recording.advice if one.time_s is None or one.time_s >= since_s]
+def said_at_the_end(
+    recording: Recording, reader: Reader | None = None, since_s: float = 0.0, helped: Container[str] = ()
+) -> list[str]:
+    """What is said where a run has ended; of a machine that went on from before, what came since.
+
+    :param helped: programs below whose error it was said already.
+    """
+    findings = [one for one in recording.advice if (one.time_s is None or one.time_s >= since_s) and one.process not in helped]
     return warning_lines(findings, reader)
 
 

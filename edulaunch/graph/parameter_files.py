@@ -5,21 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.parameters import scalar_from_text, sequence_type_name
 
 PARAMETERS_KEY = 'ros__parameters'
+LAYOUT = 'launch.parameter-file'
 _YAML_MARKS = frozenset('\'"[]{}!&*#|>:%@`,\n')
 
 
-LAYOUT = f'write the name of the node (or /**), below it {PARAMETERS_KEY}, and below that the parameters'
-
-
 class ParameterFileError(ValueError):
-    """A parameter file or value that rcl would refuse; the text is rcl's reason only, `help` says what to try."""
-
-    def __init__(self, reason: str, help: str | None = None) -> None:
-        super().__init__(reason)
-        self.help = help
+    """A parameter file or value that rcl would refuse; the text is rcl's reason."""
 
 
 class Entry(NamedTuple):
@@ -78,7 +73,7 @@ class _Reader:
             event = next(self._events)
         except self._error as error:
             reason = f'Error parsing a event near line {self._line}' if self.of_a_file else 'Error parsing an event'
-            raise ParameterFileError(reason, _yaml_help(error)) from None
+            raise with_facts(ParameterFileError(reason), 'launch.yaml', **_problem(error)) from None
         self._line = line_of(event)  # rcl names the line of what it could still read
         if type(event).__name__ == 'AliasEvent':
             reason = f'Will not support aliasing at line {self._line}' if self.of_a_file else 'Unknown YAML event'
@@ -93,16 +88,13 @@ class _Reader:
         if mapping:
             root = self.next()
             if type(root).__name__ != 'MappingStartEvent':
-                raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(root)}', LAYOUT)
+                raise _too_early(root, '')
         return True
 
 
-def _yaml_help(error: Any) -> str:
+def _problem(error: Any) -> dict[str, Any]:
     mark = getattr(error, 'problem_mark', None)
-    problem = str(getattr(error, 'problem', error))
-    where = '' if mark is None else f'line {mark.line + 1}: '
-    tab = '; is the line indented with a tab? YAML wants spaces' if 'cannot start any token' in problem else ''
-    return where + problem + tab
+    return {'at': None if mark is None else mark.line + 1, 'problem': str(getattr(error, 'problem', error))}
 
 
 def line_of(event: Any) -> int:
@@ -116,19 +108,22 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
         name = _key_text(key)
         value = reader.next()
         if type(value).__name__ != 'MappingStartEvent':
-            raise ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(value)}', _layout_help(path))
+            raise _too_early(value, path)
         if name != PARAMETERS_KEY:
             _read_nodes(reader, f'{path}/{name.strip("/")}', entries)
         elif path:
             _read_parameters(reader, path, '', entries)
         else:
-            raise ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}', LAYOUT)
+            raise with_facts(
+                ParameterFileError(f'There are no node names before {PARAMETERS_KEY} at line {line_of(key)}'), LAYOUT
+            )
 
 
-def _layout_help(path: str) -> str:
-    """What to say of a value that stands too early; `path` is what stands above it."""
+def _too_early(event: Any, path: str) -> ParameterFileError:
+    """What to raise for a value that stands too early; `path` is what stands above it."""
+    error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
     misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
-    return LAYOUT if misspelt is None else f"'{misspelt}' is spelled {PARAMETERS_KEY}, with two underscores"
+    return with_facts(error, LAYOUT) if misspelt is None else with_facts(error, 'launch.parameters-key', found=misspelt)
 
 
 def _read_parameters(reader: _Reader, pattern: str, prefix: str, entries: list[Entry]) -> None:
@@ -157,7 +152,7 @@ def _read_value(reader: _Reader, event: Any) -> Any:
     if kind == 'SequenceStartEvent':
         return _read_sequence(reader) or None  # rcl cannot tell of what an empty list would be: the parameter is not set
     if not reader.of_a_file:
-        raise ParameterFileError('Unknown YAML event', 'write a value or a list of values')
+        raise with_facts(ParameterFileError('Unknown YAML event'), 'launch.parameter-value')
     raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')
 
 
@@ -169,11 +164,9 @@ def _read_sequence(reader: _Reader) -> list[Any]:
             raise ParameterFileError(f'{what} cannot be values of a sequence. Error at line {line_of(event)}')
         item = _scalar(event)
         if items and type(item) is not type(items[0]):
-            raise ParameterFileError(
-                'Sequence should be of same type. Value type '
-                f"'{sequence_type_name(item)}' do not belong at line_num {line_of(event)}",
-                'numbers of one list are written all with a point, or all without',
-            )
+            kind = sequence_type_name(item)
+            reason = f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line_of(event)}"
+            raise with_facts(ParameterFileError(reason), 'launch.list-of-one-type')
         items.append(item)
     return items
 
@@ -183,5 +176,5 @@ def _scalar(event: Any) -> Any:
     if event.style in ('"', "'") or event.tag == 'tag:yaml.org,2002:str':
         return text
     if not text:
-        raise ParameterFileError(f'No value at line {line_of(event)}', 'leave the line out, or write "" for an empty text')
+        raise with_facts(ParameterFileError(f'No value at line {line_of(event)}'), 'launch.no-value')
     return scalar_from_text(text)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
+from edulaunch.facts import facts_of, with_facts, with_facts_of
 from edulaunch.graph.names import RemapRule, absolute_namespace
 from edulaunch.graph.parameter_files import Entry, ParameterFileError, read_parameter_file, read_value
 from edulaunch.graph.parameters import pattern_matches
@@ -169,15 +170,15 @@ def _read_switch(result: RosArguments, flag: str) -> None:
     result.unknown.append(flag)
 
 
-def _refuse(what: str, flag: str, value: str, reason: str, help: str | None = None) -> RosArgumentsError:
-    return RosArgumentsError(f"Couldn't parse {what}: '{flag} {value}'. Error: {reason}", help=help)
+def _refuse(what: str, flag: str, value: str, reason: str) -> RosArgumentsError:
+    return RosArgumentsError(f"Couldn't parse {what}: '{flag} {value}'. Error: {reason}")
 
 
 def _remap_rule(flag: str, text: str) -> RemapRule:
     try:
         return remap_rule(text)
     except RuleError as error:
-        raise _refuse('remap rule', flag, text, str(error), "write 'from:=to', such as turtle1/cmd_vel:=cmd_vel") from None
+        raise with_facts(_refuse('remap rule', flag, text, str(error)), 'launch.remap-rule') from None
 
 
 def remap_rule(text: str) -> RemapRule:
@@ -212,6 +213,11 @@ def remap_rule(text: str) -> RemapRule:
     return RemapRule(kind, node_name, match, read_new_name(reader))
 
 
+def _refused_parameter(flag: str, text: str, error: RuleError | ParameterFileError) -> RosArgumentsError:
+    refused = _refuse('parameter override rule', flag, text, str(error))
+    return with_facts_of(refused, error) if facts_of(error) else with_facts(refused, 'launch.parameter-rule')
+
+
 def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
     reader = RuleReader(text)
     try:
@@ -219,9 +225,7 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
         name = read_parameter_name(reader)
         override = Override(read_value(text[reader.position :]), 'command line')
     except (RuleError, ParameterFileError) as error:
-        raise _refuse(
-            'parameter override rule', flag, text, str(error), "write 'name:=value', such as background_r:=200"
-        ) from None
+        raise _refused_parameter(flag, text, error) from None
     pattern = absolute_namespace(node_name) if node_name else '/**'
     result.parameters.setdefault(pattern, {})[name] = override
 
@@ -234,7 +238,7 @@ def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[
     except UnicodeDecodeError:
         raise _refuse('params file', flag, path, 'Error parsing a event: the file is not UTF-8 text') from None
     except ParameterFileError as error:
-        raise _refuse('params file', flag, path, str(error), error.help) from None
+        raise with_facts_of(_refuse('params file', flag, path, str(error)), error) from None
     base = path.replace('\\', '/').rpartition('/')[2]
     for entry in entries:
         override = Override(entry.value, f'{base} line {entry.line}')
@@ -245,7 +249,7 @@ def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
     try:
         name, number = _log_level(text)
     except RuleError as error:
-        raise _refuse('log level', flag, text, str(error), 'a level is one of debug, info, warn, error, fatal') from None
+        raise with_facts(_refuse('log level', flag, text, str(error)), 'launch.log-level') from None
     result.log_levels[name] = number
 
 

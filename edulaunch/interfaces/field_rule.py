@@ -8,6 +8,7 @@ from collections import UserList, UserString
 from collections.abc import Collection, Sequence, Set
 from typing import Any, NoReturn
 
+from edulaunch.facts import with_facts
 from edulaunch.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.numpy_values import python_values
@@ -135,15 +136,15 @@ class FieldRule:
         if value.typecode != self.kind.code:
             numbers = python_values(value, self.kind)
             if not self._are_right(numbers):
-                raise AssertionError(
-                    f"The '{self.name}' array.array() must have the type code of '{self.kind.code}'"
-                    f"\n  help: this one has '{value.typecode}': write array.array('{self.kind.code}', values)"
+                self._refuse_array(
+                    f"array.array() must have the type code of '{self.kind.code}'",
+                    given=f'array({value.typecode!r})',
+                    write=f"array.array('{self.kind.code}', values)",
                 )
             return array(self.kind.code, numbers)
         if not self._is_right_length(len(value)):
-            raise AssertionError(
-                f"The '{self.name}' array.array() must have a size <= {self.type.size}\n  help: this one has {len(value)} values"
-            )
+            words = f'array.array() must have a size <= {self.type.size}'
+            self._refuse_array(words, count=len(value), size=self.type.size)
         return value
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
@@ -166,23 +167,28 @@ class FieldRule:
             numbers = python_values(value, self.kind)
             if self._are_right(numbers):
                 return value.astype(self.kind.name)
-            raise AssertionError(
-                f"The '{self.name}' numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'"
-                f"\n  help: this one has '{value.dtype}': write value.astype('{self.kind.name}')"
+            self._refuse_array(
+                f"numpy.ndarray() must have the dtype of 'numpy.{self.kind.name}'",
+                given=f'numpy.ndarray({value.dtype})',
+                write=f"value.astype('{self.kind.name}')",
             )
         if value.size != self.type.size:
-            raise AssertionError(
-                f"The '{self.name}' numpy.ndarray() must have a size of {self.type.size}"
-                f'\n  help: this one has {value.size} values'
-            )
+            words = f'numpy.ndarray() must have a size of {self.type.size}'
+            self._refuse_array(words, count=int(value.size), size=self.type.size)
         return value
 
-    # Help
+    # What is refused
 
     def _refuse(self, words: str, value: Any) -> NoReturn:
-        from edulaunch.interfaces.field_help import help_for
+        from edulaunch.interfaces.value_facts import value_facts
 
-        raise AssertionError(f"The '{self.name}' field {words}\n  help: {help_for(self.type, self.message, self.name, value)}")
+        error = AssertionError(f"The '{self.name}' field {words}")
+        raise with_facts(error, **value_facts(self.type, self.message, self.name, value))
+
+    def _refuse_array(self, words: str, **facts: Any) -> NoReturn:
+        assert self.kind is not None
+        error = AssertionError(f"The '{self.name}' {words}")
+        raise with_facts(error, 'messages.field-value', field=self.name, wanted=f'{self.kind.python.__name__}[]', **facts)
 
     # Snapshots of the fields whose content may have changed since it was assigned
 

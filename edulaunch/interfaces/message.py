@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
-from edulaunch.nearest import did_you_mean
+from edulaunch.facts import with_facts
+from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.layout import Layout
@@ -34,10 +35,8 @@ class ConstantsStay(type):
 
     def __setattr__(cls, name: str, value: object) -> None:
         if name in cls._constants:
-            raise AttributeError(
-                f"property {name!r} of 'Metaclass_{cls.__name__}' object has no setter\n"
-                f'  help: {name} is a constant of {cls.__name__}; give a variable of your own another value'
-            )
+            error = AttributeError(f"property {name!r} of 'Metaclass_{cls.__name__}' object has no setter")
+            raise with_facts(error, 'messages.constant', constant=name, type=cls.__name__)
         super().__setattr__(name, value)
 
 
@@ -106,6 +105,6 @@ def set_fields(message: Message, values: dict[str, Any]) -> None:
 def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
     fields = message._FIELDS
     unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
-    words = did_you_mean(unknown[0], fields)
-    listed = f'the fields of {type(message).__name__} are: {", ".join(fields) or "(none)"}'
-    raise AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}\n  help: {words or listed}')
+    error = AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}')
+    near, name = nearest(unknown[0], fields), type(message).__name__
+    raise with_facts(error, 'messages.field', type=name, field=unknown[0], near=near, fields=list(fields))

@@ -9,6 +9,8 @@ from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
+from edulaunch.facts import with_facts
+from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
     from edulaunch.interfaces.registry import Registry
@@ -17,8 +19,8 @@ if TYPE_CHECKING:
 class InterfaceModule(ModuleType):
     """`<package>.msg`, `.srv` or `.action`: one class for each interface file.
 
-    A wrong name is Python's own ImportError or AttributeError, with a line of help: the nearest name, or
-    where the type is.
+    A wrong name is Python's own ImportError or AttributeError, which knows the nearest name, or where the
+    type is.
     """
 
     def __init__(self, name: str, registry: Registry) -> None:
@@ -40,13 +42,14 @@ class InterfaceModule(ModuleType):
         return sorted({*super().__dir__(), *self.__all__})
 
     def _no_name(self, name: str, asker: FrameType) -> Exception:
-        # `from m import X` turns any AttributeError into an ImportError of its own, without our line of help.
-        words = _help(self._registry, self.__name__, name)
+        # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.
+        error: Exception = AttributeError(f'module {self.__name__!r} has no attribute {name!r}', name=name, obj=self)
         if _is_from_import(asker):
-            return ImportError(
-                f'cannot import name {name!r} from {self.__name__!r} (unknown location){words}', name=self.__name__
-            )
-        return AttributeError(f'module {self.__name__!r} has no attribute {name!r}{words}', name=name, obj=self)
+            error = ImportError(f'cannot import name {name!r} from {self.__name__!r} (unknown location)', name=self.__name__)
+        package, kind = self.__name__.split('.')
+        homes = homes_of(self._registry, name)
+        near = nearest(name, self._registry.names(package, kind))
+        return with_facts(error, 'messages.no-interface', interface=name, module=self.__name__, homes=homes, near=near)
 
 
 class PartModule(ModuleType):
@@ -76,13 +79,6 @@ def _is_from_import(frame: FrameType) -> bool:
     return frame.f_code.co_code[frame.f_lasti] == opmap['IMPORT_FROM']
 
 
-def _help(registry: Registry, module: str, name: str) -> str:
-    from edulaunch.interfaces.unknown import homes
-    from edulaunch.nearest import did_you_mean
-
-    package, kind = module.split('.')
-    places = homes(registry, name)
-    if places:
-        return f'\n  help: {name} is in {" and ".join(places)}'
-    words = did_you_mean(name, registry.names(package, kind))
-    return f'\n  help: {words}' if words else ''
+def homes_of(registry: Registry, name: str, kind: str | None = None) -> list[str]:
+    """The modules that have an interface of this name: homes_of(registry, 'Twist') -> ['geometry_msgs.msg']."""
+    return [full.rpartition('/')[0].replace('/', '.') for full in registry.types(kind) if full.endswith(f'/{name}')]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from edulaunch.errors import InterfaceError
+from edulaunch.interfaces.modules import homes_of
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ def type_help(registry: Registry, type_name: str) -> str | None:
     """What may have been meant by a wrong type name."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')
-    elsewhere = homes(registry, name, kind or None)
+    elsewhere = homes_of(registry, name, kind or None)
     if elsewhere:
         return f'{name} is in {" and ".join(elsewhere)}'
     if not registry.has(package):
@@ -29,8 +30,3 @@ def type_help(registry: Registry, type_name: str) -> str | None:
             or 'no package with interfaces has this name: is its workspace built and sourced?'
         )
     return did_you_mean(type_name, registry.types())
-
-
-def homes(registry: Registry, name: str, kind: str | None = None) -> list[str]:
-    """The modules that have an interface of this name: homes(registry, 'Twist') -> ['geometry_msgs.msg']."""
-    return [full.rpartition('/')[0].replace('/', '.') for full in registry.types(kind) if full.endswith(f'/{name}')]

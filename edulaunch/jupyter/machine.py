@@ -118,7 +118,7 @@ class Machine:
         self._write('stderr', note)
         found = snapshot(session)
         if not line.quiet:
-            for text in said_at_the_end(found, since_s=began_s):
+            for text in said_at_the_end(found, since_s=began_s, helped=session.host.asides.helped):
                 self._write('stderr', f'{text}\n')
         return found
 
@@ -219,7 +219,7 @@ class Machine:
         if process.returncode is None:
             process.send_signal(signal.SIGKILL)
         if words[:1] == ['run'] and not line.quiet:
-            for text in said_at_the_end(glance(session), since_s=began_s):
+            for text in said_at_the_end(glance(session), since_s=began_s, helped=session.host.asides.helped):
                 self._write('stderr', f'{text}\n')
         elif is_doctor(argv):
             self._write('stdout', doctors_text(session, reader_here()))

@@ -127,7 +127,9 @@ class Terminal:
     def _finished(self, code: int) -> None:
         """The command has run to its end: what it launched or ran is judged."""
         if self.words[:2] in ADVISED and '--quiet' not in self.words:
-            said = said_at_the_end(glance(self._terminals.session), self._reader, self._began_s)
+            said = said_at_the_end(
+                glance(self._terminals.session), self._reader, self._began_s, self._terminals.session.host.asides.helped
+            )
             self._show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)
         elif is_doctor(self.words):

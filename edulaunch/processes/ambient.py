@@ -22,7 +22,7 @@ class AmbientProcess(Process):
     def write(self, stream: str, text: str) -> None:
         """Write to the real stream of that name."""
         target = sys.stdout if stream == 'stdout' else sys.stderr
-        target.write(text)
+        target.write(text + self.host.asides.below(text, self.pid, self.env) if self.host.asides.due else text)
         target.flush()
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:

@@ -9,18 +9,14 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
-ENDINGS = {
-    '.so': 'compiled code',
-    '.dylib': 'compiled code',
-    '.pyd': 'compiled code for Windows',
-    '.pyx': 'Cython, which must be compiled',
-}
+ENDINGS = ('.so', '.dylib', '.pyd', '.pyx')
+"""Compiled for Unix, macOS and Windows, and what Cython would compile."""
 _TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|cython_add_module)\s*\(\s*{name}\b'
 _LIBRARY = re.compile(r'(\S+): cannot open shared object file')
 
 
 def compiled_module(process: Process, name: str) -> str | None:
-    """What a module is that Python did not find, such as 'compiled code (robo/fast.so)'; None when it is nothing of that kind."""
+    """Where the compiled code of a module is that Python did not find, 'robo/fast.so', or what would make it; None: nowhere."""
     parent, _, leaf = name.rpartition('.')
     if parent:
         folders = list(getattr(process.loader.modules.get(parent), '__path__', ()))
@@ -28,9 +24,8 @@ def compiled_module(process: Process, name: str) -> str | None:
         folders = process.loader.finder.folders()
     for folder in folders:
         for file in sorted(os.listdir(folder)) if os.path.isdir(folder) else ():
-            kind = ENDINGS.get(os.path.splitext(file)[1])
-            if kind is not None and file.partition('.')[0] == leaf:
-                return f'{kind} ({os.path.join(os.path.basename(folder), file)})'
+            if file.endswith(ENDINGS) and file.partition('.')[0] == leaf:
+                return f'{os.path.basename(folder)}/{file}'
     return _built_by_cmake(process, name.partition('.')[0], leaf)
 
 
@@ -48,4 +43,4 @@ def _built_by_cmake(process: Process, package: str, leaf: str) -> str | None:
     except OSError:
         return None
     found = re.search(_TARGET.format(name=re.escape(leaf)), text) if source is not None else None
-    return None if found is None else f'made from C++ by CMakeLists.txt:{text.count(chr(10), 0, found.start()) + 1} of {package}'
+    return None if found is None else f'{package}/CMakeLists.txt:{text.count(chr(10), 0, found.start()) + 1}'

@@ -14,6 +14,7 @@ from edulaunch.graph.ros_arguments import entries_of_file
 from edulaunch.graph.tracer import Tracer
 from edulaunch.packages import Index, Program
 from edulaunch.processes import real_machine
+from edulaunch.processes.asides import Asides
 from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
@@ -114,6 +115,7 @@ class Host:
         self.ros2 = ros2
         self._stdin = dict(stdin or {})
         self.unread_stdin = list(self._stdin)
+        self.asides = Asides()
         self.watchdog: Watchdog | None = None
         self.is_paced = False
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}

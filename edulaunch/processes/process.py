@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from edulaunch.packages import Index
     from edulaunch.processes.host import Host
     from edulaunch.processes.loader import Loader
+    from edulaunch.processes.origin import Origin
     from edulaunch.processes.overlay import Overlay
 
 MOST_WRITES = 10_000
@@ -122,8 +123,16 @@ class Process:
                 self.tracer.output(self, stream, text)
             if self.on_output is not None:
                 self.on_output(stream, text)
+                if self.host.asides.due and self.on_output is self.group.on_output:
+                    self._show_help_below(stream, text)
         finally:
             self.is_writing = before
+
+    def _show_help_below(self, stream: str, text: str) -> None:
+        """Help for an error that has just come to the console; not recorded."""
+        help = self.host.asides.below(text, self.group.pid, self.group.env)
+        if help and self.on_output is not None:
+            self.on_output(stream, help)
 
     def _count(self, text: str) -> None:
         """A loop that writes and never waits would fill the memory, and others would have to read all of it, long before the
@@ -285,7 +294,7 @@ class Process:
             return 1
 
     def _print_traceback(self, error: BaseException) -> None:
-        from edulaunch.processes.error_help import error_help
+        from edulaunch.processes.error_facts import error_facts
         from edulaunch.processes.traceback_text import student_traceback
 
         view = self.loader.modules.get('sys')
@@ -293,9 +302,13 @@ class Process:
             view.excepthook(type(error), error, error.__traceback__)
             return
         text, place = student_traceback(error)
-        help = error_help(self, error)
-        self.write('stderr', text if help is None else f'{text}  help: {help}\n')
-        self.exception = {'type': type(error).__name__, 'message': str(error).partition('\n  help: ')[0], 'place': place}
+        self._write_error(text, type(error).__name__, str(error).partition('\n  help: ')[0], place, error_facts(self, error))
+
+    def _write_error(self, text: str, kind: str, message: str, place: Origin | None, facts: dict[str, Any]) -> None:
+        """Write what ended the program, and keep it as data."""
+        self.exception = {'type': kind, 'message': message, 'place': place, 'facts': facts}
+        self.host.asides.expect(text, {**self.exception, 'process': self.name})
+        self.write('stderr', text)
 
     def _print_runaway(self, error: RunawayProgram) -> None:
         from edulaunch.processes.traceback_text import runaway_text
@@ -304,8 +317,7 @@ class Process:
         self._wrote_at_ns = 0
         if not error.counted:
             self.note('stopped', f'{self.name} was stopped by the time that it took: this run cannot repeat exactly')
-        self.write('stderr', text)
-        self.exception = {'type': 'RunawayProgramError', 'message': str(error), 'place': place}
+        self._write_error(text, 'RunawayProgramError', str(error), place, {'about': 'programs.runaway'})
 
     def run_exit_calls(self) -> None:
         """Call what the program registered with `atexit`, the last one first."""

@@ -7,9 +7,9 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from edulaunch.facts import with_facts
 from edulaunch.nearest import nearest
 from edulaunch.packages import Program
-from edulaunch.processes.error_help import wanted_by
 from edulaunch.processes.process import Process
 
 
@@ -31,43 +31,38 @@ def run_program(process: Process, program: Program) -> object:
 
         return run_line(process, program.file)
     if program.kind in ('native', 'absent'):
-        raise _cannot_run(process, program)
+        raise _cannot_run(program)
     return entry_function(process, program)()
 
 
-def _cannot_run(process: Process, program: Program) -> OSError:
+def _cannot_run(program: Program) -> OSError:
     """What the system says of a file that is not there or is for another machine, and why."""
     absent = program.kind == 'absent'
     number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
-    error: Any = OSError(number, os.strerror(number), name)
-    why = (
-        f'{process.name} needs the package {program.package!r} ({program.file}), which is not here; '
-        if absent
-        else f'{wanted_by(process)} is built from C++ ({program.file}); edulaunch runs Python programs only, and '
-    )
-    error.edulaunch_hint = f'{why}the other programs go on without it'
-    said: OSError = error
-    return said
+    error = OSError(number, os.strerror(number), name)
+    if absent:
+        return with_facts(error, 'packages.absent-package', package=program.package, belongs_to=program.file)
+    return with_facts(error, 'programs.native', built_from=program.file)
 
 
 def entry_function(process: Process, program: Program) -> Callable[[], object]:
     """The function of an entry point.
 
     :raises ModuleNotFoundError, AttributeError: with Python's text; when the entry point itself names something that is not
-        there, a hint tells where it is written and what was meant.
+        there, the facts tell where it is written and what was meant.
     """
     try:
         found: Any = process.loader.load_entry_module(program.module)
     except ModuleNotFoundError as error:
         if error.name is not None and f'{program.module}.'.startswith(f'{error.name}.'):
-            _add_hint(process, program, error, 'module', _modules_beside(process, program.module), program.module)
+            _add_facts(program, error, 'module', _modules_beside(process, program.module), program.module)
         raise
     for name in program.function.split('.'):
         try:
             found = getattr(found, name)
         except AttributeError as error:
             names = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == program.module]
-            _add_hint(process, program, error, 'function', names, name)
+            _add_facts(program, error, 'function', names, name)
             raise
     return found  # type: ignore[no-any-return]
 
@@ -84,8 +79,7 @@ def _modules_beside(process: Process, module: str) -> list[str]:
     ]
 
 
-def _add_hint(process: Process, program: Program, error: Any, kind: str, known: list[str], name: str) -> None:
-    near = nearest(name, known)
+def _add_facts(program: Program, error: BaseException, kind: str, known: list[str], name: str) -> None:
     entry = f'{program.executable} = {program.module}:{program.function}'
-    meant = f'did you mean {near!r}?' if near else f'{kind}s there: {", ".join(known)}' if known else f'there is no such {kind}'
-    error.edulaunch_hint = f'the entry point {entry!r} of {program.package} (setup.py) names it: {meant}'
+    near = nearest(name, known)
+    with_facts(error, f'packages.entry-{kind}', entry=entry, package=program.package, missing=name, near=near, known=known)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from edulaunch.errors import RunawayProgramError
+from edulaunch.facts import facts_of
 from edulaunch.processes.origin import Origin
 from edulaunch.processes.suggestion import with_suggestion
 from edulaunch.processes.traceback_groups import framed, members_of, within
@@ -24,7 +24,7 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """The text that Python would print, without frames of the engine, and the last place in a file that is not ours.
 
     When no other frame is left, all frames stay: then the mistake is in our own code and hiding it would help nobody. Unless the
-    error carries a hint, is one of rclpy's own, or a built-in program's end by Ctrl-C: then we have raised it knowingly. Or
+    error carries facts, is one of rclpy's own, or a built-in program's end by Ctrl-C: then we have raised it knowingly. Or
     Python could not read the student's file at all: then nothing of it ran.
     The marks under a line that newer Pythons print are left out, so that recordings are equal on all of them.
     """
@@ -66,9 +66,7 @@ def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> I
 def _one(error: BaseException) -> Iterator[str]:
     """One error without those before it."""
     own = _own(error)
-    knowingly = (
-        hasattr(error, 'edulaunch_hint') or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
-    )
+    knowingly = bool(facts_of(error)) or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
     explained = knowingly or _unread_file(error) is not None
     shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
     if shown:
@@ -102,11 +100,7 @@ def runaway_text(process: Process, error: BaseException) -> tuple[str, Origin | 
     text, place = student_traceback(error)
     frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
     where = f' at {place}' if place is not None else ''
-    told = RunawayProgramError(
-        f'{process.name} {error} without waiting for anything; it was stopped{where}.',
-        help='a loop must wait: time.sleep(), rclpy.spin_once(), rate.sleep() or a timer give the others their turn',
-    )
-    return f'{frames}RunawayProgramError: {told}\n', place
+    return f'{frames}RunawayProgramError: {process.name} {error} without waiting for anything; it was stopped{where}.\n', place
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:

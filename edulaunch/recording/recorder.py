@@ -213,6 +213,8 @@ class Recorder(Tracer):
             if error is not None:
                 file, line = error['place'] or (None, None)
                 row['exception'] = {'type': error['type'], 'message': error['message'], 'file': file, 'line': line}
+                if error['facts']:
+                    row['exception']['facts'] = error['facts']
 
     def use_sources(self, source_path: Callable[[str], str]) -> None:
         """Name the files that the student wrote, instead of their links in the folders where packages are installed."""

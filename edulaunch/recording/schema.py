@@ -69,13 +69,18 @@ def anything(value: Any) -> bool:
     return True
 
 
+def fact(value: Any) -> bool:
+    """What is known about an error: a text, a number, several texts, or that it is not known."""
+    return value is None or text(value) or isinstance(value, (int, float)) or each(text)(value)
+
+
 def root(value: Any) -> bool:
     """A folder and the short name that stands for it in a digest."""
     return row(text, text)(value) and value[1].startswith('@') and len(value[1]) <= 40
 
 
 _words, _word, _count = each(text), maybe(text), maybe(number)
-_error = record({'type': text, 'message': text, 'file': _word, 'line': _count})
+_error = record({'type': text, 'message': text, 'file': _word, 'line': _count}, {'facts': table(fact)})
 PARTS: dict[str, Check] = {
     'roots': each(root),
     'launch': record(

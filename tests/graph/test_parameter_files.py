@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from edulaunch.facts import facts_of
 from edulaunch.graph.parameter_files import Entry, ParameterFileError, read_parameter_file, read_value
 
 
@@ -47,22 +48,22 @@ def test_what_rcl_refuses_is_refused_with_its_line(text: str, reason: str) -> No
 
 
 @pytest.mark.parametrize(
-    ('text', 'help'),
+    ('text', 'facts'),
     [
-        ('n:\n  ros_parameters:\n    a: 1\n', "'ros_parameters' is spelled ros__parameters, with two underscores"),
-        ('n:\n  a: 1\n', 'write the name of the node (or /**), below it ros__parameters, and below that the parameters'),
+        ('n:\n  ros_parameters:\n    a: 1\n', {'about': 'launch.parameters-key', 'found': 'ros_parameters'}),
+        ('n:\n  a: 1\n', {'about': 'launch.parameter-file'}),
         (
             'n:\n  ros__parameters:\n\ta: 1\n',
-            'line 3: found character that cannot start any token; is the line indented with a tab? YAML wants spaces',
+            {'about': 'launch.yaml', 'at': 3, 'problem': 'found character that cannot start any token'},
         ),
-        ('n:\n  ros__parameters:\n    a: [1, 2.0]\n', 'numbers of one list are written all with a point, or all without'),
-        ('n:\n  ros__parameters:\n    a:\n', 'leave the line out, or write "" for an empty text'),
+        ('n:\n  ros__parameters:\n    a: [1, 2.0]\n', {'about': 'launch.list-of-one-type'}),
+        ('n:\n  ros__parameters:\n    a:\n', {'about': 'launch.no-value'}),
     ],
 )
-def test_common_mistakes_are_helped_with(text: str, help: str) -> None:
+def test_common_mistakes_carry_facts(text: str, facts: dict[str, Any]) -> None:
     with pytest.raises(ParameterFileError) as caught:
         read_parameter_file(text)
-    assert caught.value.help == help
+    assert facts_of(caught.value) == facts
 
 
 @pytest.mark.parametrize(

@@ -25,11 +25,8 @@ def test_a_request_shows_its_long_name(get):
 @pytest.mark.parametrize(
     ('arguments', 'text'),
     [
-        (
-            {'linaer': 1, 'angluar': 2},
-            "Invalid arguments passed to constructor: angluar, linaer\n  help: did you mean 'angular'?",
-        ),
-        ({'q': 1}, 'Invalid arguments passed to constructor: q\n  help: the fields of Twist are: linear, angular'),
+        ({'linaer': 1, 'angluar': 2}, 'Invalid arguments passed to constructor: angluar, linaer'),
+        ({'q': 1}, 'Invalid arguments passed to constructor: q'),
     ],
 )
 def test_unknown_arguments_are_refused_in_rclpys_words(get, arguments, text):

@@ -3,6 +3,7 @@ import sys
 
 import pytest
 
+from edulaunch.facts import facts_of
 from edulaunch.interfaces.modules import InterfaceModule, PartModule
 
 
@@ -14,23 +15,25 @@ def module(registry, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ('name', 'help'),
+    ('name', 'homes', 'near'),
     [
-        ('Twist', 'Twist is in geometry_msgs.msg'),
-        ('Strnig', "did you mean 'String'?"),
-        ('SetBool', 'SetBool is in example_interfaces.srv and std_srvs.srv'),
+        ('Twist', ['geometry_msgs.msg'], None),
+        ('Strnig', [], 'String'),
+        ('SetBool', ['example_interfaces.srv', 'std_srvs.srv'], 'Bool'),
     ],
 )
-def test_a_wrong_name_in_from_import_is_an_import_error_with_help(module, name, help):
+def test_a_wrong_name_in_from_import_is_an_import_error_with_facts(module, name, homes, near):
     with pytest.raises(ImportError) as caught:
         exec(f'from std_msgs.msg import {name}')
-    assert str(caught.value) == f"cannot import name '{name}' from 'std_msgs.msg' (unknown location)\n  help: {help}"
+    assert str(caught.value) == f"cannot import name '{name}' from 'std_msgs.msg' (unknown location)"
+    assert (facts_of(caught.value)['homes'], facts_of(caught.value)['near']) == (homes, near)
 
 
-def test_a_wrong_attribute_is_an_attribute_error_with_help(module):
+def test_a_wrong_attribute_is_an_attribute_error_with_facts(module):
     with pytest.raises(AttributeError) as caught:
         module.Strnig  # noqa: B018
-    assert str(caught.value) == "module 'std_msgs.msg' has no attribute 'Strnig'\n  help: did you mean 'String'?"
+    assert str(caught.value) == "module 'std_msgs.msg' has no attribute 'Strnig'"
+    assert facts_of(caught.value)['near'] == 'String'
     assert not hasattr(module, 'Strnig')
 
 

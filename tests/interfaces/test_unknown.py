@@ -1,6 +1,7 @@
 import pytest
 
-from edulaunch.interfaces.unknown import homes, type_help
+from edulaunch.interfaces.modules import homes_of
+from edulaunch.interfaces.unknown import type_help
 
 
 @pytest.mark.parametrize(
@@ -17,4 +18,4 @@ def test_help_names_the_place_or_the_nearest_name(registry, name, help):
 
 
 def test_homes_are_import_paths(registry):
-    assert homes(registry, 'SetBool') == ['example_interfaces.srv', 'std_srvs.srv']
+    assert homes_of(registry, 'SetBool') == ['example_interfaces.srv', 'std_srvs.srv']

@@ -10,6 +10,7 @@ import pytest
 from greenlet import getcurrent
 
 from edulaunch.processes import current_process
+from edulaunch.processes.asides import Asides
 from edulaunch.sim.simulation import Simulation
 from edulaunch.sim.task import AmbientTask
 
@@ -59,6 +60,7 @@ class FakeHost:
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
+        self.asides = Asides()
         self.log: list[tuple[float, str, str]] = []
         self.specs: list[Any] = []
         self.scripts: dict[str, Callable[[FakeProgram], object]] = {}

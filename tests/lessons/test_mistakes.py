@@ -73,5 +73,5 @@ def test_a_typo_in_a_callback_ends_that_node_alone_and_says_where(walk: Begin) -
     died = [process.name for process in recording.processes if process.returncode == 1]
     text = ''.join(line.text for line in recording.output if line.process == died[0])
     assert died == ['turtle_tf2_broadcaster-4', 'turtle_tf2_broadcaster-5']
-    assert 'turtle_tf2_broadcaster.py", line 19, in on_pose' in text and "did you mean 'theta'?" in text
+    assert 'turtle_tf2_broadcaster.py", line 19, in on_pose' in text and 'help: write theta' in recording.warnings[0]
     assert 'edulaunch' not in text

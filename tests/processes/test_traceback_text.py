@@ -41,7 +41,7 @@ def test_a_wrong_field_is_shown_where_the_student_set_it(world: Any) -> None:
         '  File "@/program-1.py", line 2, in <module>',
         '    Twist().linear.x = 1',
         "AssertionError: The 'x' field must be of type 'float'",
-        '  help: an int was given: write 1.0',
+        '  help: the field x is of type float, and was given int; write 1.0',
     ]
 
 
@@ -64,7 +64,10 @@ def test_python_tells_of_modules_that_import_each_other(world: Any) -> None:
     assert error.startswith(
         "ImportError: cannot import name 'a' from partially initialized module 'one' (most likely due to a circular import)"
     )
-    assert help == '  help: one is still being imported: two modules import each other. Import inside the function that needs it'
+    assert (
+        help
+        == '  help: one is still being imported: two modules import each other; write the import inside the function that needs it'
+    )
 
 
 def test_an_executor_of_a_thread_ends_without_frames_of_the_engine(world: Any) -> None:

@@ -312,7 +312,7 @@ def test_reading_at_the_end_of_a_file_again_and_again_lets_time_pass(world: Any)
 
 def test_there_is_no_screen(world: Any) -> None:
     wrote = world.run('from turtle import position, Turtle\nprint("imported")\nTurtle()')
-    assert wrote.startswith('imported\n') and 'no display name' in wrote and 'the simulation has no screen' in wrote
+    assert wrote.startswith('imported\n') and 'no display name' in wrote and 'the simulated machine has no screen' in wrote
 
 
 @pytest.mark.parametrize(
@@ -381,7 +381,7 @@ def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
         """)
     assert wrote.startswith('pressed 2.0\n') and wrote.endswith(
         'RuntimeError: asyncio: subprocess_exec cannot be used in the simulation\n'
-        '  help: start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time\n'
+        '  help: asyncio cannot start programs here (subprocess_exec); start them with subprocess.run() or subprocess.Popen(), which wait in simulated time\n'
     )
 
 

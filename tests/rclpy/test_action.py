@@ -268,7 +268,7 @@ def test_the_graph_of_actions_has_errors_of_its_own(ros: Ros, world: World) -> N
 def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
     run(world, server(lambda goal_handle: goal_handle.succeed()), client(world))
     assert world.output['program 0'].endswith(
-        "TypeError\n  help: the execute callback of action '/fibonacci' must return a Fibonacci.Result; it returned None\n"
+        "TypeError\n  help: the execute callback of action '/fibonacci' returned None, not a Fibonacci.Result; end it with `return result`, where result = Fibonacci.Result()\n"
     )
 
 

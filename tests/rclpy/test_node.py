@@ -23,6 +23,7 @@ from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverriding
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
+from edulaunch.facts import facts_of
 from edulaunch.sim.sync import sleep
 
 from .conftest import World
@@ -229,9 +230,9 @@ def test_a_forgotten_super_init_is_explained(ros: Ros, world: World) -> None:
     def body() -> None:
         with pytest.raises(AttributeError, match="'Forgetful' object has no attribute '_default_callback_group'") as caught:
             Forgetful()
-        world.say(caught.value.edulaunch_hint)  # type: ignore[attr-defined]
+        world.say(facts_of(caught.value)['about'])
 
-    assert ros(body) == ["call super().__init__('node_name') in __init__ before anything else of the node"]
+    assert ros(body) == ['programs.no-super-init']
 
 
 def test_one_message_can_be_waited_for_without_spinning(world: World) -> None:

@@ -12,6 +12,8 @@ from rclpy.node import Node
 from std_msgs.msg import Int32, String
 from std_srvs.srv import SetBool, Trigger
 
+from edulaunch.facts import facts_of
+
 from .conftest import World
 
 Ros = Callable[..., list[Any]]
@@ -45,9 +47,9 @@ def test_a_second_type_of_one_name_is_refused(ros: Ros, world: World, make: Call
         one.create_client(Trigger, 's')
         with pytest.raises(RCLError) as refused:
             make(other)
-        world.say((str(refused.value), "node '/one' of this program uses the " in refused.value.edulaunch_hint))
+        world.say((str(refused.value), facts_of(refused.value)['node']))
 
-    assert ros(body) == [(text, True)]
+    assert ros(body) == [(text, '/one')]
 
 
 def test_a_name_is_free_again_when_its_last_endpoint_is_gone(ros: Ros, world: World) -> None:

@@ -9,6 +9,7 @@ from itertools import count
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.processes.views import copy_names
 from edulaunch.sim.aio import SimulatedEventLoop
 from edulaunch.sim.loops import cancel_all_tasks
@@ -78,23 +79,20 @@ class ProcessEventLoop(SimulatedEventLoop):
         return self._process.signal_handlers.pop(sig, None) is not None
 
 
-def _refusal(name: str, instead: str) -> Callable[..., Any]:
-    """A method that only tells what to do instead."""
+def _refusal(name: str, need: str) -> Callable[..., Any]:
+    """A method that only says that it cannot be used."""
 
     def refuse(self: ProcessEventLoop, *_: Any, **__: Any) -> Any:
-        error: Any = RuntimeError(f'asyncio: {name} cannot be used in the simulation')
-        error.edulaunch_hint = instead
-        raise error
+        raise with_facts(
+            RuntimeError(f'asyncio: {name} cannot be used in the simulation'), f'programs.asyncio-{need}', method=name
+        )
 
     return refuse
 
 
 REFUSED = {
-    'start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time': (
-        'subprocess_exec',
-        'subprocess_shell',
-    ),
-    'the simulated machine has no network; nodes talk over topics, services and actions': (
+    'programs': ('subprocess_exec', 'subprocess_shell'),
+    'network': (
         'create_connection',
         'create_server',
         'create_datagram_endpoint',
@@ -102,16 +100,12 @@ REFUSED = {
         'create_unix_server',
         'sock_connect',
     ),
-    'read the keyboard with input() in a thread: await asyncio.to_thread(input)': (
-        'add_reader',
-        'connect_read_pipe',
-        'connect_write_pipe',
-    ),
+    'keyboard': ('add_reader', 'connect_read_pipe', 'connect_write_pipe'),
 }
-"""What to do in place of what, for methods of the loop that need a real machine."""
-for _instead, _names in REFUSED.items():
+"""Methods of the loop that need a real machine, by what of it."""
+for _need, _names in REFUSED.items():
     for _name in _names:
-        setattr(ProcessEventLoop, _name, _refusal(_name, _instead))
+        setattr(ProcessEventLoop, _name, _refusal(_name, _need))
 
 
 def make(view: ModuleType, process: Process) -> ModuleType:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.processes.views import copy_names
 from edulaunch.processes.views.os_view import CPUS
 
@@ -23,16 +24,14 @@ LOCKS = 'Lock RLock Event Condition Semaphore BoundedSemaphore Barrier'
 PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Array RawValue RawArray {LOCKS} get_context'.split()
 
 
-def _refused(name: str, process: Process, kind: type[Exception], text: str, hint: str) -> Any:
+def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
     """A class, since programs derive from some of them, that raises when it is called."""
 
     class Refused:
         """Only its name is there."""
 
         def __init__(self, *_: Any, **__: Any) -> None:
-            error: Any = kind(text.format(name))
-            error.edulaunch_hint = hint.format(process.name)
-            raise error
+            raise with_facts(kind(text.format(name)), about, wanted=name)
 
     Refused.__name__ = Refused.__qualname__ = name
     return Refused
@@ -42,7 +41,7 @@ def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
     """Everything that would begin another process, or be shared with it, is refused; `cpu_count` is the simulated machine's."""
     import multiprocessing as real
 
-    view.__dict__.update({name: _refused(name, process, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})
+    view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})
     view.__dict__.update(cpu_count=lambda: CPUS, set_start_method=lambda method, force=False: None, freeze_support=lambda: None)
     copy_names(view, real)
     return view
@@ -52,7 +51,7 @@ def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
     """`_tkinter`, on which the whole of `tkinter` stands: opening a window raises `TclError`."""
     import _tkinter as real
 
-    view.__dict__['create'] = _refused('create', process, real.TclError, NO_DISPLAY, SCREEN)
+    view.__dict__['create'] = _refused('create', real.TclError, NO_DISPLAY, SCREEN)
     copy_names(view, real)
     return view
 
@@ -60,22 +59,21 @@ def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
 class TurtleView(ModuleType):
     """`turtle`, of which an editor has imported something by accident: every public name is there."""
 
-    def __init__(self, process: Process) -> None:
+    def __init__(self) -> None:
         super().__init__('turtle')
         self.__edulaunch_view__ = True
         self.__all__: list[str] = []
-        self._process = process
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith('_'):
             raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
-        self.__dict__[name] = made = _refused(name, self._process, RuntimeError, NO_DISPLAY, SCREEN)
+        self.__dict__[name] = made = _refused(name, RuntimeError, NO_DISPLAY, SCREEN)
         return made
 
 
 def make_turtle(view: ModuleType, process: Process) -> ModuleType:
     """See `TurtleView`."""
-    return TurtleView(process)
+    return TurtleView()
 
 
 def make_metadata(view: ModuleType, process: Process) -> ModuleType:
@@ -86,7 +84,7 @@ def make_metadata(view: ModuleType, process: Process) -> ModuleType:
         def asked(distribution_name: str) -> Any:
             package = distribution_name.replace('-', '_')
             if process.index.share(package) is not None and process.index.contents(package) is not None:
-                _refused(distribution_name, process, real.PackageNotFoundError, '{}', UNBUILT)()
+                _refused(distribution_name, real.PackageNotFoundError, '{}', UNBUILT)()
             return ask(distribution_name)
 
         return asked

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts, with_facts_of
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 from edulaunch.processes.current import current_process
 from edulaunch.sim.task import Task, current_task
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 from rclpy.impl.handle import Handle
-from rclpy.impl.hints import hinted
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:
@@ -75,9 +75,8 @@ class Context:
             raise RuntimeError('Context must be initialized before it can be shutdown')
         self.ended_by_signal = False
         if not self.alive:
-            raise hinted(
-                RCLError('failed to shutdown: rcl_shutdown already called on the given context'),
-                'Ctrl-C has shut ROS 2 down already; call rclpy.try_shutdown() instead',
+            raise with_facts(
+                RCLError('failed to shutdown: rcl_shutdown already called on the given context'), 'programs.shutdown-twice'
             )
         self._end()
 
@@ -164,7 +163,7 @@ def _global_arguments(arguments: list[str]) -> RosArguments:
     except RCLInvalidROSArgsError as error:
         _log(40, 'Failed to parse global arguments')
         reason = str(error).removeprefix(_REFUSED)
-        raise hinted(RCLError(f'failed to initialize rcl: {reason}'), getattr(error, 'edulaunch_hint', None)) from None
+        raise with_facts_of(RCLError(f'failed to initialize rcl: {reason}'), error) from None
 
 
 _REFUSED = 'Failed to parse ROS arguments: '
@@ -180,7 +179,7 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     try:
         parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
     except RosArgumentsError as error:
-        raise hinted(RCLInvalidROSArgsError(_REFUSED + error.message), error.help) from None
+        raise with_facts_of(RCLInvalidROSArgsError(_REFUSED + error.message), error) from None
     for rule in parsed.deprecated:
         _log(30, f"Found remap rule '{rule}'. This syntax is deprecated. Use '--ros-args --remap {rule}' instead.")
     if parsed.unknown:
@@ -199,8 +198,7 @@ def _default_domain_id(text: str) -> int:
     words = text.strip()
     end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
     if words and not end:
-        raise hinted(
-            RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'),
-            f"the environment variable ROS_DOMAIN_ID is '{text}'; set it to a number from 0 to 101, or unset it",
+        raise with_facts(
+            RCLError('failed to initialize rcl: ROS_DOMAIN_ID is not an integral number'), 'programs.domain-id', value=text
         )
     return int(words[:end] or 0)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.names import caret_text
 from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.impl.hints import hinted
 
 __all__ = [
     'InvalidHandle',
@@ -106,18 +106,6 @@ class InvalidParameterException(ParameterException):
         super().__init__('Invalid parameter name', parameter_name)
 
 
-def _type_hint(given: Any, expected: str) -> str | None:
-    """What to try for the commonest mistakes with types."""
-    kind, value = given.type_.name, given.value
-    if (kind, expected) == ('INTEGER', 'DOUBLE'):
-        return f'a double is written with its point: {float(value)}'
-    if (kind, expected) == ('DOUBLE', 'INTEGER'):
-        return f'an integer is written without a point: {int(value)}'
-    if expected == 'STRING' and kind in ('INTEGER', 'DOUBLE', 'BOOL'):
-        return 'put it in quotation marks, or YAML takes it for something else than a text'
-    return None
-
-
 class InvalidParameterTypeException(ParameterException):
     """A value has another type than the parameter was declared with."""
 
@@ -127,7 +115,14 @@ class InvalidParameterTypeException(ParameterException):
             f"of type '{desired_parameter.type_.name}', expecting type '{expected_type}'",
             desired_parameter.name,
         )
-        hinted(self, _type_hint(desired_parameter, expected_type))
+        with_facts(
+            self,
+            'programs.parameter-type',
+            parameter=desired_parameter.name,
+            value=str(desired_parameter.value),
+            given=desired_parameter.type_.name,
+            expected=expected_type,
+        )
 
 
 class InvalidParameterValueException(ParameterException):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rclpy.impl.hints import hinted
+from edulaunch.facts import with_facts
 from rclpy.impl.logging_severity import LoggingSeverity
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.rcutils_logger import RcutilsLogger
@@ -73,9 +73,7 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:
-        raise hinted(
-            RuntimeError('Failed to get severity name'), 'the names are UNSET, DEBUG, INFO, WARN, ERROR and FATAL'
-        ) from None
+        raise with_facts(RuntimeError('Failed to get severity name'), 'programs.severity-name') from None
 
 
 def get_logging_directory() -> Path:

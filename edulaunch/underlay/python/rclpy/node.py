@@ -5,13 +5,13 @@ from __future__ import annotations
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
 from rclpy.impl.handle import Handle
-from rclpy.impl.hints import hinted
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.passed_on import passed_on
 from rclpy.impl.rcutils_logger import RcutilsLogger
@@ -107,9 +107,10 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     def __getattr__(self, name: str) -> Any:
         if name == '_rclpy':
-            raise hinted(
+            raise with_facts(
                 AttributeError(f"'{type(self).__name__}' object has no attribute '_default_callback_group'"),
-                "call super().__init__('node_name') in __init__ before anything else of the node",
+                'programs.no-super-init',
+                node=type(self).__name__,
             )
         private = _PRIVATE.get(name)
         if private is None:
@@ -180,9 +181,10 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
 def _refuse_setting(name: str, made: property) -> property:
     def refuse(node: object, value: object) -> None:
-        raise hinted(
+        raise with_facts(
             AttributeError(f"property '{name}' of '{type(node).__name__}' object has no setter"),
-            f'every node has its own `{name}`; choose another name, such as `self.{name}_`',
+            'programs.own-property',
+            attribute=name,
         )
 
     return made.setter(refuse)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import kind_of, with_facts
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.duration import Duration
 from rclpy.impl.graph_end import TopicEnd
 from rclpy.impl.handle import check_endpoint
-from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Publisher(TopicEnd):
         if self._impl.destroyed:
             raise InvalidHandle('cannot use Destroyable because destruction was requested')
         if not self._context.alive:
-            raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
+            raise with_facts(RCLError("Failed to publish: publisher's context is invalid"), 'programs.after-shutdown')
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
 
@@ -88,9 +88,11 @@ class Publisher(TopicEnd):
         """
         check_endpoint(self._impl, self._context, 'Failed to wait for all acknowledgements: publisher')
         if not isinstance(timeout, Duration):
-            raise hinted(
+            raise with_facts(
                 AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
-                'the timeout is a Duration: wait_for_all_acked(Duration(seconds=1))',
+                'programs.timeout-no-duration',
+                given=kind_of(timeout),
+                call='wait_for_all_acked(Duration(seconds=1))',
             )
         return True
 

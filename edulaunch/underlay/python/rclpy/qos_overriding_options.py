@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from rclpy.duration import Duration
-from rclpy.impl.hints import hinted
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile
@@ -102,9 +102,12 @@ def _to_parameter(value: Any) -> Any:
 def _to_policy(policy: str, present: Any, parameter: Parameter) -> Any:
     if isinstance(present, QoSPolicyEnum):
         if parameter.value.upper() not in type(present).__members__:
-            raise hinted(
+            raise with_facts(
                 RuntimeError(f'Unexpected QoS override for policy `{policy}`: `{parameter.value}`'),
-                f'one of {", ".join(type(present).short_keys())} is expected',
+                'messages.qos-override',
+                policy=str(policy),
+                value=str(parameter.value),
+                allowed=list(type(present).short_keys()),
             )
         return type(present).get_from_short_key(parameter.value)
     return Duration(nanoseconds=parameter.value) if isinstance(present, Duration) else parameter.value

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from edulaunch.errors import InterfaceError
+from edulaunch.facts import with_facts
 from edulaunch.interfaces.cdr import deserialize, serialize
 from rclpy._rclpy_pybind11 import RMWError
-from rclpy.impl.hints import hinted
 from rclpy.impl.passed_on import passed_on
 from rclpy.type_support import check_is_valid_msg_type
 
@@ -33,12 +33,14 @@ def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
         return deserialize(serialized_message, message_type)
     except InterfaceError as error:
         package, kind, name = message_type.TYPE.split('/')
-        raise hinted(
+        raise with_facts(
             RMWError(
                 'failed to deserialize ROS message: Fast CDR exception deserializing message of type '
                 f'{package}::{kind}::dds_::{name}_.'
             ),
-            str(error),
+            'messages.other-bytes',
+            wanted=message_type.TYPE,
+            reason=error.message,
         ) from None
 
 

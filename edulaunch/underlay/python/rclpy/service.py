@@ -67,13 +67,9 @@ class Service(ServiceEnd, Entity):
         """
         response_type = self.srv_type.Response
         if not isinstance(response, response_type):
-            from rclpy.impl.hints import hinted
+            from edulaunch.facts import kind_of, with_facts
 
-            returned = 'None' if response is None else f'a {type(response).__name__}'
-            raise hinted(
-                TypeError(),
-                f"the callback of service '{self._impl.service_name}' must end with `return response`; it returned {returned}",
-            )
+            raise with_facts(TypeError(), 'programs.no-response', service=self._impl.service_name, returned=kind_of(response))
         self._impl.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)

@@ -129,16 +129,14 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
         return Subscription.CallbackType.MessageOnly
     if _accepts(callback, 2):
         return Subscription.CallbackType.WithMessageInfo
-    from rclpy.impl.hints import hinted
+    from edulaunch.facts import with_facts
 
-    raise hinted(
+    raise with_facts(
         RuntimeError(
             'Subscription.__init__(): callback should be either be callable with one argument'
             '(to get only the message) or two (to get message and message info)'
         ),
-        'None was given; give the function itself, without brackets: self.heard, not self.heard()'
-        if callback is None
-        else 'the callback of a subscription takes the message: def heard(self, msg)',
+        'programs.callback-none' if callback is None else 'programs.callback-arguments',
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy.impl.hints import hinted
+from edulaunch.facts import kind_of, with_facts
 from rclpy.impl.passed_on import passed_on
 
 
@@ -53,12 +53,9 @@ def check_is_valid_action_type(action_type: Any) -> None:
 def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
     """ROS 2's empty error for something else than a `Service.Request` or the like, with a hint."""
     wanted = f'{interface.__name__}.{part}'
-    return hinted(
-        TypeError(),
-        f'an object is needed, not a class: write {wanted}() with its brackets'
-        if isinstance(given, type)
-        else f'an object of {wanted} is needed, not of {type(given).__name__}',
-    )
+    if isinstance(given, type):
+        return with_facts(TypeError(), 'messages.class-given', wanted=wanted)
+    return with_facts(TypeError(), 'messages.other-class', wanted=wanted, given=kind_of(given))
 
 
 def _has(cls: Any, name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.hints import hinted
+from edulaunch.facts import with_facts
 from rclpy.readiness import WAITABLE, Entity, ReadyList
 
 if TYPE_CHECKING:
@@ -45,11 +45,7 @@ class WaitSet:
     """What `add_to_wait_set` and `is_ready` are given. There are no C handles here that could be added to it."""
 
     def __getattr__(self, name: str) -> Any:
-        raise hinted(
-            AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}'),
-            'the entities of a node wake its executor by themselves here: leave add_to_wait_set() empty and let is_ready() '
-            'return True when there is something to do',
-        )
+        raise with_facts(AttributeError(f'{type(self).__name__!r} object has no attribute {name!r}'), 'programs.wait-set')
 
 
 class Waitable(Entity):

@@ -14,6 +14,7 @@ from tf2_py._times import nanoseconds
 from tf2_py.buffer_core import NS_PER_S, message
 from tf2_py.exceptions import exception_of
 
+from edulaunch.facts import kind_of, with_facts
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
 from edulaunch.tf import TransformFailure
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from rclpy.task import Future
 
 POLL_S = 0.02
-NO_DURATION = 'the timeout of a lookup is an rclpy.duration.Duration, such as Duration(seconds=1.0)'
 
 
 class Buffer(BufferCore, BufferInterface):
@@ -158,8 +158,7 @@ class Buffer(BufferCore, BufferInterface):
         """
         if not isinstance(timeout, Duration):
             error = TypeError(f"unsupported operand type(s) for +: 'Time' and '{type(timeout).__name__}'")
-            error.edulaunch_hint = NO_DURATION  # type: ignore[attr-defined]
-            raise error
+            raise with_facts(error, 'programs.timeout-no-duration', given=kind_of(timeout))
         timeout_ns = timeout.nanoseconds
         answer = check()
         if timeout_ns > 0 and not answer[0]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from edulaunch.facts import with_facts_of
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.hints import hinted
 from rclpy.impl.passed_on import passed_on
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def _actions(topics: Callable[[], NamesAndTypes], failed: str) -> NamesAndTypes:
         ]
     except RCLError as error:
         reason = str(error).partition(': ')[2]
-        raise hinted(RCLError(f'{failed}: {reason}'), getattr(error, 'edulaunch_hint', None)) from None
+        raise with_facts_of(RCLError(f'{failed}: {reason}'), error) from None
 
 
 __getattr__ = passed_on(__name__)

@@ -258,13 +258,14 @@ class ActionServer(Waitable):
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future._done:
             if not isinstance(result, self._action_type.Result):
-                from rclpy.impl.hints import hinted
+                from edulaunch.facts import kind_of, with_facts
 
-                returned = 'None' if result is None else f'a {type(result).__name__}'
-                raise hinted(
+                raise with_facts(
                     TypeError(),
-                    f"the execute callback of action '{self._name}' must return a "
-                    f'{self._action_type.__name__}.Result; it returned {returned}',
+                    'programs.no-result',
+                    action=self._name,
+                    wanted=self._action_type.__name__,
+                    returned=kind_of(result),
                 )
             future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
-from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
@@ -88,7 +88,10 @@ class ServerGoalHandle:
         if not isinstance(feedback, action_type.Feedback):
             raise wrong_class(feedback, action_type, 'Feedback')
         if not self._action_server._node.context.ok():
-            raise hinted(RCLError("Failed to publish feedback with an action server: publisher's context is invalid"), SHUT_DOWN)
+            raise with_facts(
+                RCLError("Failed to publish feedback with an action server: publisher's context is invalid"),
+                'programs.after-shutdown',
+            )
         if not self._destroyed:
             message_class = action_type.Impl.FeedbackMessage
             message = message_class(goal_id=self._goal_id, feedback=feedback)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
@@ -12,7 +13,6 @@ from rclpy.execution.exceptions import ConditionReachedException, ShutdownExcept
 from rclpy.execution.sleeps import note_sleep
 from rclpy.execution.unfit import check_future, check_node, stopped
 from rclpy.execution.waiting import Item, Waiting, never
-from rclpy.impl.hints import hinted
 from rclpy.node_parts.core import core_of
 from rclpy.readiness import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.task import Future, Task
@@ -119,9 +119,7 @@ class Executor(Waiting):
     def _check_open(self) -> None:
         """Raise what rclpy raises when an executor that was shut down is given something to do."""
         if self._is_shutdown:
-            raise hinted(
-                AttributeError("'NoneType' object has no attribute 'trigger'"), 'this executor was shut down; make a new one'
-            )
+            raise with_facts(AttributeError("'NoneType' object has no attribute 'trigger'"), 'programs.ended-executor')
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Execute nothing more; a wait ends."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.names import expand_name, full_topic_name_problem, topic_name_problem
-from rclpy.impl.hints import SHUT_DOWN, hinted
 
 if TYPE_CHECKING:
     from rclpy.node_parts.core import NodeCore
@@ -21,13 +21,13 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
     core.check_alive()
     failed = f'Failed to create action {kind}'
     if not core.context.alive:
-        raise hinted(ValueError(f"{failed}: rcl node's context is invalid"), SHUT_DOWN)
+        raise with_facts(ValueError(f"{failed}: rcl node's context is invalid"), 'programs.after-shutdown')
     if name is None:
         raise ValueError(f'{failed}: action_name argument is null')
     if not isinstance(name, str):
         raise TypeError(f'__init__(): incompatible constructor arguments: action_name must be a str, not {type(name).__name__}')
     if not name and kind == 'client':
-        raise hinted(ValueError(f'{failed}: failed to get goal service name'), 'the name of the action is empty')
+        raise with_facts(ValueError(f'{failed}: failed to get goal service name'), 'programs.empty-action-name')
     problem = _problem(core, name)
     if problem is not None:
         colons = ' : ' if kind == 'client' else ' : : '

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
-from rclpy.impl.hints import SHUT_DOWN, hinted
 
 if TYPE_CHECKING:
     from rclpy.context import Context
@@ -48,4 +48,4 @@ def check_endpoint(endpoint: Any, context: Context, what: str) -> None:
     """
     check_alive(endpoint)
     if not context.alive:
-        raise hinted(RCLError(f"{what}'s context is invalid"), SHUT_DOWN)
+        raise with_facts(RCLError(f"{what}'s context is invalid"), 'programs.after-shutdown')

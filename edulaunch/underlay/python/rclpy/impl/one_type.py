@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.hints import hinted
 
 if TYPE_CHECKING:
     from rclpy.node_parts.core import NodeCore
@@ -26,7 +26,9 @@ def check_new_topic_end(core: NodeCore, name: str, msg_type: Any, kind: str) -> 
             if kind == 'publisher'
             else 'invalid allocator'
         )
-        raise hinted(RCLError(f'Failed to create {kind}: {reason}'), _hint('topic', name, msg_type, other))
+        raise with_facts(
+            RCLError(f'Failed to create {kind}: {reason}'), 'messages.two-types', **_clash('topic', name, msg_type, other)
+        )
 
 
 def check_new_service_end(core: NodeCore, name: str, srv_type: Any, kind: str) -> None:
@@ -39,12 +41,13 @@ def check_new_service_end(core: NodeCore, name: str, srv_type: Any, kind: str) -
     graph = core.graph
     other = _of_another_type(core, [*graph.services.get(name, ()), *graph.clients.get(name, ())], srv_type)
     if other is not None:
-        raise hinted(
+        raise with_facts(
             RCLError(
                 f'failed to create {kind}: create_{kind}() called for existing request topic name rq{name}Request '
                 f'with incompatible type {_dds_name(srv_type)}_Request_'
             ),
-            _hint('service', name, srv_type, other),
+            'messages.two-types',
+            **_clash('service', name, srv_type, other),
         )
 
 
@@ -63,8 +66,11 @@ def _dds_name(cls: Any) -> str:
     return f'{package}::{folder}::dds_::{name}'
 
 
-def _hint(what: str, name: str, wanted: Any, other: Any) -> str:
-    return (
-        f"node '{other.node.fully_qualified_name}' of this program uses the {what} '{name}' with the type {other.type_name}, "
-        f'so {wanted.TYPE} cannot go there; use one type, or another name'
-    )
+def _clash(kind: str, name: str, wanted: Any, other: Any) -> dict[str, str]:
+    return {
+        'end': kind,
+        'used_name': name,
+        'node': other.node.fully_qualified_name,
+        'used': other.type_name,
+        'wanted': wanted.TYPE,
+    }

@@ -6,7 +6,7 @@ import sys
 from types import FrameType
 from typing import Any
 
-from rclpy.impl.hints import hinted
+from edulaunch.facts import kind_of, with_facts
 from rclpy.impl.log_filters import CallSite, filters_of
 from rclpy.impl.logging_severity import LoggingSeverity
 from rclpy.impl.logging_state import logging_state
@@ -118,10 +118,11 @@ def _text_of(message: Any) -> str:
         return '(null)'
     if isinstance(message, bytes):
         return message.decode(errors='replace')
-    raise hinted(
+    raise with_facts(
         TypeError(
             'rclpy_logging_rcutils_log(): incompatible function arguments: a log message must be a str, '
             f'not {type(message).__name__}'
         ),
-        'write str(...) around it, or an f-string',
+        'programs.log-no-text',
+        given=kind_of(message),
     )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from edulaunch.facts import with_facts
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.hints import hinted
 from rclpy.lifecycle.state_machine import OUTCOMES, STATES, TRANSITIONS, LifecycleState, TransitionCallbackReturn, transition_from
 from rclpy.logging import get_logger
 from rclpy.node_parts.core import core_of
@@ -50,11 +50,12 @@ class Life:
         transition = transition_from(start.label, wanted)
         if transition is None:
             get_logger('rcl_lifecycle').warning(f'No transition matching {wanted} found for current state {start.label}')
-            possible = ', '.join(f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label)
-            raise hinted(
+            raise with_facts(
                 RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
-                f"node '{self.node.get_fully_qualified_name()}' is {start.label}; "
-                + (f'from there it can go: {possible}' if possible else 'no transition starts there'),
+                'programs.no-transition',
+                node=self.node.get_fully_qualified_name(),
+                state=start.label,
+                possible=[f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label],
             )
         self._enter(transition.during)
         result = self._call(transition.callback, start)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.names import (
     RemapRule,
     absolute_namespace,
@@ -27,7 +28,6 @@ from rclpy.exceptions import (
     InvalidServiceNameException,
     InvalidTopicNameException,
 )
-from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.readiness import ReadyList
 
 if TYPE_CHECKING:
@@ -111,25 +111,26 @@ class NodeCore:
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""
         if self.destroyed:
-            raise hinted(
+            raise with_facts(
                 InvalidHandle('cannot use Destroyable because destruction was requested'),
-                f"node '{self.full_name}' was destroyed before, by destroy_node()",
+                'programs.destroyed-node',
+                node=self.full_name,
             )
 
     def check_usable(self, what: str) -> None:
         """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
         self.check_alive()
         if not self.context.alive:
-            raise hinted(RCLError(f"{what}: rcl node's context is invalid"), SHUT_DOWN)
+            raise with_facts(RCLError(f"{what}: rcl node's context is invalid"), 'programs.after-shutdown')
 
     def check_context(self, what: str) -> None:
         """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
         if not self.context.alive:
-            raise hinted(
+            raise with_facts(
                 RCLError(
                     f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
                 ),
-                SHUT_DOWN,
+                'programs.after-shutdown',
             )
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:

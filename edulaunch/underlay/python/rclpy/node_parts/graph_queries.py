@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.names import fully_qualified_name, namespace_problem, node_name_problem, topic_name_problem
+from edulaunch.nearest import nearest
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
-from rclpy.impl.hints import hinted
 from rclpy.node_parts.core import NodeCore
 
 if TYPE_CHECKING:
@@ -138,9 +139,12 @@ def _by_node(core: NodeCore, name: str, namespace: str, kind: str, attribute: st
         raise RCLError(f'failed to get {what} names and types: {problem[0]}, result: {2 if name else 1}')
     nodes = [node for node in graph.nodes if node.name == name and node.namespace == namespace]
     if not nodes:
-        raise hinted(
+        wanted = fully_qualified_name(namespace, name)
+        raise with_facts(
             NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
-            f"no node '{fully_qualified_name(namespace, name)}' is running",
+            'programs.no-such-node',
+            node=wanted,
+            near=nearest(wanted, [node.fully_qualified_name for node in graph.nodes]),
         )
     return names_and_types([end for node in nodes for end in node.endpoints if end.kind == kind], attribute)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.ros_arguments import Override
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.constants import S_TO_NS
-from rclpy.impl.hints import SHUT_DOWN, hinted
 from rclpy.node_parts.core import core_of
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
@@ -47,7 +47,7 @@ class ParameterEvents:
         for parameter in deleted:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
         if not core.context.alive:
-            raise hinted(RCLError("Failed to publish: publisher's context is invalid"), SHUT_DOWN)
+            raise with_facts(RCLError("Failed to publish: publisher's context is invalid"), 'programs.after-shutdown')
         stamp = divmod(core.clock.now_ns(), S_TO_NS)
         self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 

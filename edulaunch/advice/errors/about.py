@@ -1,0 +1,33 @@
+"""Rules over errors whose room said what they are about (`edulaunch.facts`): here are only the words."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.advice.failure import Failure
+from edulaunch.advice.finding import Finding
+from edulaunch.advice.rule import Rule, Sentence, rule
+
+
+def about(
+    name: str, *, what: Sentence, do: Sentence, types: tuple[str, ...] = (), texts: tuple[str, ...] = (), **options: Any
+) -> Rule:
+    """The rule that speaks of errors about `name`; the facts that came with them are those of its sentences.
+
+    :param types: classes of errors that are always about it.
+    :param texts: messages that say nothing else.
+    """
+
+    def look(failure: Failure) -> Iterator[Finding]:
+        if failure.facts.get('about') == name or failure.type in types or failure.message in texts:
+            yield speak(failure)
+
+    return rule(name, what=what, do=do, **{'level': 'error', **options})(look)
+
+
+def speak(failure: Failure, **facts: Any) -> Finding:
+    """A finding about an error, with the facts that came with it and further ones."""
+    kind, name = ('process', failure.process) if failure.process else ('file', os.path.basename(failure.file or ''))
+    return Finding(kind, name or '', {**failure.facts, **facts}, failure.file, failure.line, failure.time_s)

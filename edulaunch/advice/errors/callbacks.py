@@ -1,0 +1,53 @@
+"""Callbacks, and what they return."""
+
+from __future__ import annotations
+
+from edulaunch.advice.errors.about import about
+
+CALLBACK_NONE = about(
+    'programs.callback-none',
+    what='the callback of a subscription is None',
+    why='with brackets the function is called at once, and what it returns is given',
+    do='give the function itself, without brackets: self.heard, not self.heard()',
+)
+CALLBACK_ARGUMENTS = about(
+    'programs.callback-arguments',
+    what='the callback of a subscription does not take the message',
+    do='write it with one argument beside self: def heard(self, msg)',
+)
+NO_RESPONSE = about(
+    'programs.no-response',
+    what="the callback of service '{service}' returned {returned}, not the response",
+    do='end it with `return response`',
+)
+NO_RESULT = about(
+    'programs.no-result',
+    what="the execute callback of action '{action}' returned {returned}, not a {wanted}.Result",
+    do='end it with `return result`, where result = {wanted}.Result()',
+)
+EMPTY_ACTION_NAME = about(
+    'programs.empty-action-name', what='the name of the action is empty', do="give it a name, such as 'fibonacci'"
+)
+NO_SUCH_NODE = about(
+    'programs.no-such-node',
+    what="no node '{node}' is running",
+    do=("write '{near}', if that is the node you mean", 'start it first; `ros2 node list` shows who is there'),
+)
+NO_TRANSITION = about(
+    'programs.no-transition',
+    what="node '{node}' is {state}, and this transition does not start there",
+    do=('choose one of: {possible}', 'make a new node: nothing leads out of this state'),
+)
+LOG_NO_TEXT = about(
+    'programs.log-no-text',
+    what='a log message must be a text, not a {given}',
+    do='write str(...) around it, or an f-string: f"{{value}}"',
+)
+SEVERITY_NAME = about(
+    'programs.severity-name', what='there is no severity of this name', do='choose UNSET, DEBUG, INFO, WARN, ERROR or FATAL'
+)
+TIMEOUT_NO_DURATION = about(
+    'programs.timeout-no-duration',
+    what='the timeout is a Duration here, not a {given}',
+    do='write Duration(seconds=1.0), after: from rclpy.duration import Duration',
+)

@@ -1,0 +1,81 @@
+"""Modules that are not here, or not as they were imported."""
+
+from __future__ import annotations
+
+from edulaunch.advice.errors.about import about
+
+ABSENT_MODULE = about(
+    'packages.absent-module',
+    what='the module {module} ({belongs_to}) is not part of edulaunch',
+    why='on a robot it may be installed; here this program ends, and the others go on',
+    do='try this program on a machine that has it, or leave that part out here',
+)
+ABSENT_PACKAGE = about(
+    'packages.absent-package',
+    what='the package {package} ({belongs_to}) is not part of edulaunch',
+    why='on a robot it may be installed; here this program ends, and the others go on',
+    do='leave it out here, or start it under a condition',
+)
+UNKNOWN_MODULE = about(
+    'programs.unknown-module',
+    what='there is no module {module}',
+    do=('write {near}', 'go to its workspace, if it is yours; if it is not, try: pip install {module}'),
+)
+UNKNOWN_INTERFACES = about(
+    'messages.unknown-package',
+    what='there is no package {module} with interfaces',
+    do=('write {near}', 'put the package with these interfaces into the workspace'),
+)
+MODULE_PART = about(
+    'programs.module-part',
+    what=('{parent} has no module of this name; it has: {known}', '{parent} has no modules'),
+    do=('write {parent}.{near}', 'look at the folder of {parent}, and name the file without .py'),
+)
+COMPILED = about(
+    'programs.compiled-module',
+    what='the module {module} is compiled code ({compiled}); only Python runs here',
+    why='this program ends, and the others go on',
+    do='try this program where ROS 2 is installed',
+)
+NATIVE = about(
+    'programs.native',
+    what='this program is built from C++ ({built_from}); only Python programs run here',
+    why='this program ends, and the others go on',
+    do='try it where ROS 2 is installed, or write the node in Python',
+)
+LIBRARY = about(
+    'programs.library',
+    what="this program needs the native library '{library}', which this machine does not have",
+    do='install it with the package manager of this machine',
+)
+NO_MODULE = about(
+    'packages.no-module',
+    what='the package {package} is there, but installs no module of that name',
+    do='name its interfaces in rosidl_generate_interfaces() of CMakeLists.txt, or its Python package in packages= of setup.py',
+)
+OTHER_INTERFACES = about(
+    'messages.other-interfaces', what='{package} has no interfaces of this kind', do='import from one of: {interfaces}'
+)
+IMPORT_CIRCLE = about(
+    'programs.import-circle',
+    what='{module} is still being imported: two modules import each other',
+    do='write the import inside the function that needs it',
+)
+IMPORT_NAME = about(
+    'programs.import-name',
+    what=('{module} has no {missing}; it has: {known}', '{module} has no {missing}'),
+    do=('write {near}', 'look into {module} for the name that you mean'),
+)
+HIDES_MODULE = about(
+    'programs.hides-module', what="{own_file} is taken for Python's own module {module}", do='give that file another name'
+)
+ENTRY_MODULE = about(
+    'packages.entry-module',
+    what="the entry point '{entry}' of {package} (setup.py) names the module {missing}, which is not there",
+    do=('write {near}', 'name one of its modules: {known}', 'put the file into the folder of that name, beside its __init__.py'),
+)
+ENTRY_FUNCTION = about(
+    'packages.entry-function',
+    what="the entry point '{entry}' of {package} (setup.py) names the function {missing}, which is not there",
+    do=('write {near}', 'name one of its functions: {known}', 'define it: def {missing}(args=None)'),
+)

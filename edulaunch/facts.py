@@ -1,0 +1,34 @@
+"""What is known about an error besides its text, as plain data. The words for it are said at the edge (`edulaunch.advice`)."""
+
+from __future__ import annotations
+
+from typing import Any, TypeVar
+
+Error = TypeVar('Error', bound=BaseException)
+
+
+def with_facts(error: Error, about: str, **data: Any) -> Error:
+    """The error, which keeps its own text and now carries facts.
+
+    :param about: the rule that has words for it, such as 'programs.after-shutdown'.
+    :param data: what these words name: texts, numbers, and lists of texts.
+    """
+    error.edulaunch_facts = {'about': about, **data}  # type: ignore[attr-defined]
+    return error
+
+
+def facts_of(error: BaseException | None) -> dict[str, Any]:
+    """What an error carries; nothing as long as nobody gave it facts."""
+    found: dict[str, Any] = getattr(error, 'edulaunch_facts', {})
+    return found
+
+
+def with_facts_of(error: Error, other: BaseException) -> Error:
+    """The error, which is raised in place of another one, with that one's facts."""
+    found = facts_of(other)
+    return with_facts(error, **found) if found else error
+
+
+def kind_of(value: object) -> str:
+    """What a value is, for the facts: the name of its class, or 'None'."""
+    return 'None' if value is None else type(value).__name__

@@ -1,0 +1,9 @@
+import os
+
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    file = os.path.join(os.path.dirname(__file__), 'sim.yaml')
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[file])])

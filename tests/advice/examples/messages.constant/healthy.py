@@ -1,0 +1,3 @@
+from action_msgs.msg import GoalStatus
+
+STATUS_SUCCEEDED = 3

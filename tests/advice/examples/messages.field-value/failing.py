@@ -1,0 +1,3 @@
+from geometry_msgs.msg import Twist
+
+Twist().linear.x = 1

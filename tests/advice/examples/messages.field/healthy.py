@@ -1,0 +1,3 @@
+from geometry_msgs.msg import Twist
+
+print(Twist().linear.x)

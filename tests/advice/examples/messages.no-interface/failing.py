@@ -1,0 +1,1 @@
+from std_msgs.msg import Twist

@@ -1,0 +1,5 @@
+from geometry_msgs.msg import Twist
+from rclpy.serialization import deserialize_message, serialize_message
+from std_msgs.msg import Bool
+
+print(deserialize_message(serialize_message(Twist()), Twist).linear.x)

@@ -1,0 +1,9 @@
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32, String
+
+rclpy.init()
+node = Node('robot')
+node.create_publisher(String, 'count', 10).publish(String(data='1'))
+heard = node.create_subscription(String, 'count', print, 10)
+rclpy.spin_once(node)

@@ -1,0 +1,1 @@
+from geometri_msgs.msg import Twist

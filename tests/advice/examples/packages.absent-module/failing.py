@@ -1,0 +1,4 @@
+import cv2
+import math
+
+print(math.pi)

@@ -1,0 +1,3 @@
+import subprocess
+
+subprocess.run(['ros2', 'node', 'list'])

@@ -1,0 +1,6 @@
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+node = Node('robot')
+rclpy.spin(node, 0.5)

@@ -1,0 +1,7 @@
+from robot import fast
+import rclpy
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    rclpy.create_node('arm')

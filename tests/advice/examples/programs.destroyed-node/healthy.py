@@ -1,0 +1,7 @@
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+node = Node('robot')
+node.get_topic_names_and_types()
+node.destroy_node()

@@ -1,0 +1,6 @@
+import os
+
+import rclpy
+
+os.environ['ROS_DOMAIN_ID'] = 'mine'
+rclpy.init()

@@ -1,0 +1,8 @@
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+
+rclpy.init()
+executor = SingleThreadedExecutor()
+executor.shutdown()
+executor.add_node(Node('robot'))

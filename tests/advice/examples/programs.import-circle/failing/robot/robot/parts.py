@@ -1,0 +1,3 @@
+from robot.arm import main
+
+WIDTH = 3

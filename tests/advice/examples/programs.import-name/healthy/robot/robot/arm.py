@@ -1,0 +1,7 @@
+from robot.parts import move
+import rclpy
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    rclpy.create_node('arm')

@@ -1,0 +1,3 @@
+import ctypes
+
+ctypes.CDLL("librobot_arm.so.3")

@@ -1,0 +1,3 @@
+import ctypes
+
+print(ctypes.c_int(3).value)

@@ -1,0 +1,6 @@
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+node = Node('robot')
+node.get_logger().info(42)

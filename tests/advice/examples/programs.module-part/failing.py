@@ -1,0 +1,1 @@
+from rclpy.nod import Node

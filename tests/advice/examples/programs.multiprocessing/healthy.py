@@ -1,0 +1,3 @@
+from threading import Thread
+
+Thread(target=print).start()

@@ -1,0 +1,4 @@
+import rclpy
+from rclpy.node import Node
+
+rclpy.spin_once(Node('robot'), timeout_sec=0.1)

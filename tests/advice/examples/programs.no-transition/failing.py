@@ -1,0 +1,6 @@
+import rclpy
+from rclpy.lifecycle import LifecycleNode
+
+rclpy.init()
+node = LifecycleNode('camera')
+node.trigger_activate()

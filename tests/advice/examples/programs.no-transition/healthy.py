@@ -1,0 +1,7 @@
+import rclpy
+from rclpy.lifecycle import LifecycleNode
+
+rclpy.init()
+node = LifecycleNode('camera')
+node.trigger_configure()
+node.trigger_activate()

@@ -1,0 +1,3 @@
+x = 1
+for _ in range(20):
+    print(x)

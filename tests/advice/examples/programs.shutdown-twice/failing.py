@@ -1,0 +1,7 @@
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+node = Node('robot')
+rclpy.shutdown()
+rclpy.shutdown()

@@ -1,0 +1,3 @@
+import turtle
+
+print('no window')

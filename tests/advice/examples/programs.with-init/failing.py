@@ -1,0 +1,4 @@
+import rclpy
+
+with rclpy.init():
+    pass

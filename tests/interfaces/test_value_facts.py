@@ -1,0 +1,53 @@
+import array
+
+import numpy
+import pytest
+
+from edulaunch.facts import facts_of
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'field', 'value', 'facts'),
+    [
+        ('geometry_msgs/msg/Point', 'x', 2, {'wanted': 'float', 'given': 'int', 'write': '2.0'}),
+        ('geometry_msgs/msg/Point', 'x', '2.5', {'given': 'str', 'write': 'float(value)'}),
+        ('geometry_msgs/msg/Point', 'x', 'far', {'given': 'str', 'write': None}),
+        ('geometry_msgs/msg/Point', 'x', None, {'given': 'None', 'write': None}),
+        ('geometry_msgs/msg/Point', 'x', numpy.float32(1), {'given': 'numpy.float32', 'write': 'float(value)'}),
+        ('std_msgs/msg/Bool', 'data', 1, {'given': 'int', 'write': 'bool(value)'}),
+        ('std_msgs/msg/Bool', 'data', 'no', {'given': 'str', 'write': None}),
+        ('std_msgs/msg/Byte', 'data', 7, {'given': 'int', 'write': 'bytes([7])'}),
+        ('turtlesim/msg/Color', 'r', 300, {'value': '300', 'write': None}),
+        ('geometry_msgs/msg/Twist', 'linear', 2.0, {'wanted': 'Vector3', 'fields': ['linear.x', 'linear.y', 'linear.z']}),
+        ('nav_msgs/msg/OccupancyGrid', 'data', [1, 2.0], {'field': 'data[1]', 'given': 'float', 'write': 'int(value)'}),
+        ('sensor_msgs/msg/LaserScan', 'ranges', 2.0, {'wanted': 'float[]', 'given': 'float', 'write': '[2.0]'}),
+        ('sensor_msgs/msg/LaserScan', 'ranges', numpy.zeros((2, 3)), {'given': 'numpy.ndarray', 'write': 'value.ravel()'}),
+        (
+            'nav_msgs/msg/OccupancyGrid',
+            'data',
+            numpy.zeros(2),
+            {'given': 'numpy.ndarray(float64)', 'write': "value.astype('int8')"},
+        ),
+        ('sensor_msgs/msg/JointState', 'name', numpy.array(['a', 'b']), {'write': 'value.tolist()'}),
+        ('geometry_msgs/msg/PoseWithCovariance', 'covariance', [0.0], {'count': 1, 'size': 36}),
+        ('geometry_msgs/msg/PoseWithCovariance', 'covariance', numpy.zeros(3), {'count': 3, 'size': 36}),
+        ('std_msgs/msg/Int8MultiArray', 'data', [200], {'value': '[200]'}),
+        (
+            'std_msgs/msg/Int8MultiArray',
+            'data',
+            array.array('d', [0.5]),
+            {'given': "array('d')", 'write': "array.array('b', values)"},
+        ),
+    ],
+)
+def test_facts_say_what_was_given_and_what_to_write(get, type_name, field, value, facts):
+    with pytest.raises(AssertionError) as caught:
+        setattr(get(type_name)(), field, value)
+    found = facts_of(caught.value)
+    assert found['about'] == 'messages.field-value' and {name: found.get(name) for name in facts} == facts
+
+
+def test_facts_name_the_message_that_was_given_instead(get):
+    with pytest.raises(AssertionError) as caught:
+        get('geometry_msgs/msg/Twist')(linear=get('geometry_msgs/msg/Point')())
+    assert facts_of(caught.value)['given'] == 'geometry_msgs.msg.Point'
