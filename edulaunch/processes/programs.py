@@ -54,7 +54,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
     try:
         found: Any = process.loader.load_entry_module(program.module)
     except ModuleNotFoundError as error:
-        if error.name is not None and f'{program.module}.'.startswith(f'{error.name}.'):
+        if type(error) is ModuleNotFoundError and f'{program.module}.'.startswith(f'{error.name}.'):
             _add_facts(program, error, 'module', _modules_beside(process, program.module), program.module)
         raise
     for name in program.function.split('.'):

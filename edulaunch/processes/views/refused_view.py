@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 
 NO_COPY = 'multiprocessing.{} cannot be used: the simulation cannot copy a running program'
 NO_DISPLAY = 'no display name and no $DISPLAY environment variable'
-THREADS = '{} wants another process: use threading (Thread, queue.Queue, ThreadPoolExecutor), which works in simulated time'
-SCREEN = '{} opens a window; the simulation has no screen. edulaunch draws turtlesim itself, other windows cannot be shown'
-UNBUILT = '{} asks for what `colcon build` writes about a package, which is not built here: read its package.xml'
+THREADS, SCREEN, UNBUILT = 'programs.multiprocessing', 'programs.window', 'packages.not-built'
 LOCKS = 'Lock RLock Event Condition Semaphore BoundedSemaphore Barrier'
 PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Array RawValue RawArray {LOCKS} get_context'.split()
 
