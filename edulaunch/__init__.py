@@ -67,7 +67,7 @@ attached.PLACES.update(
     replay=('edulaunch.view.replay', 'Replay'),
     help_below=('edulaunch.advice.below', 'help_below'),
     ros2=('edulaunch.cli.inside', 'main'),
-    completions=('edulaunch.cli.ros2_candidates', 'candidates'),
+    completions=('edulaunch.cli.candidates', 'ros2_words'),
 )
 
 

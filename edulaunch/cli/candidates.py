@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -30,7 +30,7 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
     words = words[1:]
     if command == 'edulaunch' and words[:1] == ['ros2']:
         command, words = 'ros2', words[1:]
-    possible = _ros2(words, typed) if command == 'ros2' else _possible(words, typed)
+    possible = ros2_words(words, typed) if command == 'ros2' else _possible(words, typed)
     found = sorted({word for word in possible if word.startswith(typed)})
     kept = max(typed.rfind(':'), typed.rfind('=')) + 1 if break_words else 0
     return [word[kept:] for word in found]
@@ -47,13 +47,19 @@ def _split(line: str) -> list[str]:
     return words
 
 
-def _ros2(words: Sequence[str], typed: str) -> Iterable[str]:
-    """For `ros2 launch` as for `edulaunch launch`, with the options of ROS 2; for the other commands see `ros2_candidates`."""
+def ros2_words(
+    words: Sequence[str], typed: str, index: Callable[[], Index] | None = None, run: Callable[[str], Sequence[str]] | None = None
+) -> Iterable[str]:
+    """Words that could come behind `ros2 WORDS...`: for `launch` as for `edulaunch launch`; else see `ros2_candidates`.
+
+    :param index: gives the packages (default: those that are found from here).
+    :param run: gives the lines that a command prints (default: on the running machine).
+    """
     from edulaunch.cli import ros2_candidates
 
     if words[:1] == ['launch'] and not typed.startswith('-'):
-        return _possible(words, typed)
-    return ros2_candidates.candidates(words, typed, _index_here)
+        return _possible(words, typed, index)
+    return ros2_candidates.candidates(words, typed, index or _index_here, run)
 
 
 def _index_here() -> Index:
@@ -63,7 +69,7 @@ def _index_here() -> Index:
     return index_for(find_workspaces(os.getcwd(), os.environ))
 
 
-def _possible(words: Sequence[str], typed: str) -> Iterable[str]:
+def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | None = None) -> Iterable[str]:
     from edulaunch.cli.main import VERBS
 
     if not words:
@@ -79,7 +85,7 @@ def _possible(words: Sequence[str], typed: str) -> Iterable[str]:
     last = options.get(words[-1])
     if last is not None and last.nargs != 0:
         return _option_values(last, typed)
-    return _launch_words(words, options, typed) if verb in LAUNCHING else [*_choices(parser), *_paths(typed)]
+    return _launch_words(words, options, typed, index) if verb in LAUNCHING else [*_choices(parser), *_paths(typed)]
 
 
 def _option_values(option: Any, typed: str) -> Iterable[str]:
@@ -93,7 +99,7 @@ def _choices(parser: argparse.ArgumentParser) -> list[str]:
     return [str(word) for action in parser._actions if not action.option_strings for word in action.choices or ()]
 
 
-def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> Iterable[str]:
+def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, found: Callable[[], Index] | None) -> Iterable[str]:
     """Packages and launch files; then launch files of the package; then launch arguments."""
     positional, workspaces = [], []
     rest = iter(words[1:])
@@ -107,7 +113,10 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str) -> 
     from edulaunch.packages.discovery import workspaces_of_command
     from edulaunch.session import index_for
 
-    index = index_for(workspaces_of_command([path for path in workspaces if os.path.isdir(path)], (*positional, '')[0]))
+    if found is not None:
+        index = found()
+    else:
+        index = index_for(workspaces_of_command([path for path in workspaces if os.path.isdir(path)], (*positional, '')[0]))
     if not positional:
         return [*index.packages(), *_paths(typed, LAUNCH_SUFFIXES)]
     by_path = os.path.isfile(positional[0])
@@ -126,11 +135,14 @@ def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[s
     from edulaunch.processes.current import current_process
 
     process = current_process()
-    process.index = process.host.index = index
+    before, process.index = process.index, index
+    process.host.index = index
     try:
         arguments = load_launch_file(find_launch_file(index, first, file)).get_launch_arguments()
     except Exception:
         return []  # a launch file that cannot be loaded has no arguments to offer
+    finally:
+        process.index = process.host.index = before
     name, sign, _ = typed.partition(':=')
     if sign:
         return [f'{name}:={value}' for argument in arguments if argument.name == name for value in argument.choices or ()]

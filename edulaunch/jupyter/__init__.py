@@ -10,6 +10,9 @@ from typing import Any
 
 def load_ipython_extension(shell: Any) -> None:
     """What `%load_ext edulaunch.jupyter` calls."""
+    from edulaunch.jupyter.completing import matcher
     from edulaunch.jupyter.magics import RosMagics
 
-    shell.register_magics(RosMagics)
+    magics = RosMagics(shell)
+    shell.register_magics(magics)
+    shell.Completer.custom_matchers.append(matcher(magics.terminal))

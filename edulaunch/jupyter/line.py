@@ -20,7 +20,7 @@ class Line(NamedTuple):
     :ivar words: behind `ros2`, without our own options and the last `&`.
     :ivar seconds, seed: of `--for` and `--seed`, if they are given.
     :ivar stays: whether it ends in `&`: the command goes on beside the next ones.
-    :ivar quiet: whether a launch or a run is to say nothing about mistakes that are found (`--quiet`).
+    :ivar quiet: whether a launch or a run is to say nothing, neither its console nor mistakes that are found (`--quiet`).
     :ivar shell: the text, when commands are joined as in a shell; else empty.
     """
 

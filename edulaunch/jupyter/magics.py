@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
+from IPython.core.magic import Magics, line_cell_magic, line_magic, magics_class, no_var_expand
 
 from edulaunch.jupyter.terminal import Terminal
 from edulaunch.recording import Recording
@@ -23,9 +23,9 @@ class RosMagics(Magics):
         self.terminal.machine.show_keyboard = _show_keyboard
 
     @no_var_expand
-    @line_magic
-    def ros2(self, line: str) -> Any:
-        """The `ros2` command on the simulated machine.
+    @line_cell_magic
+    def ros2(self, line: str, cell: str | None = None) -> Any:
+        """The `ros2` command on the simulated machine. `%%ros2` takes several, one on each line; the last Recording is returned.
 
         %ros2 launch PACKAGE FILE name:=value --for 20     start anew, run 20 simulated seconds; returns the Recording
         %ros2 topic list                                   any other command, beside what still runs
@@ -34,9 +34,9 @@ class RosMagics(Magics):
         %ros2 view frames                                  the live desk, here with its tf frames; time goes on while it is seen
         %ros2 jobs      %ros2 stop      %ros2 wait 5       what was left running; end it; let simulated seconds pass
 
-        Brackets and dollar signs are passed on as they are.
+        --quiet behind a launch or a run shows errors only. Tab completes. Brackets and dollar signs are passed on as they are.
         """
-        return self._told(lambda: self.terminal.ros2(line))
+        return self._told(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
 
     @no_var_expand
     @line_magic

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from edulaunch.errors import UnusableInput
-from edulaunch.jupyter.line import read_line
+from edulaunch.jupyter.line import QUIET, read_line
 from edulaunch.jupyter.machine import Machine
 from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.snapshot import snapshot
@@ -17,6 +17,8 @@ from edulaunch.workspace.not_needed import answer
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
+SAID_ALWAYS = ('warning:', 'error:', 'note:')
+"""What `--quiet` does not hide."""
 
 
 class Terminal:
@@ -26,8 +28,9 @@ class Terminal:
     """
 
     def __init__(self, write: Callable[[str, str], object]) -> None:
-        self._write = write
-        self.machine = Machine(write, self.workspaces)
+        self._show = write
+        self._is_quiet = False
+        self.machine = Machine(self._write, self.workspaces)
         self._sourced: list[str] = []
 
     def ros2(self, text: str) -> Any:
@@ -37,6 +40,7 @@ class Terminal:
         :raises LaunchFileError: for a launch file with a mistake; names the student's file and line.
         """
         line = read_line(text)
+        self._is_quiet = line.quiet
         if line.words[:1] == ['view']:
             return self.view(line.words[1:])
         with self.machine.hosting.cell(), outer_loop_set_aside():
@@ -47,6 +51,24 @@ class Terminal:
             else:
                 return self.machine.launch(line)
         return None
+
+    def several(self, first: str, cell: str) -> Any:
+        """Run the lines of a cell one after the other, but empty ones and those that begin with `#`; returns the last Recording.
+
+        :param first: what stands behind `%%ros2`: `--quiet` for each launch and run, or a command.
+        """
+        quiet = first.split() == [QUIET]
+        lines = ['' if quiet else first, *cell.split('\n')]
+        found = None
+        for text in lines:
+            if text.strip() and not text.lstrip().startswith('#'):
+                result = self.ros2(f'{text} {QUIET}' if quiet and text.split()[0] in ('launch', 'run') else text)
+                found = found if result is None else result
+        return found
+
+    def _write(self, stream: str, text: str) -> None:
+        if not self._is_quiet or text.startswith(SAID_ALWAYS):
+            self._show(stream, text)
 
     def view(self, words: list[str]) -> Any:
         """The live desk of the machine, with a tab open: `view`, `view frames`. Time goes on while somebody looks.

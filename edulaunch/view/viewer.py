@@ -6,17 +6,16 @@ What comes from the page is plain data that may be anything: a word that is not 
 from __future__ import annotations
 
 import os
-import shlex
-import signal
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
-from edulaunch.attached import attached
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.view.advice import marks_of
+from edulaunch.view.completing import completions
 from edulaunch.view.film import Film
+from edulaunch.view.panes import COUNT, Pane
 from edulaunch.view.sources import OfRecorder
 
 if TYPE_CHECKING:
@@ -69,7 +68,7 @@ class Viewer:
         self._session = machine.session
         self._film = Film(OfRecorder(self._session.recorder))
         self._driver: PipedInput | None = None
-        self._jobs: list[Process] = []
+        self._panes = [Pane(number, self._start, say) for number in range(COUNT)]
         self._told: tuple[bool, float] | None = None
 
     def show(self) -> None:
@@ -93,7 +92,8 @@ class Viewer:
             return False
         self._session = self._machine.session
         self._film = Film(OfRecorder(self._session.recorder))
-        self._driver, self._jobs, self._told = None, [], None
+        self._driver, self._told = None, None
+        self._panes = [Pane(number, self._start, self._say) for number in range(COUNT)]
         return True
 
     def take(self, words: Any) -> None:
@@ -104,7 +104,7 @@ class Viewer:
             self._say({'said': 'the machine did not understand this'})
             return
         self._look()
-        if op in ('drive', 'teleport', 'param', 'line', 'interrupt'):
+        if op in ('drive', 'teleport', 'param', 'line', 'keys', 'interrupt'):
             self._machine.took(words)
         try:
             action(self, words)
@@ -158,19 +158,15 @@ class Viewer:
     def _parameter(self, words: dict[str, Any]) -> None:
         value = str(words['value'])
         words_of_line = ['ros2', 'param', 'set', _name(words, 'node'), str(words['name']), '--', value]
-        self._start(words_of_line, 'ros2', self._tell)
+        self._start(words_of_line, 'ros2', self._panes[0].tell)
 
     def _line(self, words: dict[str, Any]) -> None:
-        """A line typed in the page's terminal."""
-        line = str(words['line'])[:LONGEST_LINE]
-        parts = shlex.split(line)
-        if parts[:1] != ['ros2']:
-            self._tell('stderr', f'{parts[0] if parts else line}: this terminal knows ros2 ... only\n')
-            return
-        background = parts[-1] == '&'
-        process = self._start(parts[: len(parts) - background], 'ros2', self._tell)
-        if not background:
-            self._jobs = [job for job in self._jobs if job.returncode is None] + [process]
+        """A line typed in one of the page's terminals."""
+        self._panes[_pane(words)].line(str(words['line'])[:LONGEST_LINE])
+
+    def _keys(self, words: dict[str, Any]) -> None:
+        """Keys pressed there for a program that wants keys."""
+        self._panes[_pane(words)].keys(str(words['keys'])[:LONGEST_LINE])
 
     def _complete(self, words: dict[str, Any]) -> None:
         """The Tab key in the page's terminal: the line as far as it is sure, and what could follow."""
@@ -178,28 +174,14 @@ class Viewer:
         *before, typed = line.split(' ')
         if before[:1] != ['ros2']:
             return
-        possible = attached('completions')(before[1:], typed, lambda: self._session.index, self._listed)
-        found = sorted({word for word in possible if word.startswith(typed)})
-        sure = os.path.commonprefix(found) + (' ' if len(found) == 1 else '')
-        self._say({'completed': [line[: len(line) - len(typed)] + sure if found else line, found[:MOST_CHOICES]]})
-
-    def _listed(self, command: str) -> list[str]:
-        """What a command such as `topic list` would print now, without a turn of anybody's."""
-        rows, (what, *rest) = self._session.recorder.endpoints, command.split()
-        if what == 'node':
-            return [node.fully_qualified_name for node in self._session.graph.nodes if not node.name.startswith('_')]
-        if what == 'param':
-            return [row[2] for row in self._session.recorder.parameters if row[1] == rest[-1]]
-        if what == 'topic' and rest[0] == 'type':
-            return [row[2] for row in rows if row[1] == rest[-1]]
-        kinds = {'topic': ('publisher', 'subscription'), 'service': ('service',)}.get(what, ())
-        return [row[1] for row in rows if row[0] in kinds and '/_action/' not in row[1]]
+        found = completions(self._session, before[1:], typed)
+        sure = os.path.commonprefix(found) + (' ' if len(found) == 1 and not found[0].endswith(('=', '/')) else '')
+        completed = line[: len(line) - len(typed)] + sure if found else line
+        self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(words)})
 
     def _interrupt(self, words: dict[str, Any]) -> None:
-        """Ctrl-C for what was started last."""
-        running = [job for job in self._jobs if job.returncode is None]
-        if running:
-            running[-1].send_signal(signal.SIGINT)
+        """Ctrl-C in one of the page's terminals."""
+        self._panes[_pane(words)].interrupt()
 
     def _advise(self, words: dict[str, Any]) -> None:
         """Let the rules look at what has happened until now."""
@@ -207,12 +189,15 @@ class Viewer:
         self._film.mark(marks)
         self._say({'said': f'to look at: {len(marks)}' if marks else 'the rules find nothing to say'})
 
-    def _tell(self, stream: str, text: str) -> None:
-        self._say({'text': text})
-
-    def _start(self, argv: list[str], name: str, on_output: Callable[[str, str], object] | None = None) -> Process:
+    def _start(
+        self,
+        argv: list[str],
+        name: str,
+        on_output: Callable[[str, str], object] | None = None,
+        on_exit: Callable[[int], object] | None = None,
+    ) -> Process:
         spec = ProcessSpec(argv=tuple(argv), name=f'{name}-view', cwd=os.getcwd())
-        process = self._session.host.start(spec, on_output)
+        process = self._session.host.start(spec, on_output, on_exit)
         assert isinstance(process, Process)
         return process
 
@@ -220,9 +205,8 @@ class Viewer:
         """The page is gone: what it started ends, the machine goes on."""
         if self._driver is not None:
             self._driver.feed('', last=True)
-        for job in self._jobs:
-            if job.returncode is None:
-                job.send_signal(signal.SIGINT)
+        for pane in self._panes:
+            pane.interrupt()
 
 
 _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
@@ -235,6 +219,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'teleport': Viewer._teleport,
     'param': Viewer._parameter,
     'line': Viewer._line,
+    'keys': Viewer._keys,
     'complete': Viewer._complete,
     'interrupt': Viewer._interrupt,
     'advise': Viewer._advise,
@@ -250,6 +235,17 @@ def _number(words: dict[str, Any], name: str) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
         raise ValueError(f'{name} has to be a number')
     return float(value)
+
+
+def _pane(words: dict[str, Any]) -> int:
+    """Which of the page's terminals.
+
+    :raises ValueError: when there is none of that number.
+    """
+    pane = words.get('pane', 0)
+    if pane not in range(COUNT) or isinstance(pane, bool):
+        raise ValueError(f'there are {COUNT} terminals')
+    return int(pane)
 
 
 def _name(words: dict[str, Any], name: str) -> str:

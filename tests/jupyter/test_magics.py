@@ -51,3 +51,61 @@ def test_sourcing_and_its_error(shell: Any, desk: Any, capsys: pytest.CaptureFix
     assert shell.run_cell('%source ws/install/setup.bash').success
     assert not shell.run_cell('%source wss').success
     assert 'there is no such workspace' in capsys.readouterr().out
+
+
+def test_several_lines_of_a_cell_run_one_after_the_other(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    result = shell.run_cell('%%ros2\nlaunch sim.launch.py --for 1\n\n# who is there?\nnode list\ntopic list --for 1')
+    assert isinstance(result.result, Recording)
+    said = capsys.readouterr().out
+    assert said.index('process started') < said.index('/sim\n') < said.index('/turtle1/pose\n')
+
+
+def test_a_mistake_ends_the_lines(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert not shell.run_cell('%%ros2\nlaunch nothing.launch.py\nnode list').success
+    assert '/sim' not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    'cell', ['recording = %ros2 launch sim.launch.py --for 1 --quiet', '%%ros2 --quiet\nlaunch sim.launch.py --for 1']
+)
+def test_quiet_shows_nothing_but_what_is_wrong(shell: Any, capsys: pytest.CaptureFixture[str], cell: str) -> None:
+    assert shell.run_cell(cell).success
+    assert 'process started' not in capsys.readouterr().out
+    shell.run_cell('%ros2 node list')
+    assert capsys.readouterr().out == '/sim\n'
+    assert not shell.run_cell('x = %ros2 launch sin.launch.py --for 1 --quiet').success
+    assert "did you mean 'sim.launch.py'?" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ('cell', 'found'),
+    [
+        ('%ros2 topic ec', ['echo']),
+        ('%ros2 launch sim', ['sim.launch.py']),
+        ('%ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py targ', ['target_frame:=']),
+        ('%ros2 run turtlesim turtle_tele', ['turtle_teleop_key']),
+        ('r = %ros2 launch turtle_tf2_p', ['turtle_tf2_py']),
+        ('%ros2 view fr', ['frames']),
+        ('%ros2 launch sim.launch.py --qu', ['--quiet']),
+        ('%%ros2\nnode list\ntopic hz /turtle1/po', ['/turtle1/pose']),
+        ('%ros2 param get /s', ['/sim']),
+        ('%ros2 param get /sim background_', ['background_b', 'background_g', 'background_r']),
+    ],
+)
+def test_the_tab_key_completes_what_ros2_knows(shell: Any, cell: str, found: list[str]) -> None:
+    from IPython.core.completer import provisionalcompleter
+
+    shell.run_cell('r = %ros2 launch sim.launch.py --for 1 --quiet')
+    with provisionalcompleter():
+        completions = list(shell.Completer.completions(cell, len(cell)))
+    assert [each.text for each in completions] == found
+    assert all(cell[each.start :] and each.text.startswith(cell[each.start :]) for each in completions)
+
+
+def test_the_tab_key_works_before_anything_runs_and_leaves_python_alone(shell: Any) -> None:
+    from IPython.core.completer import provisionalcompleter
+
+    with provisionalcompleter():
+        assert [each.text for each in shell.Completer.completions('%ros2 run turtle_tf2_', 21)] == ['turtle_tf2_py']
+        shell.user_ns['topic_of_mine'] = 1
+        assert 'topic_of_mine' in [each.text for each in shell.Completer.completions('x = topic_of', 12)]

@@ -123,6 +123,13 @@ def test_a_line_runs_and_ctrl_c_ends_the_last_one(desk: Desk) -> None:
         ('ros2 param get /turtlesim1/turtlesim background_', 'ros2 param get /turtlesim1/turtlesim background_'),
         ('ros2 run turtle_tf2_', 'ros2 run turtle_tf2_py '),
         ('ros2 nothing of th', 'ros2 nothing of th'),
+        ('ros2 launch turtle_tf2_py turtle_tf2_f', 'ros2 launch turtle_tf2_py turtle_tf2_fixed_frame_demo'),
+        (
+            'ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py tar',
+            'ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py target_frame:=',
+        ),
+        ('ros2 topic pub /x geometry_msgs/msg/TwistW', 'ros2 topic pub /x geometry_msgs/msg/TwistWithCovariance'),
+        ('ros2 node info /turtlesim1/', 'ros2 node info /turtlesim1/turtlesim '),
     ],
 )
 def test_the_tab_key_knows_verbs_packages_and_names_of_the_machine(desk: Desk, line: str, sure: str) -> None:
@@ -140,6 +147,36 @@ def test_the_rules_look_when_somebody_asks(desk: Desk, monkeypatch: pytest.Monke
 
 def one_mark(recording: Recording) -> list[Mark]:
     return [Mark(recording.duration_s, ('', ''), 'so long already', 'length')]
+
+
+def test_two_terminals_each_with_a_program_of_its_own(desk: Desk) -> None:
+    desk.ask('line', line='ros2 topic echo /turtlesim1/turtle1/pose')
+    desk.ask('line', line='ros2 node list', pane=1)
+    desk.go(1)
+    texts = {pane: ''.join(message.get('text', '') for message in desk.said if message.get('pane') == pane) for pane in (0, 1)}
+    assert texts[0].startswith('x: 5.54') and texts[1] == '/turtlesim1/turtlesim\n/turtlesim2/turtlesim\n'
+    states = [(message['pane'], message['runs']) for message in desk.said if 'runs' in message]
+    assert states == [(0, True), (1, True), (1, False)]
+    desk.ask('interrupt', pane=1)
+    desk.ask('complete', line='ros2 topic l', pane=1)
+    assert desk.said[-1] == {'completed': ['ros2 topic list ', ['list']], 'pane': 1}
+    desk.ask('interrupt', pane=0)
+    desk.go(1)
+    assert desk.said[-1] == {'pane': 0, 'runs': False, 'keys': False}
+    desk.ask('line', line='ros2 topic list', pane=2)
+    assert desk.said[-1] == {'said': 'line: there are 2 terminals'}
+
+
+def test_a_program_that_wants_keys_gets_them(desk: Desk) -> None:
+    desk.ask('line', line='ros2 run turtlesim turtle_teleop_key --ros-args -r __ns:=/turtlesim1')
+    desk.go(1)
+    assert desk.said[-1].get('keys') or any(message.get('keys') for message in desk.said)
+    desk.ask('keys', keys='\x1b[A')
+    desk.go(1)
+    assert desk.session.recording().trajectory('/turtlesim1/turtle1').x[-1] > 7
+    desk.ask('keys', keys='q')
+    desk.go(1)
+    assert desk.said[-1] == {'pane': 0, 'runs': False, 'keys': False}
 
 
 def test_another_command_is_refused_with_a_sentence(desk: Desk) -> None:
@@ -179,7 +216,7 @@ OPS = st.sampled_from(
     ]
 )
 FIELDS = st.sampled_from(
-    ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed']
+    ['op', 'what', 'turtle', 'linear', 'angular', 'x', 'y', 'theta', 'node', 'name', 'value', 'line', 'speed', 'pane', 'keys']
 )
 
 

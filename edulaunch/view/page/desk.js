@@ -143,8 +143,7 @@ class Desk {
     if (message.reset) { this.store = new Store(); this.store.grows = true; this.worldKey = null; this.views.graph[0].key = null; this.views.plot[0].lines = []; this.views.plot[0].legend(); this.views.plot[0].version = null; this.follow = true; }
     if (message.piece) this.store.apply(message.piece);
     if (message.machine) Object.assign(this.machine, message.machine);
-    if (message.text) this.views.terminal[0].write(message.text);
-    if (message.completed) this.views.terminal[0].completed(...message.completed);
+    if (message.pane !== undefined) this.views.terminal[0].hear(message);
     if (message.ended) this.ended = message.ended;
     if (message.said) this.say(message.said);
     this.redraw();

@@ -95,42 +95,65 @@ class ParameterView {
   }
 }
 
+const PANES = 2, KEYS = { ArrowUp: '\x1b[A', ArrowDown: '\x1b[B', ArrowRight: '\x1b[C', ArrowLeft: '\x1b[D', Enter: '\r', Escape: '\x1b', Backspace: '\x7f', Tab: '\t' };
+
+/* The terminals of a living machine side by side; of a recording, what its programs wrote. */
 class TerminalView {
   constructor(desk) {
-    this.desk = desk;
-    this.box = make('div', { class: 'pane' });
-    this.sheet = make('pre', { class: 'terminal scroll tall', tabindex: 0, 'aria-live': 'polite' });
-    this.line = make('input', { type: 'text', class: 'mono', placeholder: 'ros2 topic list', 'aria-label': 'a command for the machine', spellcheck: 'false', autocomplete: 'off' });
-    this.stop = make('button', { type: 'button', title: 'Ctrl-C' }, '^C');
-    this.box.append(this.sheet, make('div', { class: 'tools' }, make('span', { class: 'mono' }, '$'), this.line, this.stop));
-    this.past = [];
-    this.at = 0;
-    this.line.addEventListener('keydown', event => this.key(event));
-    this.stop.addEventListener('click', () => desk.send({ op: 'interrupt' }));
-    this.shown = 0;
+    this.panes = Array.from({ length: desk.live ? PANES : 1 }, (_, number) => new Pane(desk, number));
+    this.box = make('div', { class: 'pane terminals' }, ...this.panes.map(pane => pane.box));
   }
+  hear(message) { this.panes[message.pane || 0]?.hear(message); }
+  draw(time) { for (const pane of this.panes) pane.draw(time); }
+}
+
+class Pane {
+  constructor(desk, number) {
+    Object.assign(this, { desk, number, past: [], at: 0, shown: 0, runs: false, keys: false });
+    const which = `terminal ${number + 1}`;
+    this.sheet = make('pre', { class: 'terminal scroll', tabindex: 0, 'aria-live': 'polite', 'aria-label': desk.live ? `${which}: what was said` : 'what the programs wrote' });
+    this.sign = make('span', { class: 'mono' }, '$');
+    this.line = make('input', { type: 'text', class: 'mono', placeholder: number ? 'ros2 topic echo /turtle1/pose' : 'ros2 topic list', 'aria-label': number ? `a command for the machine, ${which}` : 'a command for the machine', spellcheck: 'false', autocomplete: 'off' });
+    this.stop = button('^C', `Ctrl-C for ${which}`, () => this.send({ op: 'interrupt' }));
+    this.tools = make('div', { class: 'tools', hidden: !desk.live }, this.sign, this.line, this.stop);
+    this.box = make('div', { class: 'term' }, this.sheet, this.tools);
+    this.line.addEventListener('keydown', event => this.key(event));
+  }
+  send(words) { this.desk.send({ ...words, pane: this.number }); }
   key(event) {
     event.stopPropagation();
-    if (event.key === 'Enter' && this.line.value.trim()) {
+    if (event.key === 'c' && event.ctrlKey && this.line.selectionStart === this.line.selectionEnd) this.send({ op: 'interrupt' });
+    else if (this.keys) {
+      const text = KEYS[event.key] ?? (event.key.length === 1 && !event.ctrlKey && !event.metaKey ? event.key : '');
+      if (!text || (event.key === 'Tab' && event.shiftKey)) return;
+      event.preventDefault();
+      this.send({ op: 'keys', keys: text });
+    } else if (event.key === 'Enter' && (this.runs || this.line.value.trim())) {
       this.past.push(this.line.value);
       this.at = this.past.length;
-      this.write(`$ ${this.line.value}\n`);
-      this.desk.send({ op: 'line', line: this.line.value });
+      this.write(`${this.runs ? '' : '$ '}${this.line.value}\n`);
+      this.send({ op: 'line', line: this.line.value });
       this.line.value = '';
-    } else if (event.key === 'c' && event.ctrlKey) {
-      this.desk.send({ op: 'interrupt' });
-    } else if (event.key === 'Tab' && this.line.value) {
+    } else if (event.key === 'Tab' && !event.shiftKey && this.line.value) {
       event.preventDefault();
-      this.desk.send({ op: 'complete', line: this.line.value });
+      this.send({ op: 'complete', line: this.line.value });
     } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       event.preventDefault();
       this.at = Math.max(0, Math.min(this.past.length, this.at + (event.key === 'ArrowUp' ? -1 : 1)));
       this.line.value = this.past[this.at] || '';
     }
   }
-  completed(line, choices) {
-    if (line) this.line.value = line;
-    if (choices.length > 1) this.write(choices.join('  ') + '\n');
+  hear({ text, completed, runs, keys }) {
+    if (text) this.write(text);
+    if (completed) {
+      const [line, choices] = completed;
+      if (line) this.line.value = line;
+      if (choices.length > 1) this.write(choices.join('  ') + '\n');
+    }
+    if (runs === undefined) return;
+    Object.assign(this, { runs, keys });
+    this.sign.textContent = keys ? '⌨' : runs ? '›' : '$';
+    this.sign.title = keys ? 'each key goes to the program; Shift-Tab leaves' : runs ? 'lines go to the program' : '';
   }
   write(text) {
     this.sheet.append(text.replace(/\x1b\[[0-9;?]*[A-Za-z]/g, ''));

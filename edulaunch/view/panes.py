@@ -1,0 +1,94 @@
+"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys for it, and shows what it says."""
+
+from __future__ import annotations
+
+import shlex
+import signal
+from collections.abc import Callable
+from typing import Any
+
+from edulaunch.processes.inputs import PipedInput
+from edulaunch.processes.process import Process
+
+COUNT = 2
+SIZE = (80, 24)
+Start = Callable[[list[str], str, Callable[[str, str], object], Callable[[int], object]], Process]
+"""Starts a program: its words, a name, what hears its output, what hears its end."""
+
+
+class Pane:
+    """One terminal.
+
+    :param say: hands a message (plain data) to the page.
+    """
+
+    def __init__(self, number: int, start: Start, say: Callable[[dict[str, Any]], object]) -> None:
+        self._number = number
+        self._start = start
+        self._say = say
+        self._job: Process | None = None
+        self._keyboard: _Keyboard | None = None
+
+    def line(self, text: str) -> None:
+        """A line was typed: for the program that runs, or a command.
+
+        :raises ValueError: when the words cannot be read.
+        """
+        if self._job is not None and self._job.returncode is None:
+            self.keys(f'{text}\n')
+            return
+        words = shlex.split(text)
+        background = words[-1:] == ['&']
+        words = words[: len(words) - background]
+        if words[:1] != ['ros2']:
+            self.tell('stderr', f'{words[0] if words else text}: this terminal knows ros2 ... only\n')
+            return
+        job = self._start(words, 'ros2', self.tell, (lambda code: None) if background else self._ended)
+        if not background:
+            self._job, self._keyboard = job, _Keyboard(self._tell_mode)
+            job.stdin = self._keyboard
+            self._tell_mode(False)
+
+    def keys(self, text: str) -> None:
+        """Keys were pressed for the program that runs."""
+        if self._keyboard is not None:
+            self._keyboard.feed(text)
+
+    def interrupt(self) -> None:
+        """Ctrl-C."""
+        if self._job is not None and self._job.returncode is None:
+            self._job.send_signal(signal.SIGINT)
+
+    def tell(self, stream: str, text: str) -> None:
+        """A program says something."""
+        self._say({'text': text, 'pane': self._number})
+
+    def _tell_mode(self, by_key: bool) -> None:
+        self._say({'pane': self._number, 'runs': True, 'keys': by_key})
+
+    def _ended(self, code: int) -> None:
+        self._job = self._keyboard = None
+        self._say({'pane': self._number, 'runs': False, 'keys': False})
+
+
+class _Keyboard(PipedInput):
+    """What a program in a pane reads; it may ask for keys in place of lines."""
+
+    is_inherited = True
+
+    def __init__(self, tell_mode: Callable[[bool], object]) -> None:
+        super().__init__()
+        self._tell_mode = tell_mode
+
+    def isatty(self) -> bool:
+        """Somebody sits there."""
+        return True
+
+    def terminal_size(self) -> tuple[int, int]:
+        """As a terminal has it that nobody has pulled larger."""
+        return SIZE
+
+    def change_mode(self, process: Process, flags: int) -> None:
+        """The page is told whether keys or lines are wanted."""
+        super().change_mode(process, flags)
+        self._tell_mode(self.by_key)
