@@ -123,7 +123,7 @@ def test_a_line_runs_and_ctrl_c_ends_the_last_one(desk: Desk) -> None:
         ('ros2 param get /turtlesim1/turtlesim background_', 'ros2 param get /turtlesim1/turtlesim background_'),
         ('ros2 run turtle_tf2_', 'ros2 run turtle_tf2_py '),
         ('ros2 nothing of th', 'ros2 nothing of th'),
-        ('ros2 launch turtle_tf2_py turtle_tf2_f', 'ros2 launch turtle_tf2_py turtle_tf2_fixed_frame_demo'),
+        ('ros2 launch turtle_tf2_py turtle_tf2_f', 'ros2 launch turtle_tf2_py turtle_tf2_fixed_frame_demo.launch.py '),
         (
             'ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py tar',
             'ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py target_frame:=',
