@@ -10,7 +10,22 @@ from __future__ import annotations
 from edulaunch.advice.failure import Failure
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.judging import judge, judge_failure, judge_plan, judge_sources
+from edulaunch.advice.reader import Reader, reader_here
 from edulaunch.advice.rule import Rule, rule
 from edulaunch.advice.wording import Told, told
 
-__all__ = ['Failure', 'Finding', 'Rule', 'Told', 'found', 'judge', 'judge_failure', 'judge_plan', 'judge_sources', 'rule', 'told']
+__all__ = [
+    'Failure',
+    'Finding',
+    'Reader',
+    'Rule',
+    'Told',
+    'found',
+    'judge',
+    'judge_failure',
+    'judge_plan',
+    'judge_sources',
+    'reader_here',
+    'rule',
+    'told',
+]

@@ -26,7 +26,7 @@ ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(f'edugrade/{name}.py' for name in ('failure', 'judging', 'recorded', 'terminal', 'verdicts')),
+    *(f'edugrade/{name}.py' for name in ('failure', 'judging', 'language', 'recorded', 'results', 'terminal', 'verdicts')),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
@@ -69,6 +69,9 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
             inner.add(id(first.value))
             if isinstance(node, ast.FunctionDef) and node.decorator_list:
                 yield (ast.get_docstring(node) or '').partition('\n')[0]
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == 'WORDS':
+            yield from ast.literal_eval(node.value)
+            inner |= {id(part) for part in ast.walk(node.value)}
         text = template_of(node) if id(node) not in inner else ''
         if len(_WORD.findall(_FIELD.sub('', text))) >= 2 and not _CODE.search(text):
             yield text

@@ -10,6 +10,7 @@ from edulaunch.advice.failure import Failure, failure_of
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.registry import rule_named, rules_over
 from edulaunch.advice.rule import CONFIDENCES, LEVELS, Rule
+from edulaunch.errors import EdulaunchError
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
@@ -19,6 +20,8 @@ DIED = 'programs.died'
 """Is not told of a program whose error another rule explains."""
 FAILS = 'launch.fails'
 """Is not told beside a rule that knows why."""
+ODD = (ArithmeticError, AssertionError, AttributeError, EdulaunchError, LookupError, RecursionError, TypeError, ValueError)
+"""What a rule may trip over in data that nobody has foreseen; whoever limits its time is heard."""
 MOST = 20
 """Findings of one rule: more of the same tell nobody anything."""
 
@@ -81,7 +84,7 @@ def _said(rule: Rule, thing: Any) -> list[Finding]:
     """What one rule says. One that fails is told as such: nobody's run ends because of advice."""
     try:
         return [finding._replace(rule=rule.name) for finding in islice(rule.look(thing), MOST)]
-    except Exception as error:
+    except ODD as error:
         return [found('rule', rule.name, error=f'{type(error).__name__}: {error}')._replace(rule='programs.rule-failed')]
 
 

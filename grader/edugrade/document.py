@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .cpu_limit import TooLong, cpu_limit
 from .outcome import Outcome
 from .receipt import receipt
 from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
+
+if TYPE_CHECKING:
+    from edulaunch.advice import Finding
 
 FORMAT = 2
 LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
@@ -32,7 +35,7 @@ def document(report: Report) -> dict[str, Any]:
         'points': {'earned': report.earned, 'possible': report.possible},
         'sandbox': report.sandbox,
         'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
-        'checks': [_check(paths.result(result)) for result in report.results],
+        'checks': [_check(paths.result(result), paths) for result in report.results],
         'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
 
@@ -82,7 +85,16 @@ def digest_of(outcome: Outcome) -> str | None:
         return None
 
 
-def _check(result: CheckResult) -> dict[str, Any]:
+def _cause(finding: Finding, paths: ShortPaths) -> dict[str, Any]:
+    """A finding with its sentences in English, whatever the reader's language."""
+    from edulaunch.advice import Reader, told
+
+    words = told(finding, Reader())
+    where = None if finding.file is None else {'file': paths.text(finding.file), 'line': finding.line}
+    return {'rule': finding.rule, 'what': paths.text(words.what), 'where': where, 'try': paths.text(words.do)}
+
+
+def _check(result: CheckResult, paths: ShortPaths) -> dict[str, Any]:
     return {
         'name': result.name,
         'sentence': result.sentence,
@@ -96,4 +108,5 @@ def _check(result: CheckResult) -> dict[str, Any]:
         'where': None if result.where is None else result.where._asdict(),
         'try': result.try_,
         'root_cause': result.root_cause,
+        'cause': None if result.cause is None else _cause(result.cause, paths),
     }

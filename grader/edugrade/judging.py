@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from .causes import with_causes
 from .check import Check
 from .cpu_limit import TooLong, cpu_limit
 from .evidence import Evidence
@@ -32,7 +33,7 @@ def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) 
         blocker = _blocker(check, results)
         result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
         results[check.name] = result
-    return list(results.values())
+    return with_causes(list(results.values()), evidence)
 
 
 def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:

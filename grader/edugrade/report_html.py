@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
+from .language import explained, retold
 from .markup import Markup, element, joined
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
 from .terminal import MARKS, next_step, points_line
+
+if TYPE_CHECKING:
+    from edulaunch.advice import Reader
 
 COLOURS = {PASSED: '#1a6e2e', FAILED: '#a3231f', NOT_RUN: '#7a5b00', GRADER_BROKE: '#6b2a8c'}
 _MARK = 'display:inline-block;min-width:4.6em;font-weight:bold;color:'
@@ -18,43 +23,44 @@ _VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:mo
 
 def report_html(report: Report) -> Markup:
     """What to repair first, what was not run for it, what is right, points and the next step."""
+    from edulaunch.advice import reader_here
+
+    reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(result) for result in report.results]
-    repair = [_failed(result) for status in (GRADER_BROKE, FAILED) for result in results if result.status == status]
-    right = [_line(result) for result in results if result.status == PASSED]
+    results = [paths.result(retold(result, reader)) for result in report.results]
+    repair = [
+        _failed(result, paths, reader) for status in (GRADER_BROKE, FAILED) for result in results if result.status == status
+    ]
+    right = [_line(result, reader) for result in results if result.status == PASSED]
     return joined(
         *repair,
-        *_not_run(results),
+        *_not_run(results, reader),
         *right,
-        element('p', points_line(report), style='margin:.8em 0 .2em'),
-        element('p', element('b', next_step(report)), style='margin:.2em 0'),
+        element('p', reader.retells(points_line(report)), style='margin:.8em 0 .2em'),
+        element('p', element('b', reader.retells(next_step(report))), style='margin:.2em 0'),
     )
 
 
-def _line(result: CheckResult, indent: str = '0') -> Markup:
+def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
     points = f'  [{result.earned} of {result.points}]' if result.points else ''
-    mark = element('span', MARKS[result.status], style=_MARK + COLOURS[result.status])
+    mark = element('span', reader.says(MARKS[result.status]), style=_MARK + COLOURS[result.status])
     return element('div', mark, result.sentence, element('small', points), style=f'margin:.15em 0 .15em {indent}')
 
 
-def _failed(result: CheckResult) -> Markup:
-    place = result.where
-    where = None if place is None else place.file + (f':{place.line}' if place.line else '')
-    fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
+def _failed(result: CheckResult, paths: ShortPaths, reader: Reader) -> Markup:
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
-        for label, text in fields.items()
-        if text
+        for label, text in explained(result, paths, reader).items()
     ]
     reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
-    return joined(_line(result), reason, element('table', *rows, style=_FIELDS))
+    return joined(_line(result, reader), reason, element('table', *rows, style=_FIELDS))
 
 
-def _not_run(results: list[CheckResult]) -> Iterator[Markup]:
+def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
     """The checks that were not run, under the one to repair."""
     waiting = [result for result in results if result.status == NOT_RUN]
     for reason in dict.fromkeys(result.reason for result in waiting):
-        mark = element('span', MARKS[NOT_RUN], style=_MARK + COLOURS[NOT_RUN])
+        mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + COLOURS[NOT_RUN])
         yield element('div', mark, f'{reason}:', style='margin:.15em 0')
         yield element(
             'ul',

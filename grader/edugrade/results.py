@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from .outcome import Outcome
 from .place import Place
 from .source import Gap
+
+if TYPE_CHECKING:
+    from edulaunch.advice import Finding
 
 PASSED, FAILED, NOT_RUN, GRADER_BROKE = STATUSES = ('passed', 'failed', 'not_run', 'grader_broke')
 
@@ -29,6 +32,7 @@ class CheckResult:
     :param status: one of STATUSES; the four are never merged.
     :param points: what the check is worth; it is earned only when passed.
     :param reason: one sentence: why it failed, why it was not run, how the grader broke.
+    :param cause: what the rules of edulaunch find behind it.
     :param root_cause: name of the check to repair first, for a check that was not run.
     :param share: of the points, that a failed check gives for what is right.
     """
@@ -44,6 +48,7 @@ class CheckResult:
     where: Place | None = None
     try_: str | None = None
     root_cause: str | None = None
+    cause: Finding | None = None
     share: float = 0.0
 
     @property

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
+from .language import explained, retold
 from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
+
+if TYPE_CHECKING:
+    from edulaunch.advice import Reader
 
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
@@ -16,16 +22,21 @@ INDENT = ' ' * 9
 
 def render(report: Report, *, colour: bool = False) -> str:
     """The whole report: what to repair, what was not run for it, what is right, points, the next step."""
+    from edulaunch.advice import reader_here
+
+    reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(result) for result in report.results]
-    mark = _coloured_mark if colour else _plain_mark
-    lines = [printable(f'{report.given}: {report.title} (rubric {report.rubric}, seed {report.seed})'), '']
+    results = [paths.result(retold(result, reader)) for result in report.results]
+    mark = partial(_coloured_mark if colour else _plain_mark, reader)
+    title = reader.retells(f'{report.given}: {reader.retells(report.title)} (rubric {report.rubric}, seed {report.seed})')
+    lines = [printable(title), '']
     for status in (GRADER_BROKE, FAILED):
         for result in _of(status, results):
-            lines += [mark(status) + _title(result), *_explanation(result)]
+            lines += [mark(status) + _title(result), *_explanation(result, paths, reader)]
     lines += _not_run(results, mark)
     lines += [mark(PASSED) + _title(result) for result in _of(PASSED, results)]
-    lines += ['', points_line(report), *textwrap.wrap(printable(next_step(report)), WIDTH, break_on_hyphens=False)]
+    next_ = printable(reader.retells(next_step(report)))
+    lines += ['', reader.retells(points_line(report)), *textwrap.wrap(next_, WIDTH, break_on_hyphens=False)]
     return '\n'.join(lines) + '\n'
 
 
@@ -33,26 +44,22 @@ def _of(status: str, results: list[CheckResult]) -> Iterator[CheckResult]:
     return (result for result in results if result.status == status)
 
 
-def _plain_mark(status: str) -> str:
-    return f'{MARKS[status]:<9}'
+def _plain_mark(reader: Reader, status: str) -> str:
+    return f'{reader.says(MARKS[status]):<9}'
 
 
-def _coloured_mark(status: str) -> str:
-    return f'\x1b[{COLOURS[status]}m{_plain_mark(status)}\x1b[0m'
+def _coloured_mark(reader: Reader, status: str) -> str:
+    return f'\x1b[{COLOURS[status]}m{_plain_mark(reader, status)}\x1b[0m'
 
 
 def _title(result: CheckResult) -> str:
     return result.sentence + (f'  [{result.earned} of {result.points}]' if result.points else '')
 
 
-def _explanation(result: CheckResult) -> Iterator[str]:
-    place = result.where
-    where = None if place is None else place.file + (f':{place.line}' if place.line else '')
+def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader) -> Iterator[str]:
     yield from _wrapped('', result.reason)
-    fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
-    for label, text in fields.items():
-        if text:
-            yield from _wrapped(f'{label}:', text)
+    for label, text in explained(result, paths, reader).items():
+        yield from _wrapped(f'{label}:', text)
 
 
 def _wrapped(label: str, text: str) -> Iterator[str]:

@@ -27,6 +27,7 @@ class FakeRecording:
 
     launch: LaunchRecord = LaunchRecord(file=FILE)
     processes: list[ProcessRecord] = field(default_factory=list)
+    advice: tuple[()] = ()
     nodes: list[NodeRecord] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     radius: Any = None

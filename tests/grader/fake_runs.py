@@ -21,6 +21,7 @@ class FakeRun:
 
     launch: LaunchRecord = LaunchRecord(file=FILE)
     processes: list[ProcessRecord] = field(default_factory=list)
+    advice: tuple[()] = ()
     nodes: list[NodeRecord] = field(default_factory=list)
     topics: dict[str, TopicRecord] = field(default_factory=dict)
     tracks: dict[str, Track] = field(default_factory=dict)
