@@ -27,6 +27,7 @@ def test_every_field_of_a_failed_check_is_there() -> None:
         'where': {'file': 'a.launch.py', 'line': 12},
         'try': 'look at a.launch.py:12',
         'root_cause': None,
+        'cause': None,
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -13,7 +14,7 @@ from edugrade.source import Source
 
 ONE = Scenario('one', {'radius': '0.5'})
 TWO = Scenario('two', {'radius': '1.0'})
-RECORDING: Any = object()
+RECORDING: Any = SimpleNamespace(advice=[])
 SOURCE = Source('a.launch.py', '')
 
 
