@@ -22,8 +22,8 @@ SHORTEST_NAME = 4
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """The results, each failed one with the finding that is about the same thing or place; the one of the most points (it
-    looks at what happened), when there is none of these, with the worst finding of the runs. No finding is told twice. Marks do not depend on it.
+    """The results, each failed one with the finding that is about the same thing or place. When no finding is about any of them,
+    the one of the most points (it looks at what happened) has the worst. No finding is told twice; marks do not depend on it.
     """
     if not evidence or all(result.status != FAILED for result in results):
         return results

@@ -69,4 +69,4 @@ def test_a_report_is_retold_in_german() -> None:
     told = retold(result, german)
     assert told.reason != result.reason and 'laser' in told.reason
     shown = explained(told, ShortPaths(''), german)
-    assert list(shown) == ['gesehen', 'versuch', 'Ursache'] and 'carot1' in shown['Ursache']
+    assert list(shown) == ['gesehen', 'versuch', 'Ursache'] and 'carrot1' in shown['Ursache']
