@@ -13,6 +13,7 @@ from edulaunch.advice.rule import CONFIDENCES, LEVELS, Rule
 from edulaunch.errors import EdulaunchError
 
 if TYPE_CHECKING:
+    from edulaunch.advice.source_package import Workspace
     from edulaunch.plan import Rehearsal
     from edulaunch.recording import Recording
 
@@ -50,9 +51,17 @@ def judge_failure(error: Failure | BaseException) -> list[Finding]:
 
 def judge_sources(path: str) -> list[Finding]:
     """What is wrong with the packages of a workspace or package folder; nothing of them is executed."""
-    from edulaunch.advice.source_package import packages_at
+    from edulaunch.advice.source_package import workspace_at
 
-    return in_order([finding for package in packages_at(path) for finding in _asked('sources', package)])
+    return judge_workspace(workspace_at(path))
+
+
+def judge_workspace(workspace: Workspace) -> list[Finding]:
+    """The same, of a workspace that was read already."""
+    found = _asked('workspaces', workspace)
+    for source in workspace.sources:
+        found += _asked('sources', source)
+    return in_order(found)
 
 
 def failures(recording: Recording) -> Iterator[Failure]:

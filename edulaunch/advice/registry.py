@@ -9,8 +9,8 @@ from importlib import import_module
 
 from edulaunch.advice.rule import Rule
 
-KINDS = ('errors', 'plans', 'recordings', 'sources')
-"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, a Source."""
+KINDS = ('errors', 'plans', 'recordings', 'sources', 'workspaces')
+"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, a Source, a Workspace."""
 
 
 @cache

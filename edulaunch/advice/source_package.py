@@ -1,7 +1,8 @@
-"""A package of a workspace with what is around it: what rules over sources look at."""
+"""A workspace and a package of it with what is around it: what rules over workspaces and sources look at."""
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -15,11 +16,34 @@ class Source(NamedTuple):
     package: SourcePackage
     around: Index
 
+    @property
+    def is_readable(self) -> bool:
+        """Whether its build file can be read: else nothing is certain of what would be installed."""
+        return self.package.contents.broken is None
 
-def packages_at(path: str) -> list[Source]:
-    """The source packages of the workspace or package folder at `path`."""
+    @property
+    def installed(self) -> dict[str, str]:
+        """Real path of each file that is installed as it is, and where to below the prefix."""
+        return {os.path.realpath(path): name for name, path in self.package.contents.files.items()}
+
+
+class Workspace(NamedTuple):
+    """A folder with packages: its absolute path, its index, and its source packages by name."""
+
+    path: str
+    around: Index
+    packages: list[SourcePackage]
+
+    @property
+    def sources(self) -> list[Source]:
+        """Its packages, each with what is around it."""
+        return [Source(package, self.around) for package in self.packages]
+
+
+def workspace_at(path: str) -> Workspace:
+    """The workspace or package folder at `path`."""
     from edulaunch.packages import Index
     from edulaunch.workspace.sources import source_packages
 
     index = Index((), [path])
-    return [Source(package, index) for package in source_packages(index)]
+    return Workspace(os.path.abspath(path), index, source_packages(index))

@@ -93,17 +93,23 @@ def maintainer() -> tuple[str, str]:
 
 def check(path: str) -> int:
     """Print what is wrong in the packages below `path`."""
-    from edulaunch.workspace.mistakes import find_mistakes
+    from edulaunch.advice.judging import judge_workspace
+    from edulaunch.advice.reader import reader_here
+    from edulaunch.advice.source_package import workspace_at
+    from edulaunch.advice.wording import told
 
     if not os.path.isdir(path):
         raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')
-    found = find_mistakes(path)
-    for mistake in found.mistakes:
-        print(mistake.text(os.path.abspath(path)))
-    count = len(found.mistakes)
+    workspace = workspace_at(path)
+    findings = judge_workspace(workspace)
+    reader = reader_here()._replace(folder=workspace.path)
+    for finding in findings:
+        words = told(finding, reader)
+        print(f'{words.where}: {words.what}\n  help: {words.do}')
+    names, count = [package.name for package in workspace.packages], len(findings)
     print(
-        f'{len(found.packages)} package{"s" * (len(found.packages) != 1)} checked'
-        + (f' ({", ".join(found.packages)})' if found.packages else '')
+        f'{len(names)} package{"s" * (len(names) != 1)} checked'
+        + (f' ({", ".join(names)})' if names else '')
         + f': {count or "no"} finding{"s" * (count != 1)}'
     )
-    return 1 if found.mistakes else 0
+    return 1 if findings else 0

@@ -21,8 +21,8 @@ from edulaunch.advice.registry import KINDS, all_rules, rules_over
 from edulaunch.session import Session
 
 EXAMPLES = Path(__file__).parent / 'examples'
-WITHOUT = {'programs.rule-failed'}
-"""Nothing that a student writes makes these speak."""
+WITHOUT = {'packages.build-output-committed', 'packages.package-is-repository', 'programs.rule-failed'}
+"""Nothing that a student writes, or that a repository can hold, makes these speak."""
 ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.py', '')
 
 
@@ -37,7 +37,7 @@ def findings(rule: str, which: str) -> list[Finding]:
     """All that is found in an example, not by its own rule alone."""
     path = example(rule, which)
     kind = next(kind for kind in KINDS if any(one.name == rule for one in rules_over(kind)))
-    if kind == 'sources':
+    if kind in ('sources', 'workspaces'):
         return judge_sources(str(path))
     file = _main(path)
     arguments, seconds, is_interrupted = _wanted(file)

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.advice import judge_sources
 from edulaunch.packages import Index
 from edulaunch.workspace.hints import executable_hint, installed_file_hint, launch_file_hint, package_hint
-from edulaunch.workspace.mistakes import find_mistakes
 
 
 @pytest.fixture
@@ -166,4 +166,4 @@ def test_a_package_whose_build_stops_says_so_instead_of_what_is_missing(robo: An
     said = f"{robo.folder}/robo/setup.py:3: a build stops with NameError: name 'package_name' is not defined"
     assert launch_file_hint(index, 'robo', 'go.launch.py') == said
     assert executable_hint(index, 'robo', 'drive') == said
-    assert [mistake.sentence for mistake in find_mistakes(str(robo.folder)).mistakes] == [said.partition(': ')[2]]
+    assert [finding.facts['said'] for finding in judge_sources(str(robo.folder))] == [said.partition(': ')[2]]

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
+from edulaunch.advice import judge_sources
 from edulaunch.errors import PackageError
 from edulaunch.packages import Index
 from edulaunch.workspace.licences import KNOWN
-from edulaunch.workspace.mistakes import find_mistakes
 from edulaunch.workspace.new_package import NewPackage, create_package, manifest_text
 
 
@@ -84,7 +84,7 @@ def test_a_new_package_is_found_and_runs(create: Callable[..., list[str]], tmp_p
     )
     recording = edulaunch.run(tmp_path / 'go.launch.py', workspaces=[tmp_path], duration_s=1)
     assert 'Hi from my_package.\n' in [output.text for output in recording.output]
-    assert find_mistakes(str(tmp_path)).mistakes == []
+    assert judge_sources(str(tmp_path)) == []
 
 
 def test_texts_are_safe_inside_the_manifest() -> None:

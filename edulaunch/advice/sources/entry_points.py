@@ -1,0 +1,177 @@
+"""What ends in "No executable found": entry points that name nothing, and nodes that nothing names."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+from edulaunch.nearest import nearest
+from edulaunch.workspace.modules import defined_names, line_with, main_of, module_file, modules_of
+from edulaunch.workspace.sources import parsed, read_text
+
+if TYPE_CHECKING:
+    from edulaunch.advice.source_package import Source
+    from edulaunch.workspace.sources import SourcePackage
+
+LESSON = '05_large_project'
+
+
+@rule(
+    'packages.entry-point-module',
+    what="the entry point '{entry}' names the module {module}, which is not there",
+    why='"ros2 run {package} {executable}" ends with ModuleNotFoundError',
+    do=('write {near} instead of {module}', 'write the file {wanted}, or name the module that has the node'),
+    lesson=LESSON,
+    level='error',
+)
+def entry_point_module(source: Source) -> Iterator[Finding]:
+    """Of setup.py or setup.cfg, by the modules that setup() installs."""
+    package = source.package
+    for executable, module, function in _entry_points(source):
+        if module_file(package, module) is None:
+            near = nearest(module, modules_of(package))
+            yield _of_entry(package, executable, module, function, near=near, wanted=module.replace('.', '/') + '.py')
+
+
+@rule(
+    'packages.entry-point-function',
+    what="the entry point '{entry}' names the function {function}, which {written} does not have",
+    why='"ros2 run {package} {executable}" ends with ImportError',
+    do=('write {near} instead of {function}', 'define it in {written}: def {function}(args=None): ...'),
+    lesson=LESSON,
+    level='error',
+)
+def entry_point_function(source: Source) -> Iterator[Finding]:
+    """By what the module defines or imports at its top level."""
+    for package, executable, module, function, path, tree in _read_entry_points(source):
+        names, wanted = defined_names(tree), function.partition('.')[0]
+        if wanted not in names:
+            written = package.relative(path)
+            yield _of_entry(package, executable, module, wanted, written=written, near=nearest(wanted, names))
+
+
+@rule(
+    'packages.main-wants-arguments',
+    what="the entry point '{entry}' calls {function}() without arguments, but it wants {wanted}",
+    why='"ros2 run {package} {executable}" ends with TypeError: {function}() missing required positional arguments',
+    do='give it a default: def {function}({first}=None):',
+    lesson=LESSON,
+    level='error',
+)
+def main_wants_arguments(source: Source) -> Iterator[Finding]:
+    """A script of setuptools calls the function with nothing."""
+    for package, executable, module, function, path, tree in _read_entry_points(source):
+        called = main_of(tree, function)
+        if called is None:
+            continue
+        given = called.args
+        wanted = [one.arg for one in (*given.posonlyargs, *given.args)][: -len(given.defaults) or None]
+        if wanted:
+            facts = {'wanted': wanted, 'first': wanted[0]}
+            yield _of_entry(package, executable, module, function, path, called.lineno, **facts)
+
+
+@rule(
+    'packages.node-without-entry-point',
+    what='the node {file} has no entry point',
+    why='"ros2 run {package} {executable}" does not find it',
+    do="add '{executable} = {module}:main' to console_scripts in setup.py",
+    lesson=LESSON,
+    level='error',
+)
+def node_without_entry_point(source: Source) -> Iterator[Finding]:
+    """A module of a package of setup.py with a main() that starts rclpy; not when an entry point means it and misspells it."""
+    package = source.package
+    if not (source.is_readable and package.is_python):
+        return
+    modules = modules_of(package)
+    named = {module for _, module, _ in _entry_points(source)}
+    named |= {nearest(module, modules) or '' for module in named - modules.keys()}
+    for module, path in modules.items():
+        if module not in named and _is_node(path):
+            name, leaf = os.path.basename(path), module.rpartition('.')[2]
+            yield found('file', name, file=path, package=package.name, module=module, executable=leaf)
+
+
+@rule(
+    'packages.node-in-wrong-folder',
+    what='the node {file} stands in {folder}/, which setup.py does not install',
+    why='only the modules of the folder {package}/ (the one with __init__.py) are installed',
+    do="move it to {package}/{file}, and add '{executable} = {package}.{executable}:main' to console_scripts in setup.py",
+    lesson=LESSON,
+    level='error',
+)
+def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
+    """Of a package of setup.py: neither a module, nor a script that data_files or scripts= install."""
+    package = source.package
+    if not (source.is_readable and package.is_python):
+        return
+    known, installed = {*modules_of(package).values()}, source.installed
+    for path in package.python_files:
+        if path not in known and os.path.realpath(path) not in installed and _is_node(path):
+            folder = os.path.basename(os.path.dirname(path))
+            name = os.path.basename(path)
+            if not os.path.exists(os.path.join(package.folder, package.name, name)):
+                yield found('file', name, file=path, folder=folder, package=package.name, executable=name[:-3])
+
+
+@rule(
+    'packages.no-init',
+    what='the folder {folder}/ has no __init__.py',
+    why='find_packages() takes only folders with an __init__.py, so nothing of it is installed',
+    do='make an empty file {folder}/__init__.py',
+    lesson=LESSON,
+    level='error',
+    hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),
+)
+def no_init(source: Source) -> Iterator[Finding]:
+    """The folder of the package's own modules, when setup() does not install it."""
+    package = source.package
+    folder = os.path.join(package.folder, package.name)
+    has_modules = os.path.isdir(folder) and any(name.endswith('.py') for name in os.listdir(folder))
+    is_bare = has_modules and not os.path.isfile(os.path.join(folder, '__init__.py'))
+    if package.is_python and source.is_readable and is_bare and package.name not in package.contents.python_modules:
+        yield found('folder', package.name, file=folder)
+
+
+def _entry_points(source: Source) -> Iterator[tuple[str, str, str]]:
+    """(executable, module, function) of a package whose build file can be read."""
+    if source.is_readable:
+        for place, (module, function) in source.package.contents.entry_points.items():
+            yield os.path.basename(place), module, function
+
+
+def _read_entry_points(source: Source) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
+    """Those whose module is there and is Python: package, executable, module, function, file, syntax tree."""
+    for executable, module, function in _entry_points(source):
+        path = module_file(source.package, module)
+        tree = None if path is None else parsed(path)
+        if path is not None and tree is not None:
+            yield source.package, executable, module, function, path, tree
+
+
+def _of_entry(
+    package: SourcePackage,
+    executable: str,
+    module: str,
+    function: str,
+    file: str | None = None,
+    line: int | None = None,
+    **facts: Any,
+) -> Finding:
+    build = package.build_file()
+    entry = f'{executable} = {module}:{function}'
+    facts = {**facts, 'entry': entry, 'module': module, 'function': function, 'package': package.name}
+    return found('executable', executable, file=file or build, line=line or line_with(build, module) or None, **facts)
+
+
+def _is_node(path: str) -> bool:
+    """Whether there is a main() that starts rclpy."""
+    text = read_text(path)
+    tree = parsed(path) if 'rclpy' in text else None
+    called = None if tree is None else main_of(tree, 'main')
+    return called is not None and 'rclpy.init' in ast.unparse(called)

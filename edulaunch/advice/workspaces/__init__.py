@@ -1,0 +1,1 @@
+"""Rules over a workspace as a whole (`Workspace`); nothing of it is executed."""

@@ -1,0 +1,82 @@
+"""What stands around the packages of a workspace."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+
+if TYPE_CHECKING:
+    from edulaunch.advice.source_package import Workspace
+
+BUILD_SIGNS = {
+    'install': ('local_setup.bash', 'setup.bash', '.colcon_install_layout'),
+    'build': ('COLCON_IGNORE', '.built_by'),
+    'log': ('COLCON_IGNORE', 'latest_build'),
+}
+
+
+@rule(
+    'packages.none-here',
+    what='no package is in {folder}: no folder there has a package.xml',
+    why='colcon and ROS 2 know a package by its package.xml',
+    do='make a package with "ros2 pkg create NAME --build-type ament_python", or name another folder',
+    level='error',
+)
+def none_here(workspace: Workspace) -> Iterator[Finding]:
+    """A package.xml that cannot be read is told as such."""
+    if not workspace.packages and not workspace.around.warnings:
+        yield found('folder', os.path.basename(workspace.path), file=workspace.path)
+
+
+@rule(
+    'packages.build-output-committed',
+    what='{folder}/ was made by colcon, and stands in the repository',
+    why='it belongs to one machine: on any other its paths are wrong',
+    do='put {folder}/ into .gitignore, and take it out with: git rm -r --cached {folder}',
+)
+def build_output_committed(workspace: Workspace) -> Iterator[Finding]:
+    """In a repository whose .gitignore does not name build output."""
+    for name, signs in BUILD_SIGNS.items():
+        folder = os.path.join(workspace.path, name)
+        if any(os.path.exists(os.path.join(folder, sign)) for sign in signs) and _is_committed(workspace.path):
+            yield found('folder', name, file=folder)
+
+
+def _is_committed(path: str) -> bool:
+    try:
+        with open(os.path.join(path, '.gitignore'), encoding='utf-8', errors='replace') as file:
+            ignored = {line.strip().strip('/') for line in file}
+    except OSError:
+        ignored = set()
+    return os.path.isdir(os.path.join(path, '.git')) and not {'build', 'install', 'log'} & ignored
+
+
+@rule(
+    'packages.package-is-repository',
+    what='the package {package} is itself the root of a repository',
+    why='that works, but only when it is cloned into the src/ folder of a workspace',
+    do='clone it into src/ of a workspace, or put the package into a folder src/{package}/ of the repository',
+    level='info',
+)
+def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
+    """A package.xml beside .git."""
+    for package in workspace.packages:
+        if package.folder == workspace.path and os.path.isdir(os.path.join(workspace.path, '.git')):
+            yield found('package', package.name, file=package.manifest_file)
+
+
+@rule(
+    'packages.build-file',
+    what='{file} {said}',
+    why='colcon reads it when it builds the package',
+    do='correct that, and look again',
+    level='error',
+)
+def build_file(workspace: Workspace) -> Iterator[Finding]:
+    """What reading package.xml, setup.py, setup.cfg and CMakeLists.txt has noticed, in the words of the room that reads them."""
+    for warning in workspace.around.warnings:
+        yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, said=warning.sentence)

@@ -1,0 +1,3 @@
+def brake():
+	if True:
+        return 2
