@@ -56,13 +56,18 @@ def main(arguments: argparse.Namespace) -> int:
 
 
 def _answer(words: list[str]) -> int:
-    """Say what a line that sets a computer up means here; 1 when it is none of those."""
+    """Say what a line that sets a computer up means here, or open what stands for a window; 1 when it is none of those."""
     from edulaunch.workspace.not_needed import answer
+    from edulaunch.workspace.windows import WINDOWS
 
     said = answer(words)
-    if said is not None:
-        print(said)
-    return 0 if said is not None else 1
+    if said is None:
+        return 1
+    if words[0] in WINDOWS and sys.stdout.isatty():
+        sys.stdout.flush()
+        os.execv(sys.executable, [sys.executable, '-m', 'edulaunch', 'view', '--tab', WINDOWS[words[0]]])
+    print(said)
+    return 0
 
 
 def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:

@@ -46,9 +46,9 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
     if words[:1] == ['ros2']:
-        from edulaunch.machine.client import run
+        from edulaunch.machine.page_beside import run
 
-        return run(words)
+        return run(words[1:])
     parser = _parser(words[0] if words else None)
     verbatim = words[:1] != [] and words[0] in VERBATIM and words[1:] not in (['-h'], ['--help'])
     arguments, others = parser.parse_known_args(words[:1] if verbatim else words)

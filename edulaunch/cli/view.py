@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import socket
+from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
 from edulaunch.view import TABS
@@ -15,6 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side at first')
     parser.add_argument('--port', type=int, default=0, help='port on this computer (default: any that is free)')
     parser.add_argument('--no-browser', action='store_true', help='only say where the page is')
+    parser.add_argument('--until-eof', action='store_true', help=argparse.SUPPRESS)
 
 
 def main(arguments: argparse.Namespace) -> int:
@@ -24,9 +26,20 @@ def main(arguments: argparse.Namespace) -> int:
     """
     from edulaunch.machine.web import serve, show, tell
 
-    opened = tell if arguments.no_browser else show
+    def opened(address: str) -> None:
+        tell(address, '' if arguments.until_eof else '  Ctrl-C ends it; the machine goes on\n')
+        if not arguments.no_browser:
+            show(address)
+
+    async def page() -> None:
+        serving = asyncio.ensure_future(serve(_connect, port=arguments.port, tab=arguments.tab, opened=opened))
+        if arguments.until_eof:  # whoever started us ends, or is killed
+            asyncio.get_running_loop().add_reader(0, serving.cancel)
+        with suppress(asyncio.CancelledError):
+            await serving
+
     try:
-        asyncio.run(serve(_connect, port=arguments.port, tab=arguments.tab, opened=opened))
+        asyncio.run(page())
     except KeyboardInterrupt:
         return 0
     except (OSError, OverflowError) as error:

@@ -14,6 +14,7 @@ from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.recording import Recording
 from edulaunch.workspace.not_needed import answer
+from edulaunch.workspace.windows import WINDOWS
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
@@ -43,6 +44,8 @@ class Terminal:
         self._is_quiet = line.quiet
         if line.words[:1] == ['view']:
             return self.view(line.words[1:])
+        if line.words[:1] == ['run'] and line.words[1:2] and line.words[1] in WINDOWS and self.machine.session is not None:
+            return self.view([WINDOWS[line.words[1]]])
         with self.machine.hosting.cell(), outer_loop_set_aside():
             if line.words[:1] in (['jobs'], ['stop'], ['wait']):
                 self.machine.own_word(*line.words)

@@ -13,11 +13,11 @@ def ros2() -> int:
     words = sys.argv[1:]
     loudly = words[:1] == ['--verbose']
     step_aside('ros2', words, loudly)
-    from edulaunch.machine.client import run
+    from edulaunch.machine.page_beside import run
 
     if loudly:
         sys.stderr.write('edulaunch: no real ROS 2 is sourced here, this is the simulated machine\n')
-    return run(['ros2', *words[loudly:]])
+    return run(words[loudly:])
 
 
 def step_aside(name: str, words: list[str], loudly: bool) -> None:

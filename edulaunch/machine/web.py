@@ -121,14 +121,13 @@ def _quiet(handler: RequestHandler) -> None:
     """Nobody needs to hear of each request."""
 
 
-def tell(address: str) -> None:
+def tell(address: str, more: str = '') -> None:
     """Say where the page is."""
-    sys.stdout.write(f'the view is at {address}\n  Ctrl-C ends it; the machine goes on\n')
+    sys.stdout.write(f'the view is at {address}\n{more}')
     sys.stdout.flush()
 
 
 def show(address: str) -> None:
-    """Say where the page is, and open it where there is a browser."""
-    tell(address)
+    """Open the page where there is a browser."""
     with suppress(webbrowser.Error):
         webbrowser.open(address)

@@ -15,7 +15,7 @@ from edulaunch.processes.process import Process
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What to launch, how, and with which arguments."""
     launch_options.add_arguments(parser)
-    parser.add_argument('--view', action='store_true', help='say how to see what runs')
+    parser.add_argument('--view', action='store_true', help='open the live page in a browser while it runs')
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
