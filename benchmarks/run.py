@@ -44,6 +44,8 @@ WANTED = {
     'tf_tree (ms)': 'under 80',
     'graph (ms)': 'under 80',
     'replay of 60 s (ms)': 'under 300',
+    '60 s of the large project (ms)': 'under 50',
+    'judging / running': 'under 0.1',
 }
 PARTS = {
     'large project, 20 s': 'large_project',
@@ -52,6 +54,7 @@ PARTS = {
     'tf': 'tf_lookup',
     'launch files': 'launch_files',
     'pictures': 'pictures',
+    'advice': 'advice',
 }
 
 

@@ -154,6 +154,10 @@ class Task:
             self._deliver_interrupts()
         return woken
 
+    def waits_for_ever(self) -> bool:
+        """Whether it is parked, and only a :meth:`wake` can end that."""
+        return self._parked and self._timer is None and not self._woken
+
     def _set_timer(self, deadline_ns: int | None) -> None:
         if self._timer is not None:
             self._timer[3] = None

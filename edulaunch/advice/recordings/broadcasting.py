@@ -116,6 +116,7 @@ def slash_in_name(recording: Recording) -> Iterator[Finding]:
     do='set header.frame_id to the frame it is measured in, such as "world", and child_frame_id to the one that moves',
     lesson=LESSON,
     level='error',
+    hides=('tf.empty-buffer',),
 )
 def own_parent(recording: Recording) -> Iterator[Finding]:
     """Parent and child have the same name."""
@@ -129,6 +130,7 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
     do='set both header.frame_id and child_frame_id before you send it',
     lesson=LESSON,
     level='error',
+    hides=('tf.empty-buffer',),
 )
 def nameless(recording: Recording) -> Iterator[Finding]:
     """An empty parent or child."""
@@ -142,6 +144,7 @@ def nameless(recording: Recording) -> Iterator[Finding]:
     do='set rotation.w = 1.0 for "not turned", or fill it from an angle: x, y, z, w = quaternion_from_euler(0, 0, theta)',
     lesson=STATIC,
     level='error',
+    hides=('tf.empty-buffer',),
 )
 def zero_rotation(recording: Recording) -> Iterator[Finding]:
     """All four numbers are 0, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`."""
@@ -157,6 +160,7 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
     do='look for a division by zero, or for the root or arcus of a number that has none, in what you send',
     lesson=LESSON,
     level='error',
+    hides=('tf.empty-buffer',),
 )
 def not_a_number(recording: Recording) -> Iterator[Finding]:
     """nan in the translation or rotation."""

@@ -16,10 +16,14 @@ LESSON = '05_large_project'
 WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
-def _of(recording: Recording, kind: str, *rest: str) -> Iterator[Finding]:
-    """One finding for each fact of a kind; `rest` are the facts of its data that the sentences name."""
+def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = frozenset()) -> Iterator[Finding]:
+    """One finding for each fact of a kind; `rest` are the facts of its data that the sentences name.
+
+    :param but: kinds of facts that explain one of this kind in the same program.
+    """
+    explained = {fact.process for fact in recording.facts if fact.kind in but}
     for fact in recording.facts:
-        if fact.kind == kind:
+        if fact.kind == kind and fact.process not in explained:
             file, line = fact_place(recording, fact)
             facts: dict[str, Any] = {name: fact.data.get(name) for name in rest}
             facts['callback'] = fact.data.get('callback') or fact.data.get('function') or 'lambda'
@@ -38,13 +42,39 @@ def _of(recording: Recording, kind: str, *rest: str) -> Iterator[Finding]:
     ),
     lesson=LESSON,
     level='error',
-    hides=('messages.reply-not-taken', 'messages.not-taken', 'time.slow-callback'),
+    hides=('messages.reply-not-taken', 'messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def deadlock(recording: Recording) -> Iterator[Finding]:
     """By call(), by a loop around future.done(), by spinning until a future is done, or by await in the same group."""
     for finding in _of(recording, 'callback waits', 'waiting'):
         waiting = finding.facts['waiting']
         yield finding._replace(facts={**finding.facts, 'waiting': WAITS.get(waiting, f'{waiting}()')})
+
+
+@rule(
+    'programs.callback-goes-on',
+    what=(
+        '{callback}() of {node} does not end, and the timer of {timers}() waits for it: it stands at {calls}()',
+        '{callback}() of {node} does not end, and messages wait for it: it stands at {calls}()',
+        '{callback}() of {node} does not end, and the other callbacks wait for it',
+    ),
+    why='a node runs one callback at a time; what this one waits for may be what it keeps from coming',
+    do='return from {callback}() and go on in the next callback; keep in an attribute of the node how far you are',
+    lesson=LESSON,
+    level='error',
+    hides=('time.sleep-in-callback', 'messages.not-taken', 'time.slow-callback'),
+)
+def goes_on(recording: Recording) -> Iterator[Finding]:
+    """At the end of the run a callback is not over, for half a second at least, and others of its node are due."""
+    for finding in _of(recording, 'callback goes on', 'timers', 'calls', but=EXPLAINED):
+        calls = (finding.facts['calls'] or '').rpartition('.')[2] or None
+        yield finding._replace(facts={**finding.facts, 'calls': calls})
+
+
+EXPLAINED = frozenset(
+    ('callback waits', 'spin in callback', 'spin in callback in vain', 'rate in callback', 'node not spun', 'waits for input')
+)
+"""Facts that say why a callback does not end."""
 
 
 @rule(
@@ -95,7 +125,7 @@ def other_node_spun(recording: Recording) -> Iterator[Finding]:
     do='take the loop out and let a timer call you: self.create_timer(0.1, self.step)',
     lesson='03_broadcaster_and_listener',
     level='error',
-    hides=('messages.not-taken', 'time.slow-callback'),
+    hides=('messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def rate_in_callback(recording: Recording) -> Iterator[Finding]:
     """The executor that would call the timer of the rate waits for the callback."""
@@ -109,7 +139,7 @@ def rate_in_callback(recording: Recording) -> Iterator[Finding]:
     do='take the loop out of {function}() and let a timer call you: self.create_timer(0.1, self.step)',
     lesson='03_broadcaster_and_listener',
     level='error',
-    hides=('programs.never-spun',),
+    hides=('programs.never-spun', 'turtlesim.slow-commands'),
 )
 def rate_not_spun(recording: Recording) -> Iterator[Finding]:
     """A program that stands at rate.sleep() while its node is in no executor, in a constructor for instance."""
@@ -125,6 +155,7 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
     do='give the function itself, without brackets: self.tick, not self.tick()',
     lesson='03_broadcaster_and_listener',
     level='error',
+    hides=('turtlesim.slow-commands',),
 )
 def callback_missing(recording: Recording) -> Iterator[Finding]:
     """A timer or service."""

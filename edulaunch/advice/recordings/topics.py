@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place, own_nodes, speaker
+from edulaunch.advice.runs import ends_by_name, is_ros_own, node_place, own_nodes, programs, speaker
 from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
@@ -66,8 +66,8 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
                 file=place[0],
                 line=place[1],
                 time_s=end.made_s,
-                node=end.node,
-                other=other.node,
+                node=speaker(recording, end.node),
+                other=speaker(recording, other.node),
                 near=other.name,
             )
 
@@ -128,7 +128,7 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.too-early',
-    what='{node} published on {topic} only before {other} listened there ({gap_s} s too early): the messages are lost',
+    what='{node} published on {topic} only before {other} listened there: what it said is lost',
     why='a publisher does not keep its messages for those who come later',
     do=(
         'publish again later, for instance from a timer; or let both ends keep the last message: '
@@ -137,18 +137,29 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
-    """All messages of a topic came before its first subscription, and one of the two ends does not keep them."""
+    """All messages of a topic came before its first subscription, and one of the two ends does not keep them. At the same moment
+    the program that was started first was first.
+    """
     last: dict[str, float] = {}
     for row in recording._content['topics']:
         if row['times']:
             last[row['topic']] = max(last.get(row['topic'], 0.0), row['times'][-1] / 1e9)
+    order = {id(end): number for number, end in enumerate(recording.ends)}
     for (kind, topic), subscriptions in ends_by_name(recording).items():
         publishers = ends_by_name(recording).get(('publisher', topic))
         if kind != 'subscription' or topic not in last or publishers is None or is_ros_own(topic):
             continue
-        first, gap_s = subscriptions[0], subscriptions[0].made_s - last[topic]
+        first = subscriptions[0]
         kept = first.qos[2] == 'transient_local' and any(end.qos[2] == 'transient_local' for end in publishers)
-        if gap_s > 0 and not kept:
+        at_once = (
+            first.made_s == last[topic] and order[id(first)] > order[id(publishers[-1])] and _apart(recording, first, publishers)
+        )
+        if (first.made_s > last[topic] or at_once) and not kept:
             file, line = node_place(recording, publishers[0].node)
             pair = {'node': speaker(recording, publishers[0].node), 'other': speaker(recording, first.node)}
-            yield found('topic', topic, file=file, line=line, time_s=last[topic], gap_s=round(gap_s, 3), **pair)
+            yield found('topic', topic, file=file, line=line, time_s=last[topic], **pair)
+
+
+def _apart(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
+    """Whether an end is of another program than all others."""
+    return all(programs(recording).get(other.node) != programs(recording).get(end.node) for other in others)

@@ -40,14 +40,17 @@ def _late(recording: Recording) -> list[Fact]:
     hides=('time.slow-callback', 'messages.not-taken'),
 )
 def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Only where something else of the same program came late by it; a callback that may sleep harms nobody."""
+    """Only where something else of the same program came late by it; once of each callback."""
+    told: set[tuple[str | None, str | None]] = set()
     for fact in _of(recording, 'sleep in callback'):
         late = [one for one in _late(recording) if one.process == fact.process]
-        if late:
+        callback = fact.data['callback'] or fact.data.get('function')
+        if late and (fact.process, callback) not in told:
+            told.add((fact.process, callback))
             file, line = fact_place(recording, fact)
             timers = dict.fromkeys(one.data['callback'] or 'timer' for one in late if 'callback' in one.data)
             topics = dict.fromkeys(one.data['topic'] for one in late if 'topic' in one.data)
-            facts = {'callback': fact.data['callback'], 'seconds': fact.data['seconds'], 'times': fact.times}
+            facts = {'callback': callback, 'seconds': fact.data['seconds'], 'times': fact.times}
             node = fact.data['node'] or node_of(recording, fact.process)
             yield found('node', node, file=file, line=line, time_s=fact.time_s, timers=list(timers), topics=list(topics), **facts)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.student_line import waiting_line
 from edulaunch.sim.task import running_task
+from rclpy.execution.names import callback_name
 
 if TYPE_CHECKING:
     from rclpy.node_parts.core import NodeCore
@@ -14,13 +15,17 @@ if TYPE_CHECKING:
 Facts = Iterator[tuple[str, dict[str, Any]]]
 LONG_NS = 500_000_000
 """How long something waits for a callback until that is odd."""
+VERY_LONG_NS = 3_000_000_000
+"""A callback that holds up a timer for so long does not end."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 
 def odd_facts(core: NodeCore) -> Facts:
     """Values for parameters that were never declared; messages and replies that nobody takes; a node that nobody spins."""
     yield from _undeclared(core)
-    yield from _waiting(core)
+    waiting = [*_waiting(core)]
+    yield from waiting
+    yield from _going_on(core, bool(waiting))
     if not core.was_spun:
         yield from _never_spun(core)
 
@@ -45,6 +50,20 @@ def _waiting(core: NodeCore) -> Facts:
     for client in core.clients:
         if client._impl.queue:
             yield 'reply waits', {'node': core.full_name, 'service': client._impl.service_name}
+
+
+def _going_on(core: NodeCore, something_waits: bool) -> Facts:
+    """A callback that does not end: it waits without a time limit while something else waits, or timers are due since long."""
+    executor = core.ready_list.executor
+    task = None if executor is None else executor.spinner
+    if executor is None or task is None or task is running_task():
+        return
+    entity, late_ns = executor.running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
+    due = [timer for timer in core.timers if timer.due_ns <= late_ns and timer is not entity]
+    if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and task.waits_for_ever())):
+        timers = [callback_name(timer) or 'timer' for timer in due]
+        data = {'node': core.full_name, 'callback': callback_name(entity), 'timers': timers}
+        yield 'callback goes on', {**data, **waiting_line(task)}
 
 
 def _never_spun(core: NodeCore) -> Facts:

@@ -1,0 +1,24 @@
+import rclpy
+from rclpy.node import Node
+from turtlesim.srv import Kill
+
+
+class Spawner(Node):
+    def __init__(self):
+        super().__init__('spawner')
+        self.client = self.create_client(Kill, 'kill')
+        while not self.client.wait_for_service(timeout_sec=1.0):
+            self.get_logger().info('service not available, waiting again...')
+        request = Kill.Request(name='turtle')
+        self.future = self.client.call_async(request)
+
+
+def main():
+    rclpy.init()
+    node = Spawner()
+    rclpy.spin_until_future_complete(node, node.future)
+    rclpy.shutdown()
+
+
+if __name__ == '__main__':
+    main()
