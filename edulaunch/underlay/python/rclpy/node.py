@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
@@ -81,7 +82,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         if use_global_arguments:
             arguments.append(context._arguments)
         core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
-        core.graph.tracer.watch(core.entry, core.odd_facts)
+        core.graph.tracer.watch(core.entry, lambda: _odd_facts(core))
         core.logger = RcutilsLogger(core.logger_name)
         core.default_callback_group = MutuallyExclusiveCallbackGroup()
         core.clock = ROSClock()
@@ -201,6 +202,13 @@ def _finish_node_class() -> None:
 
 
 _finish_node_class()
+
+
+def _odd_facts(core: NodeCore) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Only asked for when the node leaves, or at the end of the record."""
+    from rclpy.node_parts.odd_facts import odd_facts
+
+    return odd_facts(core)
 
 
 def _start_services(node: Node, parameters: bool, logger: bool) -> None:

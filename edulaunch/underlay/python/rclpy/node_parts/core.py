@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
@@ -101,12 +100,6 @@ class NodeCore:
     def logger_name(self) -> str:
         """The full name with dots: `a.b.c` for node c in /a/b."""
         return self.entry.logger_name
-
-    def odd_facts(self) -> Iterator[tuple[str, dict[str, Any]]]:
-        """What is odd about the node now: (kind, plain data); see `node_parts.odd_facts`."""
-        from rclpy.node_parts.odd_facts import odd_facts
-
-        return odd_facts(self)
 
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""
