@@ -66,6 +66,8 @@ def _names(node: ast.AST, package: str, with_types: bool) -> Iterator[str]:
     for child in ast.iter_child_nodes(node):
         if not with_types and isinstance(child, ast.If) and 'TYPE_CHECKING' in ast.unparse(child.test):
             continue
+        if _only_names(child):
+            continue
         if isinstance(child, ast.Import):
             yield from (alias.name for alias in child.names)
         elif isinstance(child, ast.ImportFrom):
@@ -76,6 +78,13 @@ def _names(node: ast.AST, package: str, with_types: bool) -> Iterator[str]:
                 yield child.value.partition(':')[0]
         else:
             yield from _names(child, package, with_types)
+
+
+def _only_names(node: ast.AST) -> bool:
+    """Whether a text in it names a module as ROS does, and nothing is loaded: of a class, of a logger, of a group of entry points."""
+    if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+        return node.targets[0].id in ('__module__', 'PARSER_GROUP')
+    return isinstance(node, ast.Call) and ast.unparse(node.func).endswith('get_logger')
 
 
 def _parent(package: str, level: int) -> list[str]:

@@ -12,6 +12,7 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.script_clock import script_sees_the_clock
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.real_threads import RealThreads, start_real_thread
 from edulaunch.sim.task import AmbientTask, Task, current_task
 from edulaunch.underlay_place import sourced_path, sourced_workspaces, underlay_prefix
 
@@ -28,8 +29,6 @@ class AmbientProcess(Process):
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
         """As every program's; a real thread gets a real thread, which does not depend on the main one to go on."""
         if current_task().is_real_thread:
-            from edulaunch.sim.real_threads import start_real_thread
-
             return start_real_thread(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)
 
@@ -38,8 +37,9 @@ def make_ambient_process(task: AmbientTask) -> Process:
     """A process around `task`, with a graph, an index of what was sourced and a host of its own. In a script that sees the real
     clock simulated time is real time.
     """
+    task.real_threads = RealThreads(task)
     if script_sees_the_clock():
-        task.keep_real_time()
+        task.real_threads.keep_time()
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
     host = Host(task.sim, Graph(task.sim), Index([*prefixes, underlay_prefix()], sourced_workspaces()), env=dict(os.environ))
     return ambient_process_on(host, task)
@@ -50,6 +50,7 @@ def ambient_process_on(host: Host, task: AmbientTask) -> Process:
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)
     process.task = task
+    task.real_threads = task.real_threads or RealThreads(task)
     process.sourced_path = sourced_path()
     process.env = os.environ  # type: ignore[assignment]  # a plain script and its launch files share one environment
     process.stdin = sys.stdin

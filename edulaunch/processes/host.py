@@ -19,7 +19,7 @@ from edulaunch.processes.overlay import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.python_commands import python_command
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import SHELLS, ProcessSpec
 from edulaunch.sim.real_pace import RealPace
 from edulaunch.sim.simulation import Simulation
 from edulaunch.sim.task import running_task
@@ -63,7 +63,6 @@ WRAPPERS = (
     'xfce4-terminal',
     'xterm',
 )
-SHELLS = ('bash', 'dash', 'sh', 'zsh')
 SHELL_SIGNS = frozenset('|&;<>()$`\\*?[]#~%\n')
 
 

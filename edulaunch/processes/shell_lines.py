@@ -14,12 +14,11 @@ from contextlib import suppress
 from typing import Any
 
 from edulaunch.processes.children import Child
-from edulaunch.processes.host import SHELLS
 from edulaunch.processes.process import Process
 from edulaunch.processes.shell_filters import Filter, RealFilter, Sink, is_filter
 from edulaunch.processes.shell_grammar import Command, Job, Line, Pipeline, Redirection, commands, parsed
 from edulaunch.processes.shell_words import Expansion, known_words
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import SHELLS, ProcessSpec
 from edulaunch.sim.sync import sleep
 
 _UNITS = {'s': 1, 'm': 60, 'h': 3600}

@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 from edulaunch.processes.origin import Origin
 
+SHELLS = ('bash', 'dash', 'sh', 'zsh')
+
 
 class ProcessSpec(NamedTuple):
     """Everything that is decided before a program starts.

@@ -28,6 +28,26 @@ class RealThreads:
         self._threads: list[threading.Thread] = []
         self._bell = threading.Event()
         self._anchor = host.sim.now_ns, time.monotonic_ns()
+        self._keeps_time = False
+
+    def keep_time(self) -> None:
+        """From now on simulated time is real time, threads or not; asked for before anything has happened."""
+        sim = self._host.sim
+        if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
+            sim.start_ns = sim.now_ns = time.time_ns()
+        self._anchor, self._keeps_time = (sim.now_ns, time.monotonic_ns()), True
+
+    def set_the_pace(self, due_ns: int | None) -> bool:
+        """Whether the main thread has to wait, in real time, for what is due at `due_ns` (None: never)."""
+        return self.are_here() or (self._keeps_time and due_ns is not None)
+
+    def let_begin(self) -> None:
+        """Let threads that were started just now come in."""
+        time.sleep(THREAD_BEGINS_S)
+
+    def join(self) -> RealThreadTask:
+        """Let the running thread take part."""
+        return RealThreadTask(self._host, self)
 
     def add(self, thread: threading.Thread) -> None:
         """Another one has come; simulated time goes on from where it is."""
@@ -68,13 +88,11 @@ class RealThreadTask(AmbientTask):
 
     is_real_thread = True
 
-    def __init__(self, host: AmbientTask) -> None:
+    def __init__(self, host: AmbientTask, clock: RealThreads) -> None:
         super().__init__(host.sim, owner=host.owner)
         self.name = threading.current_thread().name
         self._bell = threading.Event()
-        if host.real_threads is None:
-            host.real_threads = RealThreads(host)
-        self._clock = host.real_threads
+        self._clock = clock
         self._clock.add(threading.current_thread())
 
     def park(self, deadline_ns: int | None = None) -> bool:
@@ -105,11 +123,6 @@ class RealThreadTask(AmbientTask):
         """Nothing: only the main thread takes items off the agenda."""
 
 
-def let_threads_begin() -> None:
-    """Let threads that were started just now come in."""
-    time.sleep(THREAD_BEGINS_S)
-
-
 def start_real_thread(body: Callable[[], object], name: str) -> Task:
     """Run `body` in a further real thread; returns its task."""
     begun = threading.Event()
@@ -128,8 +141,3 @@ def start_real_thread(body: Callable[[], object], name: str) -> Task:
     threading.Thread(target=run, name=name, daemon=True).start()
     begun.wait()
     return tasks[0]
-
-
-def real_time_ns() -> int:
-    """What the clock on the wall says."""
-    return time.time_ns()

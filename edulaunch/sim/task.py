@@ -223,8 +223,7 @@ class AmbientTask(Task):
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
-        self.real_threads: RealThreads | None = None
-        self._keeps_real_time = False
+        self.real_threads: RealThreads | None = None  # given to it with its owner
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
@@ -237,10 +236,8 @@ class AmbientTask(Task):
                 self._let_threads_begin()
                 continue
             due_ns = deadline_ns if is_over else next_ns
-            is_paced = self.real_threads is not None and (
-                self.real_threads.are_here() or (self._keeps_real_time and due_ns is not None)
-            )
-            if is_paced and self.real_threads is not None and not self.real_threads.await_turn(due_ns):
+            beside = self.real_threads
+            if beside is not None and beside.set_the_pace(due_ns) and not beside.await_turn(due_ns):
                 break
             if is_over:
                 assert deadline_ns is not None
@@ -252,21 +249,11 @@ class AmbientTask(Task):
         self._deliver_interrupts()
         return True
 
-    def keep_real_time(self) -> None:
-        """From now on simulated time is real time; asked for before anything has happened."""
-        from edulaunch.sim.real_threads import RealThreads, real_time_ns
-
-        sim = self.sim
-        if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
-            sim.start_ns = sim.now_ns = real_time_ns()
-        self.real_threads, self._keeps_real_time = RealThreads(self), True
-
     def _let_threads_begin(self) -> None:
         """Threads were started (or have ended): before time passes, let them come in."""
-        from edulaunch.sim.real_threads import let_threads_begin
-
         self._threads = threading.active_count()
-        let_threads_begin()
+        if self.real_threads is not None:
+            self.real_threads.let_begin()
 
     def wake(self) -> None:
         """As :meth:`Task.wake`; perhaps from another thread."""
@@ -303,11 +290,9 @@ def current_task() -> Task:
 def _ambient_task() -> AmbientTask:
     """For the main thread, or a thread that has nothing to do with it, one of its own; else one that takes part there."""
     host = getattr(_MAIN, 'task', None)
-    if isinstance(host, AmbientTask) and host.owner is not None and threading.current_thread() is not threading.main_thread():
-        from edulaunch.sim.real_threads import RealThreadTask
-
-        return RealThreadTask(host)
-    return AmbientTask(Simulation())
+    beside = host.real_threads if isinstance(host, AmbientTask) and host.owner is not None else None
+    is_main = beside is None or threading.current_thread() is threading.main_thread()
+    return AmbientTask(Simulation()) if is_main or beside is None else beside.join()
 
 
 def _main_greenlet() -> Any:

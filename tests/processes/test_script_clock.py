@@ -63,7 +63,8 @@ def spun(task: AmbientTask, seconds: float) -> list[float]:
 
 def test_simulated_time_is_real_time(world: World) -> None:
     task = AmbientTask(Simulation())
-    task.keep_real_time()
+    task.real_threads = real_threads.RealThreads(task)
+    task.real_threads.keep_time()
     assert task.sim.now_ns == world.now_ns
     assert spun(task, 1.0)[:9] == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]
     assert world.now_ns - 5 * 10**18 == pytest.approx(10**9, abs=6 * 10**7)

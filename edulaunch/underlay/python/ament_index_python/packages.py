@@ -74,9 +74,8 @@ def _left_out_by_launch(package_name: str) -> str | None:
     process = current_process()
     if 'launch.process_counter' not in process.state:
         return None
-    from launch._engine import absent_package
-
-    return process.index.absent_prefix if absent_package(package_name) is not None else None
+    is_known = 'launch.assumptions' not in process.state and process.index.absent(package_name) is not None
+    return process.index.absent_prefix if is_known else None
 
 
 def _not_found(package_name: str) -> PackageNotFoundError:

@@ -13,7 +13,6 @@ from message_filters.simple_filter import SimpleFilter
 
 if TYPE_CHECKING:
     from rclpy.node import Node
-    from tf2_ros import Buffer
 
 
 class FilterFailureReason(IntEnum):
@@ -44,7 +43,7 @@ class MessageFilter(SimpleFilter):
     """
 
     def __init__(
-        self, buffer: Buffer, target_frame: str | Sequence[str], queue_size: int, node: Node, f: SimpleFilter | None = None
+        self, buffer: Any, target_frame: str | Sequence[str], queue_size: int, node: Node, f: SimpleFilter | None = None
     ) -> None:
         super().__init__()
         self.buffer = buffer

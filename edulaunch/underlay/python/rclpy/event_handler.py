@@ -129,7 +129,7 @@ class _IncompatibleCount:
     def take(self) -> Any:
         if not self.change:
             return None
-        from rclpy.qos_presets import PolicyKindOfEvent
+        from rclpy.qos_compatibility import PolicyKindOfEvent
 
         info = IncompatibleInfo(self.total, self.change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{self.policy}'])
         self.change = 0
@@ -197,7 +197,7 @@ class _EventCallbacks:
         """The default callback for incompatible quality of service: a warning in the node's log."""
 
         def warn_of(info: Any) -> None:
-            from rclpy.qos_presets import qos_policy_name_from_kind
+            from rclpy.qos_compatibility import qos_policy_name_from_kind
 
             policy = qos_policy_name_from_kind(info.last_policy_kind)
             node.get_logger().warning(self._warning.format(entity.topic, policy))

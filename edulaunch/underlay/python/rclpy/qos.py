@@ -1,8 +1,8 @@
-"""Quality of service: profiles and policies; and, by way of `qos_presets`, whether two profiles suit each other."""
+"""Quality of service: profiles and policies; and, by way of `qos_compatibility`, whether two profiles suit each other."""
 
 from __future__ import annotations
 
-from enum import IntEnum
+from enum import Enum, IntEnum
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 from warnings import warn
@@ -285,14 +285,32 @@ qos_profile_rosout_default = QoSProfile(
 )
 
 
-_LATE = (
-    'QoSCheck',
-    'QoSCompatibility',
-    'QoSPolicyKind',
-    'QoSPresetProfiles',
-    'qos_check_compatible',
-    'qos_policy_name_from_kind',
-)
+class QoSPresetProfiles(Enum):
+    """The profiles that ROS 2 brings along."""
+
+    UNKNOWN = qos_profile_unknown
+    DEFAULT = qos_profile_default
+    SYSTEM_DEFAULT = qos_profile_system_default
+    SENSOR_DATA = qos_profile_sensor_data
+    SERVICES_DEFAULT = qos_profile_services_default
+    PARAMETERS = qos_profile_parameters
+    PARAMETER_EVENTS = qos_profile_parameter_events
+    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+    BEST_AVAILABLE = qos_profile_best_available
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """All short keys, such as 'sensor_data'."""
+        return [name.lower() for name in cls.__members__]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSProfile:
+        """The profile of a short key. Raises KeyError for an unknown one."""
+        profile: QoSProfile = cls[name.upper()].value
+        return profile
+
+
+_LATE = ('QoSCheck', 'QoSCompatibility', 'QoSPolicyKind', 'qos_check_compatible', 'qos_policy_name_from_kind')
 __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *_LATE]
 
 
@@ -300,6 +318,6 @@ def __getattr__(name: str) -> Any:
     """What few programs need is loaded when it is asked for."""
     if name not in _LATE:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from rclpy import qos_presets
+    from rclpy import qos_compatibility
 
-    return getattr(qos_presets, name)
+    return getattr(qos_compatibility, name)

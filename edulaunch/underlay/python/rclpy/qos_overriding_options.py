@@ -10,7 +10,7 @@ from rclpy.duration import Duration
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter
 from rclpy.qos import QoSPolicyEnum, QoSProfile
-from rclpy.qos_presets import QoSPolicyKind
+from rclpy.qos_compatibility import QoSPolicyKind
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import SetParametersResult

@@ -9,7 +9,8 @@ from .._engine import environment
 from .._read_only import ReadOnly
 from ..action import Action
 from ..descriptions.executable import Executable
-from ..event_handlers.on_process_exit import OnProcessExit
+from ..event_handlers.on_action_event_base import OnActionEventBase
+from ..events.process.process_exited import ProcessExited
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -205,7 +206,10 @@ class ExecuteLocal(Action):
         loop = context.asyncio_loop
         watch = _watch_type()(self, self.__process_details, self.__options, self.__output, loop)
         if self.__on_exit is not None:
-            context.register_event_handler(OnProcessExit(target_action=self, on_exit=self.__on_exit))
+            on_exit = OnActionEventBase(
+                action_matcher=self, on_event=self.__on_exit, target_event_cls=ProcessExited, target_action_cls=ExecuteLocal
+            )
+            context.register_event_handler(on_exit)
         context.register_event_handler(watch)
         self.__watch = watch
         loop.call_soon(watch.begin, context)

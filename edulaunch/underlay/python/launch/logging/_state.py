@@ -70,4 +70,4 @@ class LoggingState:
 
 def logging_state() -> LoggingState:
     """The loggers of the running process."""
-    return process_state('launch.logging', LoggingState)
+    return process_state('launch.loggers', LoggingState)

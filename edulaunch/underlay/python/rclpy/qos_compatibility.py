@@ -1,25 +1,12 @@
-"""Presets by name, the numbers of policies, whether two profiles suit each other. Programs find it all in `rclpy.qos`."""
+"""The numbers of policies, and whether two profiles suit each other. Programs find it all in `rclpy.qos`."""
 
 from __future__ import annotations
 
-from enum import Enum, IntEnum
-from typing import NamedTuple
+from enum import IntEnum
+from typing import TYPE_CHECKING, NamedTuple
 
-from rclpy.qos import (
-    DurabilityPolicy,
-    LivelinessPolicy,
-    QoSProfile,
-    ReliabilityPolicy,
-    qos_profile_action_status_default,
-    qos_profile_best_available,
-    qos_profile_default,
-    qos_profile_parameter_events,
-    qos_profile_parameters,
-    qos_profile_sensor_data,
-    qos_profile_services_default,
-    qos_profile_system_default,
-    qos_profile_unknown,
-)
+if TYPE_CHECKING:
+    from rclpy.qos import QoSProfile
 
 
 class QoSPolicyKind(IntEnum):
@@ -47,31 +34,6 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     return QoSPolicyKind(policy_kind).name
 
 
-class QoSPresetProfiles(Enum):
-    """The profiles that ROS 2 brings along."""
-
-    UNKNOWN = qos_profile_unknown
-    DEFAULT = qos_profile_default
-    SYSTEM_DEFAULT = qos_profile_system_default
-    SENSOR_DATA = qos_profile_sensor_data
-    SERVICES_DEFAULT = qos_profile_services_default
-    PARAMETERS = qos_profile_parameters
-    PARAMETER_EVENTS = qos_profile_parameter_events
-    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
-    BEST_AVAILABLE = qos_profile_best_available
-
-    @classmethod
-    def short_keys(cls) -> list[str]:
-        """All short keys, such as 'sensor_data'."""
-        return [name.lower() for name in cls.__members__]
-
-    @classmethod
-    def get_from_short_key(cls, name: str) -> QoSProfile:
-        """The profile of a short key. Raises KeyError for an unknown one."""
-        profile: QoSProfile = cls[name.upper()].value
-        return profile
-
-
 class QoSCompatibility(IntEnum):
     """Whether two profiles suit each other."""
 
@@ -96,24 +58,24 @@ _OPEN_POLICIES = (
     (
         'reliability',
         'reliability',
-        ReliabilityPolicy.RELIABLE,
-        ReliabilityPolicy.BEST_EFFORT,
+        'RELIABLE',
+        'BEST_EFFORT',
         'Reliable subscription, but publisher is {}',
         'Best effort publisher, but subscription is {}',
     ),
     (
         'durability',
         'durabilty',
-        DurabilityPolicy.TRANSIENT_LOCAL,
-        DurabilityPolicy.VOLATILE,
+        'TRANSIENT_LOCAL',
+        'VOLATILE',
         'Transient local subscription, but publisher is {}',
         'Volatile publisher, but subscription is {}',
     ),
     (
         'liveliness',
         'liveliness',
-        LivelinessPolicy.MANUAL_BY_TOPIC,
-        LivelinessPolicy.AUTOMATIC,
+        'MANUAL_BY_TOPIC',
+        'AUTOMATIC',
         "Subscription's liveliness is manual by topic, but publisher's is {}",
         "Publisher's liveliness is automatic, but subscription's is {}",
     ),
@@ -141,9 +103,9 @@ def _doubts(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str
         offered, requested = getattr(publisher_qos, name), getattr(subscription_qos, name)
         if offered.name in _OPEN and requested.name in _OPEN:
             found.append(f'Publisher {spelling} is {offered.short_key} and subscription {name} is {requested.short_key}')
-        elif offered.name in _OPEN and requested is strict:
+        elif offered.name in _OPEN and requested.name == strict:
             found.append(subscription_words.format(offered.short_key))
-        elif offered is lax and requested.name in _OPEN:
+        elif offered.name == lax and requested.name in _OPEN:
             found.append(publisher_words.format(requested.short_key))
     return found
 
@@ -151,15 +113,15 @@ def _doubts(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str
 def _clashes(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str]:
     offered, requested = publisher_qos.get_c_qos_profile(), subscription_qos.get_c_qos_profile()
     found = []
-    if (publisher_qos.reliability, subscription_qos.reliability) == (ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE):
+    if (publisher_qos.reliability.name, subscription_qos.reliability.name) == ('BEST_EFFORT', 'RELIABLE'):
         found.append('Best effort publisher and reliable subscription')
-    if (publisher_qos.durability, subscription_qos.durability) == (DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL):
+    if (publisher_qos.durability.name, subscription_qos.durability.name) == ('VOLATILE', 'TRANSIENT_LOCAL'):
         found.append('Volatile publisher and transient local subscription')
     if requested.deadline_ns and not offered.deadline_ns:
         found.append('Subscription has a deadline, but publisher does not')
     elif requested.deadline_ns and requested.deadline_ns < offered.deadline_ns:
         found.append('Subscription deadline is less than publisher deadline')
-    if (publisher_qos.liveliness, subscription_qos.liveliness) == (LivelinessPolicy.AUTOMATIC, LivelinessPolicy.MANUAL_BY_TOPIC):
+    if (publisher_qos.liveliness.name, subscription_qos.liveliness.name) == ('AUTOMATIC', 'MANUAL_BY_TOPIC'):
         found.append("Publisher's liveliness is automatic and subscription's is manual by topic")
     if requested.lease_ns and not offered.lease_ns:
         found.append('Subscription has a liveliness lease duration, but publisher does not')
