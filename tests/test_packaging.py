@@ -9,6 +9,7 @@ from tests.house import ROOT, every_import, modules
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
 TESTS = (
     'edulaunch.pytest_plugin',
+    'edugrade.pytest_plugin',
     'edulaunch.testing',
     'launch_testing',
     'launch_pytest',

@@ -25,12 +25,12 @@ def rubrics_folder() -> str:
     return inside if os.path.isdir(inside) else os.path.join(os.path.dirname(_HERE), 'checks')
 
 
-def course_rubrics() -> str | None:
+def course_rubrics(inside: str = '') -> str | None:
     """The folder ``rubrics`` of the course that the current folder lies in: beside its course.toml, or beside the folder of that.
 
-    Only the current folder and those above it are looked into: never what was handed in.
+    Only the current folder (or the given one) and those above it are looked into: never what was handed in.
     """
-    for folder in _above(os.getcwd()):
+    for folder in _above(os.path.abspath(inside)):
         for manifest in (folder, os.path.join(folder, 'exercises')):
             if os.path.isfile(os.path.join(manifest, MANIFEST)):
                 place = next((place for place in (manifest, folder, os.path.dirname(folder)) if _has_rubrics(place)), None)
@@ -55,13 +55,15 @@ def exercises() -> list[str]:
 
 def _rubrics() -> dict[str, str]:
     """The file of each rubric by the exercise's name; the course's own go before those that come with edugrade."""
-    found = {}
-    for folder in (rubrics_folder(), course_rubrics()):
-        for name in sorted(os.listdir(folder)) if folder is not None and os.path.isdir(folder) else ():
-            stem, ending = os.path.splitext(name)
-            if ending in ENDINGS and not name.startswith('_'):
-                found[stem] = os.path.join(str(folder), name)
-    return found
+    own = course_rubrics()
+    return {**rubrics_in(rubrics_folder()), **(rubrics_in(own) if own else {})}
+
+
+def rubrics_in(folder: str) -> dict[str, str]:
+    """The file of each rubric in a folder, by the exercise's name."""
+    names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+    parts = [(*os.path.splitext(name), name) for name in names if not name.startswith('_')]
+    return {stem: os.path.join(folder, name) for stem, ending, name in parts if ending in ENDINGS}
 
 
 def find_rubric(exercise: str, given: str | None = None, submission: str = '') -> tuple[str, Rubric]:

@@ -21,7 +21,17 @@ if TYPE_CHECKING:
     from .results import Refusal, Report
 
 
-VERBS = {'batch': '.batch.command', 'doctor': '.doctor', 'schema': '.report_schema', 'sign': '.signature', 'verify': '.verify'}
+VERBS = {
+    'batch': '.batch.command',
+    'classroom': '.export.classroom',
+    'course': '.course_check',
+    'doctor': '.doctor',
+    'export': '.export.command',
+    'gradescope': '.export.gradescope',
+    'schema': '.report_schema',
+    'sign': '.signature',
+    'verify': '.verify',
+}
 """Words that may stand in the place of a path, and the modules with their `main`."""
 
 

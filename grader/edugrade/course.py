@@ -20,7 +20,7 @@ class Exercise(NamedTuple):
     """An entry of the manifest.
 
     :param file: the launch file, relative to exercises/ and to solutions/; in a folder: the package there.
-    :param lesson: the notebook, without its ending, after which the exercise can be done.
+    :param lesson: the notebook, without its ending, after which the exercise can be done; '' without lessons.
     :param points: all of them.
     :param hints: LEVELS texts: a question, where to look, almost the answer.
     """
@@ -61,7 +61,8 @@ def read_course(path: str) -> list[Exercise]:
     try:
         entries = read_toml(path)['exercise']
         return [
-            Exercise(entry['file'], entry['title'], entry['lesson'], entry['points'], tuple(entry['hints'])) for entry in entries
+            Exercise(entry['file'], entry['title'], entry.get('lesson', ''), entry['points'], tuple(entry.get('hints', ())))
+            for entry in entries
         ]
     except KeyError as error:
         raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None

@@ -1,7 +1,8 @@
-"""``python -m edugrade.course_check [FOLDER]``: exercises, solutions, rubrics and manifest belong together.
+"""``edugrade course [FOLDER]``: exercises, solutions, rubrics and manifest belong together.
 
-FOLDER (default: the current one) has the folders exercises/ and solutions/, and lessons/ if there are any. The program
-prints what is wrong, one line each, and ends with exit code 1 then. With --quick nothing is launched.
+FOLDER (default: the current one) has course.toml (or exercises/course.toml), the folders exercises/ and solutions/, rubrics/ of
+its own, and lessons/ if there are any. The program prints what is wrong, one line each, and ends with exit code 1 then. With
+--quick nothing is launched.
 """
 
 from __future__ import annotations
@@ -12,8 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import exercises as rubric_names
-from .catalogue import find_rubric
+from .catalogue import course_rubrics, find_rubric, rubrics_folder, rubrics_in
 from .course import LEVELS, MANIFEST, Exercise, read_course
 from .grading import grade, plan_work
 from .submission import Submission
@@ -31,7 +31,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     quick = '--quick' in words
     folder = next((word for word in words if not word.startswith('-')), '.')
     try:
-        course = read_course(os.path.join(folder, STUBS, MANIFEST))
+        places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
+        course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
         problems = [*check_files(folder, course), *check_entries(folder, course)]
         if not quick and not problems:
             problems = list(check_runs(folder, course))
@@ -52,28 +53,35 @@ def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     paths = [item.path for item in course]
     yield from (f'{STUBS}/{name} belongs to no exercise of {MANIFEST}' for name in stubs if name.split('/')[0] not in paths)
     yield from (f'{STUBS}/{item.file} is missing' for item in course if item.file not in stubs)
-    names = [item.name for item in course]
-    yield from (f'the rubric of {name} is missing' for name in names if name not in rubric_names())
-    yield from (f'the rubric {name} has no exercise in {MANIFEST}' for name in rubric_names() if name not in names)
+    names, rubrics = [item.name for item in course], _rubrics(folder)
+    yield from (f'the rubric of {name} is missing' for name in names if name not in rubrics)
+    yield from (f'the rubric {name} has no exercise in {MANIFEST}' for name in rubrics if name not in names)
+
+
+def _rubrics(folder: str) -> dict[str, str]:
+    """The rubrics of this course: its own, else those that come with edugrade."""
+    return rubrics_in(course_rubrics(folder) or rubrics_folder())
 
 
 def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     """Titles, points, hints, lessons and gaps are as they should be."""
+    rubrics = _rubrics(folder)
     for item in course:
-        if item.name in rubric_names():
-            yield from _against_the_rubric(item)
+        if item.name in rubrics:
+            yield from _against_the_rubric(item, rubrics[item.name])
         if len(item.hints) != LEVELS or any(len(hint) < SHORTEST_HINT for hint in item.hints):
             yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
         lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
-        if os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
+        if item.lesson and os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
             yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
         yield from _gaps(folder, item)
 
 
 def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     """Stubs run, and fail with a report that names a gap; solutions pass everything."""
-    paths = [os.path.join(folder, kind, item.path) for kind in (STUBS, SOLUTIONS) for item in course]
-    for report in grade([plan_work(Submission(path)) for path in paths]):
+    rubrics = _rubrics(folder)
+    paths = [(os.path.join(folder, kind, item.path), rubrics[item.name]) for kind in (STUBS, SOLUTIONS) for item in course]
+    for report in grade([plan_work(Submission(path), rubric) for path, rubric in paths]):
         wanted = 1 if report.gaps else 0
         if report.exit_code != wanted:
             bad = next((result for result in report.results if result.status != 'passed'), None)
@@ -94,8 +102,8 @@ def _files(folder: str) -> list[str]:
     return sorted(found)
 
 
-def _against_the_rubric(item: Exercise) -> Iterator[str]:
-    rubric = find_rubric(item.name)[1]
+def _against_the_rubric(item: Exercise, file: str) -> Iterator[str]:
+    rubric = find_rubric(item.name, file)[1]
     points = sum(check.points for check in rubric.checks)
     if item.title != rubric.title:
         yield f'{item.name} is called {item.title!r} in {MANIFEST} and {rubric.title!r} in its rubric'

@@ -8,15 +8,15 @@ from contextlib import suppress
 from edulaunch.errors import UnusableInput
 
 
-def write_whole(path: str, text: str) -> None:
-    """Write a text file; a reader never finds half of it.
+def write_whole(path: str, text: str | bytes) -> None:
+    """Write a file; a reader never finds half of it.
 
     Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. What is no regular
     file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
 
     :raises UnusableInput: when it cannot be written there.
     """
-    data = text.encode('utf-8', 'backslashreplace')
+    data = text if isinstance(text, bytes) else text.encode('utf-8', 'backslashreplace')
     try:
         target = os.path.realpath(path)
         if path.startswith('/dev/') or (os.path.exists(target) and not os.path.isfile(target)):

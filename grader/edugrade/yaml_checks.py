@@ -34,9 +34,12 @@ class Wanted(dict[str, Any]):
 
     def refuse_odd_values(self) -> None:
         """Raise ValueError for a tolerance or another measure that is no number, or a share that is none."""
-        for key in ('tolerance', 'within', 'since', 'at_least', 'rate', 'near'):
+        for key in ('tolerance', 'within', 'since', 'rate', 'near'):
             if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
+        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw'):
+            if key in self and not isinstance(self[key], (int, float)) and not ARGUMENT.fullmatch(str(self[key])):
+                raise ValueError(f'{key} is {self[key]!r}, and neither a number nor $(arg NAME)')
         if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
             raise ValueError(f'share is {self["share"]!r}, and no number between 0 and 1')
         for key in ('pattern',):

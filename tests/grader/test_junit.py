@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
+import pytest
 from edugrade.document import document
 from edugrade.junit import junit_text as text_of
 from edugrade.results import CheckResult, Refusal, Report
@@ -47,3 +48,12 @@ def test_no_text_can_break_the_document() -> None:
     result = CheckResult('n', NASTY, 'failed', reason=NASTY, seen=NASTY)
     root = ElementTree.fromstring(junit_text([report(result, given=NASTY)], [Refusal(NASTY, NASTY)]))
     assert root[0][1].get('name') == '<b>&"??]]>?'
+
+
+def test_a_reader_of_junit_reads_it() -> None:
+    junitparser = pytest.importorskip('junitparser', reason='part of the extra "dev"')
+    found = junitparser.JUnitXml.fromstring(junit_text([report(PASSED, FAILED, NOT_RUN, BROKE)], [Refusal('b', 'gone')]).encode())
+    suites = list(found)
+    assert [(suite.tests, suite.failures, suite.errors, suite.skipped) for suite in suites] == [(4, 1, 1, 1), (1, 0, 1, 0)]
+    assert [[type(result).__name__ for result in case.result] for case in suites[0]] == [[], ['Failure'], ['Skipped'], ['Error']]
+    assert {item.name: item.value for item in suites[0].properties()}['points'] == 'no mark'

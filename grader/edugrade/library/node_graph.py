@@ -40,8 +40,11 @@ def require_topic(
     found = topics.get(name)
     if found is None or not found.count:
         among = [topic.name for topic in topics.values() if topic.count]
-        words = f'the topic {name}' if found is None else f'a message on {name}'
-        raise Missing(words, name=name, among=among, where=run.source.place, try_=try_)
+        if found is not None:
+            listeners, speakers = (', '.join(names) or 'nobody' for names in (found.subscriptions, found.publishers))
+            seen = f'listened to by {listeners}, published by {speakers}'
+            raise Missing(f'a message on {name}', seen=seen, where=run.source.place, try_=try_)
+        raise Missing(f'the topic {name}', name=name, among=among, where=run.source.place, try_=try_)
     if type_ is not None and found.type != type_:
         raise Mismatch(f'the type of {name}', type_, found.type, where=run.source.place, try_=try_)
     if package is not None:

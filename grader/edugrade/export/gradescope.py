@@ -1,0 +1,195 @@
+"""Gradescope: ``edugrade gradescope build`` packs an autograder, ``edugrade gradescope run`` is what it does there.
+
+Formats: gradescope-autograders.readthedocs.io, "Autograder Specifications" (``results.json``) and "Submission Metadata".
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import os
+import tempfile
+import zipfile
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from edulaunch.errors import UnusableInput
+from edulaunch.version import __version__
+
+from ..batch.entries import Finder
+from ..catalogue import find_rubric
+from ..course_secret import CourseSecret
+from ..document import document, json_text
+from ..grading import grade, plan_work
+from ..limits import Limits
+from ..regular_file import read_regular
+from ..results import BROKEN_GRADER, GRADER_BROKE, PASSED
+from ..submission import Submission, exercise_of
+from ..terminal import printable, sandbox_line
+from ..whole_file import write_whole
+
+LARGEST_WHEEL = 200_000_000
+LONGEST_OUTPUT = 8000
+SETUP = """#!/usr/bin/env bash
+# Made by edugrade gradescope build. Runs once, when Gradescope builds the image.
+set -euo pipefail
+apt-get update && apt-get install -y python3 python3-venv
+python3 -m venv /opt/edugrade
+/opt/edugrade/bin/pip install {wheel}
+"""
+RUN = """#!/usr/bin/env bash
+# Made by edugrade gradescope build. Runs for each submission.
+set -euo pipefail
+PATH="/opt/edugrade/bin:$PATH" exec edugrade gradescope run "${AUTOGRADER:-/autograder}"
+"""
+
+
+def main(words: Sequence[str]) -> int:
+    """The command."""
+    parser = argparse.ArgumentParser(prog='edugrade gradescope', description='Grade on Gradescope.')
+    verbs = parser.add_subparsers(dest='verb', required=True)
+    build_ = verbs.add_parser('build', help='pack an autograder for one exercise')
+    build_.add_argument('exercise', help='the name of an exercise, or the file of a rubric')
+    build_.add_argument('--out', metavar='FILE', default='autograder.zip')
+    build_.add_argument(
+        '--wheel', metavar='FILE', help='install this wheel of edulaunch there (default: this version, from PyPI)'
+    )
+    build_.add_argument(
+        '--course-secret-file', metavar='FILE', help='choose the runs by this secret and the student; it is packed too'
+    )
+    build_.add_argument('--limit', type=float, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
+    run_ = verbs.add_parser('run', help='grade the submission in this folder, as Gradescope lays it out')
+    run_.add_argument('folder', nargs='?', default='/autograder')
+    options = parser.parse_args(words)
+    if options.verb == 'run':
+        return run(options.folder)
+    build(options.exercise, options.out, options.wheel, options.course_secret_file, options.limit)
+    print(f'{options.out}: upload it under "Configure Autograder" of the assignment')
+    return 0
+
+
+def build(exercise: str, out: str, wheel: str | None = None, secret: str | None = None, limit_s: float = 30.0) -> None:
+    """Write the zip file that Gradescope wants: setup.sh, run_autograder, and what they need; the same input gives the same.
+
+    :raises UnusableInput: when there is no such rubric, wheel or secret.
+    """
+    name, rubric = find_rubric(exercise, exercise)
+    rubric.scenarios(0)  # a mistake in it is found now
+    source = 'edulaunch==' + __version__ if wheel is None else f'/autograder/source/{os.path.basename(wheel)}'
+    rubric_file = f'rubrics/{name}{os.path.splitext(rubric.file)[1]}'
+    config = {'exercise': name, 'rubric': rubric_file, 'limit_s': limit_s, 'edulaunch': __version__}
+    files = {'setup.sh': SETUP.format(wheel=source).encode(), 'run_autograder': RUN.encode(), rubric_file: rubric.text}
+    if wheel is not None:
+        files[os.path.basename(wheel)] = _read(wheel, LARGEST_WHEEL)
+    if secret is not None:
+        CourseSecret(secret)
+        config['secret'] = 'course_secret'
+        files['course_secret'] = _read(secret, LARGEST_WHEEL)
+    files['edugrade.json'] = json_text(config).encode()
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, 'w', zipfile.ZIP_DEFLATED) as archive:
+        for path, data in files.items():
+            info = zipfile.ZipInfo(path)
+            info.external_attr = (0o755 if path in ('setup.sh', 'run_autograder') else 0o600) << 16
+            archive.writestr(info, data)
+    write_whole(out, packed.getvalue())
+
+
+def run(folder: str) -> int:
+    """Grade ``submission/`` by ``source/`` and write ``results/results.json``.
+
+    Where the grader broke nothing is written, and the exit code is 3: Gradescope says that the autograder failed: no mark.
+    """
+    source = os.path.join(folder, 'source')
+    config = json.loads(_read(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
+    rubric = os.path.join(source, config['rubric'])
+    secret = CourseSecret(os.path.join(source, config['secret'])) if 'secret' in config else None
+    student, name = _student(folder)
+    os.makedirs(os.path.join(folder, 'results'), exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix='edugrade-unpacked-', ignore_cleanup_errors=True) as unpacked:
+        try:
+            submission = Submission(_find(os.path.join(folder, 'submission'), os.path.join(unpacked, 'all'), config['exercise']))
+            work = plan_work(submission, rubric, None, secret, student)
+        except UnusableInput as error:
+            possible = sum(check.points for check in find_rubric('', rubric)[1].checks)
+            found = refused(f'{error.message}\n{error.help or ""}', possible)
+        else:
+            (report,) = grade([work], Limits(config['limit_s']))
+            report = replace(report, student=name)
+            if report.exit_code == BROKEN_GRADER:
+                broken = next(result for result in report.results if result.status == GRADER_BROKE)
+                raise RuntimeError(f'{broken.sentence}: {broken.reason}')
+            found = results(document(report), sandbox_line([report]))
+    write_whole(os.path.join(folder, 'results', 'results.json'), json_text(found))
+    return 0
+
+
+def results(found: dict[str, Any], note: str = '') -> dict[str, Any]:
+    """A JSON report as Gradescope's ``results.json``: a test for each check, points as they were given."""
+    return {
+        'score': found['points']['earned'],
+        'output': f'{found["rubric"]["title"]}: {found["verdict"]}. Seed {found["seed"]}. {note}'.strip(),
+        'output_format': 'text',
+        'test_output_format': 'text',
+        'test_name_format': 'text',
+        'visibility': 'visible',
+        'stdout_visibility': 'hidden',
+        'tests': [_test(check) for check in found['checks']],
+        'extra_data': {'edugrade': {key: found[key] for key in ('receipt', 'verdict')}},
+    }
+
+
+def refused(reason: str, possible: int) -> dict[str, Any]:
+    """The results of what cannot be graded because of what was handed in."""
+    test = {
+        'name': 'It can be graded',
+        'score': 0,
+        'max_score': possible,
+        'status': 'failed',
+        'output': printable(reason).strip(),
+    }
+    return {'score': 0, 'output': printable(reason).strip(), 'output_format': 'text', 'visibility': 'visible', 'tests': [test]}
+
+
+def _test(check: dict[str, Any]) -> dict[str, Any]:
+    place = check['where']
+    where = None if place is None else place['file'] + (f':{place["line"]}' if place['line'] else '')
+    fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
+    lines = [check['reason'] or '', *(f'{label}: {text}' for label, text in fields.items() if text)]
+    return {
+        'name': printable(check['sentence']),
+        'score': check['earned'],
+        'max_score': check['points'],
+        'status': 'passed' if check['status'] == PASSED else 'failed',
+        'output': printable('\n'.join(lines)).strip()[:LONGEST_OUTPUT],
+        'tags': [check['status']],
+    }
+
+
+def _student(folder: str) -> tuple[str, str]:
+    """The numbers and names of those who hand it in, by the metadata that Gradescope writes; '' without."""
+    try:
+        users = json.loads(read_regular(os.path.join(folder, 'submission_metadata.json'), LARGEST_WHEEL))['users']
+        known = sorted((str(user['id']), str(user.get('name', ''))) for user in users)
+    except (OSError, ValueError, KeyError, TypeError):
+        return '', ''
+    return ','.join(number for number, _ in known), ' and '.join(name for _, name in known)
+
+
+def _find(folder: str, unpacked: str, exercise: str) -> str:
+    """The launch file or package of the exercise, somewhere in what was handed in."""
+    entries = Finder(folder, unpacked, lambda name: exercise_of(name) == exercise).entries()
+    found = next((entry.file for entry in entries if entry.file), None)
+    if found is None:
+        reason = next((entry.refused for entry in entries if entry.path.count('.')), '')
+        raise UnusableInput(f'there is no {exercise}.launch.py in what was handed in' + (f': {reason}' if reason else ''))
+    return found
+
+
+def _read(path: str, most: int) -> bytes:
+    try:
+        return read_regular(path, most)
+    except OSError as error:
+        raise UnusableInput(f'{path} cannot be read: {error.strerror or error}') from None

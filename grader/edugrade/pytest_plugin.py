@@ -1,0 +1,104 @@
+"""``pytest --edugrade``: launch files and packages that have a rubric are collected, and every check of it is a test."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from .grading import Work
+    from .results import CheckResult, Report
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The options; without ``--edugrade`` nothing is collected."""
+    group = parser.getgroup('edugrade')
+    group.addoption('--edugrade', action='store_true', help='grade launch files: every check of their rubrics is a test')
+    group.addoption(
+        '--edugrade-rubric', metavar='FILE|NAME', help='by this rubric (default: the one of the name of the launch file)'
+    )
+    group.addoption('--edugrade-seed', type=int, metavar='N', help="choose the runs' values by this number")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile | None:
+    """A launch file that has a rubric."""
+    if not parent.config.getoption('--edugrade'):
+        return None
+    from .catalogue import exercises
+    from .submission import ENDINGS, exercise_of
+
+    if not file_path.name.endswith(ENDINGS):
+        return None
+    if parent.config.getoption('--edugrade-rubric') is None and exercise_of(file_path.name) not in exercises():
+        return None
+    return GradedFile.from_parent(parent, path=file_path)
+
+
+class GradedFile(pytest.File):
+    """A submission: run once, when its first check is asked for."""
+
+    _report: Report | None = None
+    _work: Work
+
+    def collect(self) -> Iterator[GradedCheck]:
+        """A test for each check, after the one that all need."""
+        from .grading import plan_work
+        from .judging import LAUNCHES
+        from .submission import Submission
+
+        seed = self.config.getoption('--edugrade-seed')
+        self._work = plan_work(Submission(str(self.path)), self.config.getoption('--edugrade-rubric'), seed)
+        for name in (LAUNCHES, *(check.name for check in self._work.rubric.checks)):
+            yield GradedCheck.from_parent(self, name=name)
+
+    def result(self, name: str) -> CheckResult:
+        """What a check came to."""
+        if self._report is None:
+            from .grading import grade
+
+            (self._report,) = grade([self._work])
+        found = {result.name: result for result in self._report.results}
+        return found.get(name) or self._report.results[0]  # where the grader broke there is but one
+
+
+class GradedCheck(pytest.Item):
+    """A check as a test: not run is skipped; points are in the test's properties, which JUnit reports keep."""
+
+    parent: GradedFile
+
+    def runtest(self) -> None:
+        """Grade, or look at what was graded."""
+        from .results import NOT_RUN, PASSED
+
+        result = self.parent.result(self.name)
+        self.user_properties += [('points', result.points), ('earned', result.earned)]
+        if result.status == NOT_RUN:
+            pytest.skip(result.reason)
+        if result.status != PASSED:
+            raise CheckFailed(result)
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """The words of the report, without a traceback."""
+        if isinstance(excinfo.value, CheckFailed):
+            return str(excinfo.value)
+        return super().repr_failure(excinfo, style)
+
+    def reportinfo(self) -> tuple[Path, int | None, str]:
+        """Where the student has to look."""
+        return self.path, None, self.name
+
+
+class CheckFailed(Exception):
+    """A check did not pass."""
+
+    def __init__(self, result: CheckResult) -> None:
+        from .terminal import printable
+
+        place = result.where
+        where = None if place is None else place.file + (f':{place.line}' if place.line else '')
+        fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
+        lines = [f'{result.sentence}: {result.reason}', *(f'  {label}: {text}' for label, text in fields.items() if text)]
+        super().__init__(printable('\n'.join(lines)))

@@ -1,0 +1,86 @@
+"""A course of two exercises, written down from docs/course_authors.md and from nothing else: checked, graded, exported, verified."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from edugrade.cli import main
+from edugrade.notebook import CheckReport, check
+
+ROOT = Path(__file__).parents[2]
+BLOCK = re.compile(r'`my_course/([\w./]+)`[^\n]*\n```\w+\n(.*?)```\n', re.S)
+
+
+def write_course(folder: Path) -> Path:
+    for name, text in BLOCK.findall((ROOT / 'docs' / 'course_authors.md').read_text('utf-8')):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+@pytest.fixture
+def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = write_course(tmp_path / 'my_course')
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def test_all_of_it_belongs_together(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['course']) == 0, capsys.readouterr().out
+    assert capsys.readouterr().out == 'course: 2 exercises, 10 points: in order\n'
+
+
+def test_the_command_and_the_cell_find_the_rubrics(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(['solutions/spin.launch.py', 'solutions/mast.launch.py']) == 0
+    assert main(['exercises/spin.launch.py']) == 1
+    assert 'start ros2 topic pub with -r 10' in capsys.readouterr().out
+    assert main(['exercises/mast.launch.py', '--hint', '2']) == 0
+    found = check('mast')
+    assert isinstance(found, CheckReport)
+    assert found.headline == 'mast: some failed, 1 of 4 points'
+
+
+def test_nearly_right_gives_a_part_of_the_points(course: Path) -> None:
+    text = (course / 'solutions' / 'spin.launch.py').read_text().replace('z: 1.0', 'z: 0.9')
+    (course / 'exercises' / 'spin.launch.py').write_text(text)
+    assert main(['exercises/spin.launch.py', '--json', 'report.json']) == 1
+    assert json.loads(Path('report.json').read_text())['points'] == {'earned': 4.5, 'possible': 6}
+
+
+def test_a_class_is_graded_and_a_mark_made_again(course: Path) -> None:
+    for name in ('anna', 'bert'):
+        (course / 'submissions' / name).mkdir(parents=True)
+        shutil.copy(course / ('solutions' if name == 'anna' else 'exercises') / 'spin.launch.py', course / 'submissions' / name)
+    assert main(['batch', 'submissions', '--csv', 'marks.csv']) == 0
+    assert [line.split(',')[5] for line in Path('marks.csv').read_text().splitlines()[1:]] == ['6', '2']
+    assert main(['verify', 'submissions.results/bert/spin.launch.py.json']) == 0
+
+
+def test_gradescope_grades_by_the_rubrics(course: Path) -> None:
+    for name, points in (('spin', 6), ('mast', 4)):
+        assert main(['gradescope', 'build', name, '--out', f'{name}.zip']) == 0
+        there = course / f'autograder_{name}'
+        shutil.unpack_archive(f'{name}.zip', there / 'source')
+        (there / 'submission').mkdir()
+        shutil.copy(course / 'solutions' / f'{name}.launch.py', there / 'submission')
+        assert main(['gradescope', 'run', str(there)]) == 0
+        found = json.loads((there / 'results' / 'results.json').read_text())
+        assert (found['score'], sum(test['max_score'] for test in found['tests'])) == (points, points)
+
+
+def test_a_rubric_that_was_handed_in_is_not_run(
+    course: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    handed = course / 'submissions' / 'mallory'
+    (handed / 'rubrics').mkdir(parents=True)
+    (handed / 'course.toml').write_text('')
+    (handed / 'rubrics' / 'spin.py').write_text('raise SystemExit(0)')
+    shutil.copy(course / 'exercises' / 'spin.launch.py', handed)
+    assert main(['submissions/mallory/spin.launch.py']) == 1
+    monkeypatch.chdir(handed)
+    assert main(['spin.launch.py']) == 2
+    assert 'lies in the folder that is graded' in capsys.readouterr().err
