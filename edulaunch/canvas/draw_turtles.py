@@ -15,6 +15,8 @@ from edulaunch.canvas.style import INK, MUTED, PAPER, SMALL, mono_width
 from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 
 SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
+DASHES = ('-', '--', '-.', ':')
+"""Of trails that have a colour of their own: whose they are must be seen without it, too."""
 TURTLESIM_PX = 500
 """Size of a real turtlesim window, in which widths of pens are meant."""
 
@@ -38,7 +40,8 @@ def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
     pixel = side_of(ax) / TURTLESIM_PX
     for trail in window.trails:
         xs, ys = zip(*trail.points, strict=True)
-        ax.plot(xs, ys, color=rgb(trail.colour), linewidth=max(1.0, trail.width * pixel))
+        style = DASHES[SHELLS.index(trail.colour) % len(DASHES)] if trail.colour in SHELLS else '-'
+        ax.plot(xs, ys, style, color=rgb(trail.colour), linewidth=max(1.0, trail.width * pixel))
     size = (window.limits[1] - window.limits[0]) / (9.5 if window.kind == 'turtlesim' else 11.0)
     parts = turtle() if window.kind == 'turtlesim' else robot()
     for body in window.bodies:

@@ -15,6 +15,7 @@ from edulaunch.canvas.turtle_scene import Body, Window, turtle_scene
 from edulaunch.canvas.worlds import World
 
 GAP, LINE = 8, 16
+NAME_LOOK = 'fill="#ffffff" stroke="#1f2933" stroke-width="2.5" paint-order="stroke"'
 WINDOW_PX = 500
 """Size of a real turtlesim window, in which widths of pens are meant."""
 
@@ -40,6 +41,29 @@ def filmstrip(worlds: list[World], duration_s: float) -> str:
     width, height = columns * (side + GAP) + GAP, len(times) // columns * len(worlds) * (side + LINE + GAP)
     look = f'font-family="sans-serif" font-size="9.5" fill="{_hex(MUTED)}"'
     return f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" {look}>{"".join(parts)}</svg>'
+
+
+def still(worlds: list[World], time_s: float) -> tuple[str, str]:
+    """All windows at one time as an SVG, one beside the other with their names, and the line that says the same."""
+    scene, side, parts = turtle_scene(worlds, time_s), 260, []
+    for number, window in enumerate(scene.windows):
+        x, y = GAP + number * (side + GAP), LINE
+        left, right, _, top = window.limits
+        scale = side / (right - left)
+        parts.append(f'<text x="{x}" y="{y - 4}">{escape(window.title)}</text>')
+        parts.append(f'<svg x="{x}" y="{y}" width="{side}" height="{side}" viewBox="0 0 {WINDOW_PX} {WINDOW_PX}">')
+        parts += [*_window(window), '</svg>']
+        for body in window.bodies:
+            px, py = x + (body.x - left) * scale, y + (top - body.y) * scale - 18
+            place = f'x="{px:.1f}" y="{py:.1f}" text-anchor="middle"'
+            parts.append(f'<text {place} {NAME_LOOK}>{escape(body.name)}</text>')
+    look = f'font-family="sans-serif" font-size="11" fill="{_hex(MUTED)}"'
+    size = f'width="{len(scene.windows) * (side + GAP) + GAP}" height="{side + LINE + GAP}"'
+    said = scene.caption()
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size} {look}><title>{escape(said)}</title>{"".join(parts)}</svg>',
+        said,
+    )
 
 
 def _window(window: Window) -> Iterator[str]:

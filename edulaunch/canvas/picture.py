@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import html
 import os
 import struct
+from base64 import b64encode
 from collections.abc import Callable
 from importlib import import_module
 from typing import Any
@@ -42,9 +44,15 @@ class Picture:
         return self._png
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
-        """The image, and the caption for those who cannot see it: as plain text and as the image's alternative text."""
-        data = {'text/plain': repr(self), 'image/png': self.png(), **scene_data(self.scene)}
-        return data, {'image/png': png_metadata(self.png(), self.caption)}
+        """The image, and the caption for those who cannot see it: as plain text and as the image's alternative text.
+
+        As HTML, too: JupyterLab gives an image/png no alternative text.
+        """
+        about = png_metadata(self.png(), self.caption)
+        look = f'alt="{html.escape(self.caption)}" width="{about["width"]}" height="{about["height"]}"'
+        shown = f'<img {look} src="data:image/png;base64,{b64encode(self.png()).decode()}">'
+        data = {'text/plain': repr(self), 'text/html': shown, 'image/png': self.png(), **scene_data(self.scene)}
+        return data, {'image/png': about}
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the image as a PNG file."""

@@ -7,12 +7,17 @@ anywidget.
 from __future__ import annotations
 
 import time
+from base64 import b64encode
 from collections.abc import Callable
+from html import escape
 from typing import TYPE_CHECKING, Any, Protocol
 
 import anywidget
 import traitlets
 
+from edulaunch.canvas.filmstrip import still
+from edulaunch.canvas.worlds import read_worlds
+from edulaunch.recording.absent import NothingToDraw
 from edulaunch.view.page import module
 from edulaunch.view.viewer import Viewer
 
@@ -114,8 +119,26 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
             self._machine.do_for(self._pages[name].viewer, words)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The widget; where there is no front end, a line that says so."""
+        """The widget; where there is no front end (nbconvert, nbval, GitHub), a picture of this instant and its text."""
         bundle = super()._repr_mimebundle_(**options)
         data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
-        data['text/plain'] = f'live view at {self._machine.session.sim.elapsed_s:.2f} s: nothing to see where no front end is'
+        data.update(_still(self._machine.recording()))
         return (data, *bundle[1:]) if isinstance(bundle, tuple) else data
+
+
+def _still(recording: Recording) -> dict[str, str]:
+    """What is to be seen at the end of a recording: turtles and robots as a picture, and in words who is there."""
+    try:
+        picture, said = still(read_worlds(recording), recording.duration_s)
+    except NothingToDraw:
+        return {'text/plain': f'live view, t={recording.duration_s:.3f} s: {who_is_there(recording)}'}
+    text = f'live view, {said}; {who_is_there(recording)}'
+    shown = f'<img alt="{escape(text)}" src="data:image/svg+xml;base64,{b64encode(picture.encode()).decode()}">'
+    return {'text/plain': text, 'text/html': shown, 'image/svg+xml': picture}
+
+
+def who_is_there(recording: Recording) -> str:
+    """The nodes and frames at the end of a recording, in words."""
+    nodes = [node.name for node in recording.nodes if node.ended_s is None and not node.name.rpartition('/')[2].startswith('_')]
+    frames = list(recording.frames_at(recording.duration_s))
+    return f'nodes: {", ".join(nodes) or "none"}' + (f'; frames: {", ".join(frames)}' if frames else '')

@@ -36,7 +36,7 @@ class TimelineView {
         const node = log.process === process.name;
         if (!node || log.t > this.to) continue;
         pen.fillStyle = log.level >= 40 ? '#b3261e' : log.level >= 30 ? '#b46900' : colours.ink;
-        pen.fillRect(at(log.t) - 1, log.level >= 30 ? y : y + 4, 2, log.level >= 30 ? 15 : 7);
+        pen.fillRect(at(log.t) - 1, log.level >= 30 ? y : y + 4, log.level >= 40 ? 5 : 2, log.level >= 30 ? 15 : 7);
       }
       if (process.to <= this.to) { pen.fillStyle = colours.ink; pen.fillText(process.code ? `✗ ${process.code}` : '✓', Math.min(at(end) + 2, this.width - 24), y + 11); }
       y += 17;
@@ -49,7 +49,7 @@ class TimelineView {
     }
     if (store.tracks.size) head('tf: from the stamp of the newest transform to now');
     for (const track of store.tracks.values()) {
-      name(`${track.parent} → ${track.child}`);
+      name(`${track.fixed ? '(static) ' : ''}${track.parent} → ${track.child}`);
       const number = track.at(time);
       if (number >= 0) {
         const stamp = track.c[1].a[number] - store.start;
@@ -61,7 +61,7 @@ class TimelineView {
     pen.strokeStyle = '#cc241d';
     pen.lineWidth = 1.5;
     line(pen, [[at(time), 0], [at(time), height]]);
-    this.canvas.setAttribute('aria-label', `${processes.length} processes, ${topics.length} topics over ${this.to.toFixed(1)} seconds`);
+    this.canvas.setAttribute('aria-label', `${processes.length} processes (${processes.map(process => process.name + (process.to <= this.to ? ` ended with ${process.code}` : '')).join(', ')}), ${topics.length} topics, ${store.logs.length} log lines over ${this.to.toFixed(1)} seconds; now at ${time.toFixed(2)}`);
   }
   density(pen, stamps, at, y) {
     const bins = 120, most = Math.max(1, stamps.n / bins * 2.5);

@@ -1,6 +1,6 @@
 /* tf frames: from above or in 3D, as seen from a chosen frame; the tf tree; and a lookup made by hand. */
 
-const MOST_NAMES = 60;
+const MOST_NAMES = 60, FEW = 16;
 
 class FramesView {
   constructor(desk) {
@@ -117,6 +117,21 @@ class FramesView {
     strokes(pen, high.map(({ p }) => [this.at(p), this.at([p[0], p[1], this.low])]), this.desk.colours.soft, 0.8, [2, 3]);
     for (const [axis, colour, width] of [[[0, 0, 1], '#265cb2', 2], [[0, 1, 0], '#2e8c30', 2], [[1, 0, 0], '#cc241d', 3]]) {
       strokes(pen, poses.map(pose => [this.at(pose.p), tip(pose, axis)]), colour, width);
+      if (poses.length <= FEW) this.letters(pen, poses, axis, colour);
+    }
+  }
+  /* A letter at each tip: colours alone do not tell the axes apart. */
+  letters(pen, poses, axis, colour) {
+    pen.font = 'bold 10px system-ui, sans-serif';
+    for (const pose of poses) {
+      const [x, y] = this.at(turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length * 1.25)), [px, py] = this.at(pose.p);
+      if (Math.hypot(x - px, y - py) < 9) continue;
+      pen.lineWidth = 3;
+      pen.strokeStyle = this.desk.colours.field;
+      pen.fillStyle = colour;
+      const letter = 'xyz'[axis.indexOf(1)];
+      pen.strokeText(letter, x - 3, y + 3);
+      pen.fillText(letter, x - 3, y + 3);
     }
   }
   label(pen, text, [x, y], taken, width, height) {

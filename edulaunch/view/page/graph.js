@@ -125,7 +125,9 @@ class GraphView {
   }
   paint(boxes, edges, width, height) {
     let deep = 0;
-    this.sheet.setAttribute('aria-label', `node graph: ${[...boxes.values()].filter(box => box.kind === 'node').map(box => box.name).join(', ')}`);
+    const named = ids => [...ids].map(id => boxes.get(id)?.name).join(', ') || 'nobody', all = [...boxes.values()];
+    const ways = all.filter(box => box.kind !== 'node').map(box => `${box.name} from ${named(box.from)} to ${named(box.to)}${box.mark ? ` (${box.mark})` : ''}`);
+    this.sheet.setAttribute('aria-label', `node graph: ${all.filter(box => box.kind === 'node').map(box => box.name).join(', ')}; ${ways.join('; ')}`);
     const arrow = drawing('marker', { id: 'arrow', viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 9, markerHeight: 9, markerUnits: 'userSpaceOnUse', orient: 'auto-start-reverse' },
       drawing('path', { d: 'M0 0 L8 4 L0 8 z', class: 'tip' }));
     this.sheet.replaceChildren(drawing('defs', {}, arrow));

@@ -1,6 +1,6 @@
 /* Turtles and robots in their worlds, from above. */
 
-const CANVAS_M = 11.088889, GONE_S = 0.1, JUMP_M = 0.5;
+const MARK_EVERY_PX = 70, CANVAS_M = 11.088889, GONE_S = 0.1, JUMP_M = 0.5;
 const SHELLS = [[112, 173, 88], [236, 152, 70], [204, 74, 62], [158, 126, 190], [64, 176, 172], [240, 206, 72]];
 const MARKS = ['', '●', '▲', '■', '◆', '✚'];
 const rgb = (colour, alpha = 1) => `rgba(${colour.join()},${alpha})`;
@@ -8,7 +8,7 @@ const rgb = (colour, alpha = 1) => `rgba(${colour.join()},${alpha})`;
 /* A turtle or robot: where it was, by its pose or odometry topic. */
 class Mover {
   constructor(store, topic, world, number) {
-    Object.assign(this, { store, topic, world, number });
+    Object.assign(this, { store, topic, world, number, walked: 0 });
     const robot = topic.type === 'nav_msgs/msg/Odometry';
     this.path = topic.name.replace(/\/(pose|odom)$/, '') || topic.name;
     this.name = robot ? (this.path === '/odom' ? 'robot' : this.path.slice(1)) : this.path.split('/').pop();
@@ -190,6 +190,7 @@ class WorldView {
       this.drawn = { key, to: -1 };
     }
     const from = Math.max(since, this.drawn.to);
+    if (this.drawn.to < 0 || since > this.drawn.to) for (const mover of this.world.movers) mover.walked = 0;
     for (const mover of this.world.movers) this.trail(pen, mover, from, time);
     this.drawn.to = time;
   }
@@ -197,6 +198,7 @@ class WorldView {
     const stamps = mover.topic.t, last = stamps.upTo(time) - 1;
     let i = Math.max(0, stamps.upTo(from) - 1), which = 0, open = false;
     pen.lineCap = pen.lineJoin = 'round';
+    const stones = [];
     for (; i < last; i++) {
       const t = stamps.a[i + 1];
       while (which + 1 < mover.pens.length && mover.pens[which + 1].t <= t) { which++; if (open) { pen.stroke(); open = false; } }
@@ -205,15 +207,30 @@ class WorldView {
       if (off || (jump && mover.robot) || t - stamps.a[i] >= GONE_S) { if (open) { pen.stroke(); open = false; } continue; }
       if (!open) {
         const own = this.desk.options.colours && mover.pens.length === 1 && this.world.movers.length > 1;
+        mover.marks = own ? MARKS[mover.number % MARKS.length] : '';
         pen.strokeStyle = rgb(own ? SHELLS[mover.number % SHELLS.length] : colour);
         pen.lineWidth = Math.max(1, width * this.side / 500);
         pen.beginPath();
         pen.moveTo(...this.place(...mover.point(i)));
         open = true;
       }
-      pen.lineTo(...this.place(...mover.point(i + 1)));
+      const [x, y] = this.place(...mover.point(i + 1));
+      pen.lineTo(x, y);
+      if (mover.marks && this.passes(mover, i)) stones.push([x, y]);
     }
     if (open) pen.stroke();
+    if (!stones.length) return;
+    pen.font = '11px system-ui, sans-serif';
+    pen.textAlign = 'center';
+    pen.fillStyle = 'rgba(31,41,51,0.85)';
+    for (const [x, y] of stones) pen.fillText(mover.marks, x, y + 4);
+    pen.textAlign = 'start';
+  }
+  /* Whether a trail comes to its next mark between two poses: whose it is must be seen without its colour, too. */
+  passes(mover, i) {
+    const before = Math.floor(mover.walked / MARK_EVERY_PX);
+    mover.walked += Math.hypot(mover.x.a[i + 1] - mover.x.a[i], mover.y.a[i + 1] - mover.y.a[i]) * this.scale;
+    return Math.floor(mover.walked / MARK_EVERY_PX) > before;
   }
   grid(pen, width) {
     const step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find(size => width / size < 9) || 100;
