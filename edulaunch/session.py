@@ -46,6 +46,10 @@ class Session:
     :param start_ns: what the clock shows at the beginning, in ns since 1970.
     """
 
+    simulation_class = Simulation
+    recorder_class: type[Recorder] = Recorder
+    host_class = Host
+
     def __init__(
         self,
         *,
@@ -58,12 +62,12 @@ class Session:
         start_ns: int = EPOCH_NS,
     ) -> None:
         source()
-        self.sim = Simulation(seed, start_ns)
-        self.recorder = Recorder(self.sim)
+        self.sim = self.simulation_class(seed, start_ns)
+        self.recorder = self.recorder_class(self.sim)
         self.graph = Graph(self.sim, self.recorder)
         self.index = index_for(workspaces)
         self.console = console
-        self.host = Host(
+        self.host = self.host_class(
             self.sim,
             self.graph,
             self.index,

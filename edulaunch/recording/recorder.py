@@ -84,7 +84,7 @@ class Recorder(Tracer):
             'notes': self.notes,
             'facts': self.facts_now(),
             'descriptors': self.descriptors,
-            'interfaces': self._interfaces(),
+            'interfaces': self.interfaces({row[2] for row in (*self.endpoints, *self.calls)}),
             'topics': topics,
         }
 
@@ -97,13 +97,13 @@ class Recorder(Tracer):
         ]
         return sorted([*self.facts.values(), *seen], key=lambda row: row[0])
 
-    def _interfaces(self) -> dict[str, str]:
-        """The texts of the student's own types that were used, so that messages can be read without the workspace."""
+    def interfaces(self, used: set[str]) -> dict[str, str]:
+        """The texts of those types that are the student's own, so that messages can be read without the workspace."""
         if self.overlay is None or not self.overlay.interface_packages:
             return {}
         from edulaunch.interfaces.texts import texts_of
 
-        return texts_of(self.overlay.registry, {row[2] for row in (*self.endpoints, *self.calls)})
+        return texts_of(self.overlay.registry, used)
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         """One list per topic and type; publishing extends it by the three entries of a record.
