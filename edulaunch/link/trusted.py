@@ -49,10 +49,17 @@ class ConfinedProgram:
 
 
 class TrustedRecorder(Recorder):
-    """Keeps the record, and lets the confined half know what it may see of it."""
+    """Keeps the record, and lets the confined half know what it may see of it.
+
+    :ivar hosted_nodes: positions in `nodes` of the nodes that run here.
+    """
 
     replica: Replica
     texts: dict[str, str]
+
+    def __init__(self, sim: HalfSimulation) -> None:
+        super().__init__(sim)
+        self.hosted_nodes: list[int] = []
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         keep = super().channel(publisher)
@@ -67,6 +74,8 @@ class TrustedRecorder(Recorder):
         return keep_and_tell
 
     def node_added(self, node: NodeEntry) -> None:
+        if not self.replica.is_repeating:
+            self.hosted_nodes.append(len(self.nodes))
         super().node_added(node)
         self.replica.node_added(node)
 
@@ -246,11 +255,6 @@ class Trusted:
         recorder.launch, recorder.roots, recorder.texts = told['launch'], told['roots'], told['interfaces']
         recorder.stop()
         return recorder.content()
-
-    def hosted_nodes(self) -> list[int]:
-        """The numbers of the nodes of stock programs."""
-        theirs = self.replica.theirs_ever
-        return [row[4] for row in self.recorder.nodes if row[4] not in theirs]
 
     def _program(self, pid: Any) -> ConfinedProgram:
         return self._programs[pid]

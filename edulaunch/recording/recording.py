@@ -44,6 +44,9 @@ class Recording:
     All times are float seconds since the start of the simulation. Made by `edulaunch.run`, or by :meth:`load`.
     """
 
+    hosted_nodes: frozenset[int] | None = None
+    """Positions in `nodes` of those that a trusted half hosted (see `edulaunch.link`); None when all ran in one process."""
+
     def __init__(self, content: dict[str, Any]) -> None:
         self._content = content
         self._unread: str | None = None

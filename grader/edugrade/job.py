@@ -43,6 +43,7 @@ class Job:
             'wall_s': self.limits.wall_s,
             'turn_s': self.limits.turn_s,
             'limits': self.limits.resources,
+            'most_bytes': self.limits.recording_mib * MEBI,
             'tree_memory': self.limits.memory_mib * MEBI,
             'sandbox': self.limits.sandbox,
             'readable': readable_by_run(self.submission, self.workspaces),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING
 
 from .outcome import Outcome
@@ -17,11 +18,16 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls 
 
 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
-    """The outcome that these bytes stand for; None when they are no recording of this scenario."""
+    """The outcome that these bytes stand for; None when they are no recording of this scenario.
+
+    :param content: a line of JSON, the numbers of the nodes that ran in the trusted half; then the recording.
+    """
     from edulaunch.recording import Recording
 
     try:
-        recording = Recording.from_bytes(content)
+        hosted, _, rest = content.partition(b'\n')
+        recording = Recording.from_bytes(rest)
+        recording.hosted_nodes = frozenset(json.loads(hosted))
         launch, programs = recording.launch, recording.processes
         if recording.seed != scenario.seed or launch.arguments != dict(scenario.arguments):
             return None

@@ -68,11 +68,21 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
         return _timeout(run, where)
     if reason == 'memory':
         return _memory(run)
+    if reason == 'recording':
+        return _too_large(run)
     return _garbage(run)
 
 
 def _memory(run: ChildRun) -> Outcome:
     return _stopped(run, f'it asked for more memory than {run.limits.memory_mib} MiB', 'look for a list that grows without end')
+
+
+def _too_large(run: ChildRun) -> Outcome:
+    return _stopped(
+        run,
+        f'its recording grew larger than {run.limits.recording_mib} MiB',
+        'look for a node that publishes or prints without pause',
+    )
 
 
 def _cut(run: ChildRun) -> Outcome:
@@ -81,11 +91,7 @@ def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'printed':
         return _stopped(run, f'it printed more than {run.limits.output_mib} MiB', 'take the print out of the loop')
     if run.cut == 'recording':
-        return _stopped(
-            run,
-            f'its recording grew larger than {run.limits.recording_mib} MiB',
-            'look for a node that publishes or prints without pause',
-        )
+        return _too_large(run)
     if run.cut == 'processes':
         return _stopped(run, 'it started too many programs', 'look for a program that starts itself, or for a loop around Popen')
     if run.cut == 'memory':

@@ -31,8 +31,10 @@ def refuse_strangers(recording: Recording, topic: str, package: str) -> None:
     :param package: of the programs that may.
     :raises Failure: naming the node that publishes it besides, or instead.
     """
-    for node in recording.nodes:
-        if any(name == topic for name, _ in node.publishers) and not is_of(recording, node.process, package):
+    hosted = recording.hosted_nodes
+    for position, node in enumerate(recording.nodes):
+        is_stranger = (hosted is not None and position not in hosted) or not is_of(recording, node.process, package)
+        if is_stranger and any(name == topic for name, _ in node.publishers):
             origins = [process.origin for process in recording.processes if process.name == node.process]
             raise Failure(
                 f'{node.name} publishes {topic}, which only a program of {package} may',

@@ -1,18 +1,7 @@
-"""The untrusted half: runs one scenario of a submission and sends back what happened.
+"""The confined half of one run: launches the submission, joined to the trusted half by a link.
 
-Loaded by `starter.py`, which forks for each run; the run limits itself before it reads the student's file. It imports
-nothing of edugrade, and answers with two frames of plain data: a letter, eight bytes of length, content. The first one is sent
-before anything of the submission is read.
-
-====== ===========================================================================
-letter content
-====== ===========================================================================
-C      JSON: which layers of confinement hold; then one of
-R      the recording's bytes
-U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
-S      JSON: the run was stopped: 'timeout' or 'memory'
-B      JSON: edulaunch itself broke
-====== ===========================================================================
+Loaded by `starter.py`. It confines itself before it reads the student's file, imports nothing of edugrade, and keeps no record. Besides
+the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_half.py`).
 """
 
 from __future__ import annotations
@@ -20,12 +9,13 @@ from __future__ import annotations
 import json
 import os
 import signal
+import socket
 from collections.abc import Callable
 from types import FrameType
 from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # of simulated time: from then on the demo's turtle2 looks up transforms
-CHANNEL = 3  # the only descriptor besides input and output
+WORDS, LINK = 3, 4  # the only descriptors besides input and output
 MOST_DESCRIPTORS = 4096
 RESERVE_BYTES = 8 << 20  # kept free, so that there is room to say that memory has run out
 
@@ -39,6 +29,8 @@ def warm_up() -> None:
             session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
             session.run(WARM_UP_S)
             session.recording().to_bytes()
+        import edulaunch.link.confined
+        import edulaunch.link.trusted  # noqa: F401
     except Exception:
         return  # the runs meet the same, and say so
     import gc
@@ -50,39 +42,35 @@ def warm_up() -> None:
     gc.freeze()  # the runs share what is loaded
 
 
-def run(job: dict[str, Any], channel: int, output: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
-    """Be one run, in a process that was just forked: move house, be confined, lower the limits, launch, answer.
+def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
+    """Be the confined half, in a process that was just forked: be confined, lower the limits, launch.
 
+    :param link: to the trusted half.
+    :param words: a pipe for what confines this half, and for the last words.
     :param confine: puts the layers of confinement on, given what may be read and the folder to write in, and says which hold.
     """
     os.setsid()
-    null = os.open(os.devnull, os.O_RDONLY)
-    for source, target in ((null, 0), (output, 1), (output, 2)):
-        os.dup2(source, target)
-    os.close(null)
-    os.close(output)
-    os.chdir(job['home'])
-    os.environ.clear()
-    os.environ.update(job['environment'])
     state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
-    channel = os.dup2(channel, CHANNEL)
-    os.closerange(CHANNEL + 1, MOST_DESCRIPTORS)
+    high = os.dup(words), os.dup(link.fileno())  # above the two that they become
+    words, end = os.dup2(high[0], WORDS), os.dup2(high[1], LINK)
+    link.detach()
+    os.closerange(LINK + 1, MOST_DESCRIPTORS)
     limit_resources(job['limits'])
-    send(channel, b'C', json.dumps(state).encode())
+    send(words, b'C', json.dumps(state).encode())
     if job['sandbox'] == 'require' and any(text != 'held' for text in state.values()):
         os._exit(0)  # the runner says why
     repeat_temporary_names(job['seed'])
-    answer_before_the_deadline(job, channel)
+    answer_before_the_deadline(job, words)
     limit_single_calls(2.5 * job['turn_s'])
     reserve = bytearray(RESERVE_BYTES)
     try:
-        letter, content = attempt(job)
+        letter, content = attempt(job, socket.socket(fileno=end))
     except MemoryError:  # also one that came up while another failure was being put into words
         reserve.clear()
         letter, content = b'S', b'{"reason": "memory"}'
     if hasattr(signal, 'setitimer'):
         signal.setitimer(signal.ITIMER_REAL, 0.0)  # the answer is not interrupted by another one
-    send(channel, letter, content)
+    send(words, letter, content)
     os._exit(0)
 
 
@@ -137,15 +125,15 @@ def limit_resources(limits: dict[str, int]) -> None:
             continue
 
 
-def answer_before_the_deadline(job: dict[str, Any], channel: int) -> None:
-    """When time is nearly up, say where the program was. (The runner kills what does not answer.)"""
+def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
+    """When time is nearly up, say where the program was. (The trusted half ends what does not answer.)"""
 
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         report: dict[str, Any] = {'reason': 'timeout'}
         place = innermost(frame, job)
         if place is not None:
             report['file'], report['line'] = place
-        send(channel, b'S', json.dumps(report).encode())
+        send(words, b'S', json.dumps(report).encode())
         os._exit(0)
 
     if hasattr(signal, 'setitimer'):
@@ -164,18 +152,17 @@ def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] |
     return None
 
 
-def attempt(job: dict[str, Any]) -> tuple[bytes, bytes]:
-    """Run the scenario; what it came to, as a frame's letter and content."""
+def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
+    """Take part in the run until the trusted half ends it; or what kept this half from it, as a frame's letter and content."""
     try:
         from edulaunch.errors import UnusableInput
-        from edulaunch.session import Session
+        from edulaunch.link.confined import ConfinedSession
     except ImportError as error:
         return _broke(error)
     try:
-        with Session(seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s']) as session:
-            session.launch(job['file'], None, job['arguments'])
-            session.run(job['duration_s'])
-            return b'R', session.recording().to_bytes()
+        session = ConfinedSession(link, seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s'])
+        session.launch(job['file'], None, job['arguments'])
+        session.run_as_asked()
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
     except MemoryError:

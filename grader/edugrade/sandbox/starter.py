@@ -36,7 +36,7 @@ def main() -> NoReturn:
     control = socket.socket(fileno=int(settings['control']))
     control.set_inheritable(False)
     sys.path[:] = settings['path']
-    confine, guard = _load_sandbox()
+    confine, guard, trusted_half = _load_sandbox()
     child = _load_child()
     confinement = confine.Confinement(settings['readable'], settings['listable'])
     child.warm_up()
@@ -48,7 +48,7 @@ def main() -> NoReturn:
         job = json.loads(_exactly(control, int.from_bytes(header, 'big')))
         if os.fork() == 0:
             control.close()
-            _begin(job, descriptors, partial(child.run, job, *descriptors[:2], confinement.put_on), guard)
+            _begin(job, descriptors, partial(_be_a_run, job, *descriptors[:2], child, confinement, trusted_half), guard)
         for descriptor in descriptors:
             os.close(descriptor)
 
@@ -77,16 +77,36 @@ def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[], NoRetu
     os._exit(0)
 
 
-def _load_sandbox() -> tuple[Any, Any]:
-    """The modules confine and guard of this folder, which no run can find: they are not among the loaded ones."""
+def _be_a_run(job: dict[str, Any], channel: int, output: int, child: Any, confinement: Any, trusted_half: Any) -> NoReturn:
+    """Move house, and be the trusted half of a run, which has the confined one as its child."""
+    os.setsid()
+    null = os.open(os.devnull, os.O_RDONLY)
+    for source, target in ((null, 0), (output, 1), (output, 2)):
+        os.dup2(source, target)
+    os.close(null)
+    os.close(output)
+    os.chdir(job['home'])
+    os.environ.clear()
+    os.environ.update(job['environment'])
+
+    def confined(link: socket.socket, words: int) -> NoReturn:
+        child.run(job, link, words, confinement.put_on)
+
+    half = trusted_half.TrustedHalf(job, channel, confined)
+    child.limit_resources(job['limits'])
+    half.run()
+
+
+def _load_sandbox() -> tuple[Any, Any, Any]:
+    """The modules confine, guard and trusted_half of this folder, which no run can find: they are not among the loaded ones."""
     spec = spec_from_file_location('edugrade_sandbox', os.path.join(HERE, '__init__.py'), submodule_search_locations=[HERE])
     assert spec is not None
     sys.modules['edugrade_sandbox'] = module_from_spec(spec)
-    from edugrade_sandbox import confine, guard  # type: ignore[import-not-found]
+    from edugrade_sandbox import confine, guard, trusted_half  # type: ignore[import-not-found]
 
     for name in [name for name in sys.modules if name.startswith('edugrade_sandbox')]:
         del sys.modules[name]
-    return confine, guard
+    return confine, guard, trusted_half
 
 
 def _load_child() -> Any:
