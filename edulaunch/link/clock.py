@@ -5,8 +5,8 @@ next one; so both together do what one process would, in the same order. The ord
 
 * of the heap: (time, priority, 0, sequence);
 * of the queue for the present instant: (now, 0, 1, number). The queue has no sequence numbers, it is just first in, first out. So
-  whenever the other half may have asked for something in between, a *mark* with the next number goes into it; an item's number is that
-  of the mark before it.
+  whenever the other half may have asked for something in between, a *mark* with the next number goes into it; an item's number is
+  that of the mark before it.
 
 Sequence numbers are counted through both halves: they go along with the token.
 """

@@ -1,4 +1,4 @@
-"""Frames between the halves: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is ever read."""
+"""Frames between the halves: a length, a kind, a payload. Payloads are JSON, or CDR bytes of messages; nothing else is read."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class Messages:
                 self._stock[name] = ForeignType(name)
         return self._stock[name]
 
-    def bytes(self, cls: Any, wire: Any) -> bytes:
+    def packed(self, cls: Any, wire: Any) -> bytes:
         """A wire of a class, with a first byte that says how it is written."""
         if self.type_of(cls) is cls:
             try:
@@ -119,7 +119,7 @@ class Messages:
         name: str = cls.TYPE
         return self.type(name) if name.count('/') == 2 else cls
 
-    def wire(self, cls: Any, data: bytes) -> Any:
+    def unpacked(self, cls: Any, data: bytes) -> Any:
         """The wire that these bytes hold.
 
         :raises Violation: when they are no message of that class.

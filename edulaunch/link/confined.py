@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import socket
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from edulaunch.graph.graph import Graph, NodeEntry
+from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.parameter_files import ParameterFileError
 from edulaunch.graph.ros_arguments import entries_of_file
 from edulaunch.graph.tracer import Record
@@ -32,7 +32,9 @@ class HostedProgram:
 
     is_passed_on = False
 
-    def __init__(self, host: ConfinedHost, spec: ProcessSpec, pid: int, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+    def __init__(
+        self, host: ConfinedHost, spec: ProcessSpec, pid: int, on_output: OnOutput | None, on_exit: OnExit | None
+    ) -> None:
         self.host = host
         self.index = host.index
         self.spec = spec
@@ -86,12 +88,12 @@ class ConfinedRecorder(Recorder):
         self.replica.endpoint_removed(kind, endpoint)
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
-        data = self.messages.bytes(client.cls.Request, wire)
+        data = self.messages.packed(client.cls.Request, wire)
         self.half.send(Kind.ASKED, dump([client.index, sequence, served, data]))
 
     def response(self, client: Any, sequence: int, wire: Any) -> None:
         if self.replica.is_ours(client):
-            data = self.messages.bytes(client.cls.Response, wire)
+            data = self.messages.packed(client.cls.Response, wire)
             self.half.send(Kind.ANSWERED, dump([client.index, sequence, data]))
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
@@ -155,7 +157,7 @@ class ConfinedHost(Host):
             starter.speaks_for += 2
             hosted.group = starter.group
         self.processes.append(hosted)  # type: ignore[arg-type]
-        self.tracer.process_started(hosted)  # type: ignore[arg-type]
+        self.tracer.process_started(hosted)
         spec = spec if spec.env is not None else spec._replace(env=self.env)
         self.half.tell(Kind.SPAWN, dump([hosted.pid, argv, program.package, program.executable, spec_as_data(spec)]))
         return hosted
@@ -187,12 +189,7 @@ class ConfinedSession(Session):
         recorder.replica = Replica(half, self.graph, recorder.messages, host.hosted)
         half.fatal = lambda error: os._exit(0)  # type: ignore[method-assign]
         half.calls.update(
-            {
-                Kind.OUTPUT: self._on_output,
-                Kind.EXIT: self._on_exit,
-                Kind.ENTRIES: self._entries,
-                Kind.FINISH: self._finish,
-            }
+            {Kind.OUTPUT: self._on_output, Kind.EXIT: self._on_exit, Kind.ENTRIES: self._entries, Kind.FINISH: self._finish}
         )
 
     def run_as_asked(self) -> None:

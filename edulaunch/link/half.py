@@ -5,7 +5,6 @@ from __future__ import annotations
 import socket
 from collections.abc import Callable
 from struct import Struct
-from struct import error as StructError
 from typing import Any, NoReturn
 
 from edulaunch.link.clock import HalfSimulation, Key
@@ -76,33 +75,50 @@ class Half:
             self.fatal(Violation('calls within calls without end'))
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
-        answer = self._take_until(Kind.RETURN)
+        value = self._take_until(Kind.RETURN)
         self._depth -= 1
-        self._take_head(answer)
-        return self._checked(lambda: load(bytes(answer[TOKEN.size :])))
+        return value
 
     def _answer(self, kind: int, payload: memoryview) -> None:
         self._continue(payload)
         value = self.calls[kind](payload[NUMBER.size :])
-        self.send(Kind.RETURN, TOKEN.pack(self.sim.sequence(), *self.sim.head()) + dump(value))
+        self._hand_over(Kind.RETURN, self.sim.head(), dump(value))
+
+    def _hand_over(self, kind: Kind, key: Key, value: bytes = b'null') -> None:
+        self.send(kind, TOKEN.pack(self.sim.sequence(), *key) + value)
         self._flush()
 
     def _pass_token(self, key: Key) -> None:
-        self.send(Kind.TOKEN, TOKEN.pack(self.sim.sequence(), *key))
-        self._flush()
-        self.await_token(key[0])
+        self._hand_over(Kind.TOKEN, key)
+        self.await_token(key[0] - (key[1] < 0))
 
     def await_token(self, grant_ns: int) -> None:
         """Let the other half run until it passes the token; at most until the time is `grant_ns`."""
         self._grant_ns = grant_ns
-        self._take_head(self._take_until(Kind.TOKEN))
+        self._take_until(Kind.TOKEN)
         self._grant_ns = self.sim.now_ns
 
-    def _take_head(self, payload: memoryview) -> None:
-        """The other half's last number, and the key of its next item."""
+    def _take_until(self, kind: Kind) -> Any:
+        """Take frames until one of this kind hands over; what is said with it. What is wrong in any of them ends the link."""
+        try:
+            while True:
+                found, payload = self._next()
+                if found == kind:
+                    return self._take_over(payload)
+                self._dispatch(found, payload)
+        except (Violation, Gone, TooMuch) as error:
+            self.fatal(error)
+        except Exception as error:
+            if self._trusts:
+                raise
+            self.fatal(error)
+
+    def _take_over(self, payload: memoryview) -> Any:
+        """The other half's last number, the key of its next item, and a value."""
         number, *key = TOKEN.unpack_from(payload)
         self._take_number(number)
         self.sim.other = key[0], key[1], key[2], key[3]
+        return load(bytes(payload[TOKEN.size :]))
 
     def _continue(self, payload: memoryview) -> None:
         self._take_number(NUMBER.unpack_from(payload)[0])
@@ -131,25 +147,6 @@ class Half:
             self._end.sendall(data)
         except OSError:
             self.fatal(Gone())
-
-    def _take_until(self, kind: Kind) -> memoryview:
-        """Take frames until one of this kind comes, and give it."""
-        while True:
-            found, payload = self._checked(self._next)
-            if found == kind:
-                return payload  # type: ignore[no-any-return]
-            self._checked(lambda: self._dispatch(found, payload))
-
-    def _checked(self, act: Callable[[], Any]) -> Any:
-        """Do something with what the other half sent. Whatever goes wrong with it there ends the link."""
-        try:
-            return act()
-        except (Violation, Gone, TooMuch) as error:
-            self.fatal(error)
-        except Exception as error:
-            if self._trusts:
-                raise
-            self.fatal(error)
 
     def _dispatch(self, kind: int, payload: memoryview) -> None:
         if kind == Kind.ADVANCE:

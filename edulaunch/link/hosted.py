@@ -1,4 +1,4 @@
-"""Which programs the trusted half hosts: those that came with edulaunch, but for the few that read a student's files or keyboard."""
+"""Which programs the trusted half hosts: those that came with edulaunch, but for a few that read a student's files or keys."""
 
 from __future__ import annotations
 

@@ -12,7 +12,17 @@ from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.graph import Graph, NodeEntry
-from edulaunch.graph.qos import AUTOMATIC, BEST_EFFORT, KEEP_ALL, KEEP_LAST, MANUAL_BY_TOPIC, RELIABLE, TRANSIENT_LOCAL, VOLATILE, QoS
+from edulaunch.graph.qos import (
+    AUTOMATIC,
+    BEST_EFFORT,
+    KEEP_ALL,
+    KEEP_LAST,
+    MANUAL_BY_TOPIC,
+    RELIABLE,
+    TRANSIENT_LOCAL,
+    VOLATILE,
+    QoS,
+)
 from edulaunch.graph.services import ServiceClient, ServiceServer
 from edulaunch.graph.topics import Publisher, Subscription, WatchedPublisher, connect
 from edulaunch.link.codec import AS_BEFORE, Kind, Messages, Violation, dump, load
@@ -27,16 +37,11 @@ NAME = re.compile(r'/[A-Za-z0-9_/~{}]{0,300}')
 TYPE = re.compile(r'[A-Za-z0-9_/]{1,300}')
 MOST_ENDS = 20_000
 LAST_INDEX = (1 << 32) - 1
-POLICIES = (
-    (RELIABLE, BEST_EFFORT),
-    (VOLATILE, TRANSIENT_LOCAL),
-    (KEEP_LAST, KEEP_ALL),
-    (AUTOMATIC, MANUAL_BY_TOPIC),
-)
+POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KEEP_ALL), (AUTOMATIC, MANUAL_BY_TOPIC))
 
 
 class Outlet:
-    """In the place of a remote endpoint's queue: holds what comes until `on_ready` sends it. Old samples are the other half's own."""
+    """In the place of a remote endpoint's queue: holds what comes until `on_ready` sends it. Old samples are there already."""
 
     item: Any = None
 
@@ -119,7 +124,7 @@ class Replica:
         """Let the other half have a message, before it is delivered."""
         _, index, wire = record
         self._known[index] = wire, record[0]
-        self.half.send(Kind.PUBLISH, END.pack(index) + self.messages.bytes(publisher.cls, wire))
+        self.half.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
 
     def _deliver(self, subscription: Any) -> None:
         """A message has reached a remote subscription."""
@@ -131,19 +136,19 @@ class Replica:
             message = bytes((AS_BEFORE,))
         else:
             self._known[publisher.index] = wire, now_ns
-            message = self.messages.bytes(publisher.cls, wire)
+            message = self.messages.packed(publisher.cls, wire)
         self.half.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
 
     def _ask(self, server: Any) -> None:
         """A request has reached a remote server."""
         wire, (client, sequence) = server.queue.item
-        data = self.messages.bytes(client.cls.Request, wire)
+        data = self.messages.packed(client.cls.Request, wire)
         self.half.call(Kind.REQUEST, [server.index, client.index, sequence, data])
 
     def _respond(self, client: Any) -> None:
         """A reply has reached a remote client."""
         sequence, wire = client.queue.item
-        data = self.messages.bytes(client.cls.Response, wire)
+        data = self.messages.packed(client.cls.Response, wire)
         self.half.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
 
     # What happened there is repeated here
@@ -226,7 +231,7 @@ class Replica:
 
     def _publish(self, payload: memoryview) -> None:
         publisher = self._of(payload, Publisher)
-        wire = self.messages.wire(publisher.cls, bytes(payload[END.size :]))
+        wire = self.messages.unpacked(publisher.cls, bytes(payload[END.size :]))
         now_ns = self.graph.sim.now_ns
         publisher._record((now_ns, publisher.index, wire))
         if publisher._history is not None:
@@ -238,7 +243,7 @@ class Replica:
         publisher = self.their(publisher_index, Publisher)
         data = bytes(payload[ENDS.size :])
         if data[:1] != bytes((AS_BEFORE,)):
-            self._known[publisher_index] = self.messages.wire(publisher.cls, data), self.graph.sim.now_ns
+            self._known[publisher_index] = self.messages.unpacked(publisher.cls, data), self.graph.sim.now_ns
         wire, at_ns = self._known[publisher_index]
         subscription = self.our(subscription_index, Subscription)
         if subscription is not None:
@@ -250,7 +255,7 @@ class Replica:
     def _request(self, payload: memoryview) -> None:
         server_index, client_index, sequence, data = load(bytes(payload))
         client = self.their(client_index, ServiceClient)
-        wire = self.messages.wire(client.cls.Request, data)
+        wire = self.messages.unpacked(client.cls.Request, data)
         server = self.our(server_index, ServiceServer)
         if server is not None:
             if server not in self.graph.servers_for(client) or not isinstance(sequence, int):
@@ -264,7 +269,7 @@ class Replica:
         client = self.our(client_index, ServiceClient)
         if client is None or sequence not in client.unanswered:
             return
-        wire = self.messages.wire(client.cls.Response, data)
+        wire = self.messages.unpacked(client.cls.Response, data)
         client.unanswered.remove(sequence)
         self.answered(client, sequence, wire)
         client.queue.append((sequence, wire))

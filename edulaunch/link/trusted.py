@@ -18,7 +18,7 @@ from edulaunch.graph.topics import WatchedPublisher
 from edulaunch.graph.tracer import Record
 from edulaunch.interfaces.underlay import underlay_registry
 from edulaunch.link.clock import HalfSimulation
-from edulaunch.link.codec import Kind, Messages, Violation, dump, load
+from edulaunch.link.codec import Kind, Messages, Violation, load
 from edulaunch.link.half import Half
 from edulaunch.link.hosted import hosted_program, shipped_path
 from edulaunch.link.replica import Replica
@@ -297,9 +297,9 @@ class Trusted:
     def _asked(self, payload: memoryview) -> None:
         index, sequence, served, data = load(bytes(payload))
         client = self.replica.their(index, ServiceClient)
-        self.recorder.request(client, sequence, self.messages.wire(client.cls.Request, data), served is True)
+        self.recorder.request(client, sequence, self.messages.unpacked(client.cls.Request, data), served is True)
 
     def _answered(self, payload: memoryview) -> None:
         index, sequence, data = load(bytes(payload))
         client = self.replica.their(index, ServiceClient)
-        self.recorder.response(client, sequence, self.messages.wire(client.cls.Response, data))
+        self.recorder.response(client, sequence, self.messages.unpacked(client.cls.Response, data))

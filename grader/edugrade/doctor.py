@@ -17,7 +17,7 @@ from .submission import Submission
 
 # What a hostile launch file would do. `settings` is given; each line is (layer, attempt, code that raises when it is refused).
 _ATTEMPTS = (
-    ('descriptors', "use the grader's open files", 'next(number for number in range(3, 200) if is_readable(number))'),
+    ('descriptors', "use the grader's open files", 'next(number for number in range(5, 200) if is_readable(number))'),
     ('files', 'read a file beside the submission', 'posix.open(settings["secret"], 0)'),
     ('files', 'list the folder of the submission', 'posix.listdir(settings["folder"])'),
     ('files', 'read a rubric', 'posix.open(settings["rubric"], 0)'),

@@ -70,7 +70,7 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
         return _memory(run)
     if reason == 'recording':
         return _too_large(run)
-    return _garbage(run)
+    return _garbage(run)._replace(detail=_text(report, 'detail'))
 
 
 def _memory(run: ChildRun) -> Outcome:

@@ -34,6 +34,7 @@ class FakeRecording:
     frames: dict[str, Frame] = field(default_factory=dict)
     duration_s: float = 20.0
     start_ns: int = 0
+    hosted_nodes: frozenset[int] | None = None
 
     @property
     def includes(self) -> list[str]:

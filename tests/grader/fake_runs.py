@@ -29,6 +29,7 @@ class FakeRun:
     frames: Callable[[float], Mapping[str, Frame]] = lambda time_s: {}
     duration_s: float = 20.0
     start_ns: int = 0
+    hosted_nodes: frozenset[int] | None = None
 
     def series(self, topic: str, *fields: str) -> Track:
         return self.tracks.get(topic, [])

@@ -15,7 +15,7 @@ SCENARIO = Scenario('s', {}, 0.2, 3)
 
 @pytest.fixture(scope='module')
 def content() -> bytes:
-    return edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
+    return b'[0]\n' + edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
 
 
 def failed(tmp_path: Path, text: str) -> bytes:
@@ -25,13 +25,14 @@ def failed(tmp_path: Path, text: str) -> bytes:
     with edulaunch.Session(seed=3) as session:
         session.launch(str(file))
         session.run(0.2)
-        return session.recording().to_bytes()
+        return b'[]\n' + session.recording().to_bytes()
 
 
 def test_a_recording_of_the_scenario_is_accepted(content: bytes) -> None:
     outcome = recorded(SCENARIO, content)
     assert outcome is not None
-    assert (outcome.kind, outcome.recording is not None) == ('recorded', True)
+    assert outcome.kind == 'recorded' and outcome.recording is not None
+    assert outcome.recording.hosted_nodes == {0}
 
 
 @pytest.mark.parametrize('other', [SCENARIO._replace(seed=4), SCENARIO._replace(arguments={'x': '1'})])
@@ -39,7 +40,7 @@ def test_a_recording_of_another_run_is_refused(content: bytes, other: Scenario) 
     assert recorded(other, content) is None
 
 
-@pytest.mark.parametrize('noise', [b'', b'12345', b'{}', b'\xff' * 100])
+@pytest.mark.parametrize('noise', [b'', b'12345', b'{}', b'[]\n{}', b'\xff' * 100])
 def test_noise_is_refused(noise: bytes) -> None:
     assert recorded(SCENARIO, noise) is None
 

@@ -1,7 +1,7 @@
 """The confined half of one run: launches the submission, joined to the trusted half by a link.
 
-Loaded by `starter.py`. It confines itself before it reads the student's file, imports nothing of edugrade, and keeps no record. Besides
-the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_half.py`).
+Loaded by `starter.py`. It confines itself before it reads the student's file, imports nothing of edugrade, and keeps no record.
+Besides the link it has a pipe for what ends it: frames of a letter, eight bytes of length, and JSON (see `trusted_half.py`).
 """
 
 from __future__ import annotations
@@ -163,6 +163,7 @@ def attempt(job: dict[str, Any], link: socket.socket) -> tuple[bytes, bytes]:
         session = ConfinedSession(link, seed=job['seed'], workspaces=job['workspaces'], turn_limit_s=job['turn_s'])
         session.launch(job['file'], None, job['arguments'])
         session.run_as_asked()
+        os._exit(0)
     except UnusableInput as error:
         return b'U', json.dumps({'text': error.message, 'help': error.help}).encode()
     except MemoryError:

@@ -48,7 +48,12 @@ def main() -> NoReturn:
         job = json.loads(_exactly(control, int.from_bytes(header, 'big')))
         if os.fork() == 0:
             control.close()
-            _begin(job, descriptors, partial(_be_a_run, job, *descriptors[:2], child, confinement, trusted_half), guard)
+            _begin(
+                job,
+                descriptors,
+                partial(_be_a_run, job, (descriptors[0], descriptors[1]), child, confinement, trusted_half),
+                guard,
+            )
         for descriptor in descriptors:
             os.close(descriptor)
 
@@ -77,8 +82,9 @@ def _begin(job: dict[str, Any], descriptors: list[int], run: Callable[[], NoRetu
     os._exit(0)
 
 
-def _be_a_run(job: dict[str, Any], channel: int, output: int, child: Any, confinement: Any, trusted_half: Any) -> NoReturn:
+def _be_a_run(job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_half: Any) -> NoReturn:
     """Move house, and be the trusted half of a run, which has the confined one as its child."""
+    channel, output = ends
     os.setsid()
     null = os.open(os.devnull, os.O_RDONLY)
     for source, target in ((null, 0), (output, 1), (output, 2)):
@@ -91,10 +97,12 @@ def _be_a_run(job: dict[str, Any], channel: int, output: int, child: Any, confin
 
     def confined(link: socket.socket, words: int) -> NoReturn:
         child.run(job, link, words, confinement.put_on)
+        os._exit(0)
 
     half = trusted_half.TrustedHalf(job, channel, confined)
     child.limit_resources(job['limits'])
     half.run()
+    os._exit(0)
 
 
 def _load_sandbox() -> tuple[Any, Any, Any]:

@@ -1,7 +1,7 @@
 """The trusted half of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined half, and answers.
 
-It answers the runner with two frames: a letter, eight bytes of length, content. The first is the confined half's, sent before that
-reads anything of the submission.
+It answers the runner with two frames: a letter, eight bytes of length, content. The first is the confined half's, sent before
+that reads anything of the submission.
 
 ====== ===========================================================================
 letter content
@@ -81,15 +81,21 @@ class TrustedHalf:
 
         trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
         trusted.half.fatal = self._on_fatal  # type: ignore[method-assign]
-        recording = Recording(trusted.run(self._job['duration_s']))
-        return json.dumps(trusted.recorder.hosted_nodes).encode() + b'\n' + recording.to_bytes()
+        content = trusted.run(self._job['duration_s'])
+        try:
+            recording = Recording(content).to_bytes()
+        except MemoryError:
+            raise
+        except Exception as error:  # only what the other half told of itself can be of the wrong kind
+            self._on_fatal(error)
+        return json.dumps(trusted.recorder.hosted_nodes).encode() + b'\n' + recording
 
     def _on_fatal(self, error: Exception) -> NoReturn:
         from edulaunch.link.half import Gone, TooMuch
 
         if isinstance(error, Gone):
             self._end_like_it()
-        self._stopped('recording' if isinstance(error, TooMuch) else 'protocol')
+        self._stopped('recording' if isinstance(error, TooMuch) else 'protocol', f'{type(error).__name__}: {error}')
 
     def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
         """The other half has ended. It never does so by itself before this one lets it."""
@@ -120,8 +126,8 @@ class TrustedHalf:
             time.sleep(0.002)
         return None
 
-    def _stopped(self, reason: str) -> NoReturn:
-        self._answer(b'S', json.dumps({'reason': reason}).encode())
+    def _stopped(self, reason: str, detail: str = '') -> NoReturn:
+        self._answer(b'S', json.dumps({'reason': reason, 'detail': detail}).encode())
         os._exit(0)
 
     def _answer(self, letter: bytes, content: bytes) -> None:
