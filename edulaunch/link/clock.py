@@ -22,6 +22,7 @@ from edulaunch.sim.simulation import EPOCH_NS, FAR_NS, Simulation
 
 Key = tuple[int, int, int, int]
 NEVER: Key = (FAR_NS, 0, 0, 0)
+BEFORE_ALL = -FAR_NS  # a priority that no item has: of the key where a run ends
 IS_MARK = -1  # in the place of a queued item's priority
 FOR_THE_OTHER = 1 << 16  # how many numbers the other half gets for what a frame makes it ask for
 
@@ -89,7 +90,7 @@ class HalfSimulation(Simulation):
         """As in one process. A half that has no `until_ns` runs for ever: the other one ends it."""
         self._stopped = False
         self.hub = getcurrent()
-        end: Key = NEVER if until_ns is None else (until_ns + 1, -FAR_NS, 0, 0)
+        end: Key = NEVER if until_ns is None else (until_ns + 1, BEFORE_ALL, 0, 0)
         while not self._stopped:
             key = self.head()
             if self.other < key and self.other < end:

@@ -43,6 +43,9 @@ class Kind(IntEnum):
     WROTE = 19
     LOG = 20
     NOTE = 21
+    FACT = 29
+    FACT_OVER = 30
+    WATCH = 31  # a node may have facts to tell at the end
     SPAWN = 22  # the trusted half is to host a program
     SIGNAL = 23  # a call, for a hosted program
     HEARD = 24  # whether a hosted program's output is recorded
@@ -131,7 +134,7 @@ class Messages:
                 raise Violation(str(error)) from None
         if data[:1] != bytes((AS_JSON,)):
             raise Violation(f'no message of type {cls.TYPE}')
-        wire = _tuples(load(data[1:]))
+        wire = tuples(load(data[1:]))
         if not isinstance(cls, ForeignType) and not self._fits(cls.TYPE, wire):
             raise Violation(f'no message of type {cls.TYPE}')
         return wire
@@ -153,5 +156,5 @@ class ForeignType:
             self.Request = self.Response = self
 
 
-def _tuples(value: Any) -> Any:
-    return tuple(_tuples(each) for each in value) if isinstance(value, list) else value
+def tuples(value: Any) -> Any:
+    return tuple(tuples(each) for each in value) if isinstance(value, list) else value

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import partial
 from typing import Any
 
 from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.parameter_files import ParameterFileError
 from edulaunch.graph.ros_arguments import entries_of_file
-from edulaunch.graph.tracer import Record
+from edulaunch.graph.tracer import Look, Record
 from edulaunch.interfaces.underlay import underlay_registry
 from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, Messages, dump, load
@@ -64,7 +64,7 @@ class HostedProgram:
 
 
 class ConfinedRecorder(Recorder):
-    """Tells the trusted half what it would record; keeps programs and their output, of which launch's warnings speak."""
+    """Keeps nothing: tells the trusted half."""
 
     half: Half
     replica: Replica
@@ -103,25 +103,35 @@ class ConfinedRecorder(Recorder):
         self.half.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
 
     def process_started(self, process: Any) -> None:
-        super().process_started(process)
         if not isinstance(process, HostedProgram):
             self.half.send(Kind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
 
     def process_exited(self, process: Any) -> None:
-        super().process_exited(process)
         if not isinstance(process, HostedProgram):
             self.half.send(Kind.ENDED, dump([process.pid, process.returncode, process.exception]))
 
     def output(self, process: Any, stream: str, text: str) -> None:
-        super().output(process, stream, text)
-        if not isinstance(process, HostedProgram):
-            self.half.send(Kind.WROTE, dump([process.pid, stream, text]))
+        self.half.send(Kind.WROTE, dump([process.pid, stream, text]))
 
     def log(self, process: Process, level: int, logger: str, message: str) -> None:
         self.half.send(Kind.LOG, dump([process.pid, level, logger, message]))
 
     def note(self, process: Process | None, kind: str, text: str) -> None:
         self.half.send(Kind.NOTE, dump([None if process is None else process.pid, kind, text]))
+
+    def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
+        self.half.send(Kind.FACT, dump([process.pid, kind, key, data]))
+
+    def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
+        self.half.send(Kind.FACT_OVER, dump([process.pid, kind, key]))
+
+    def watch(self, node: NodeEntry, look: Look) -> None:
+        super().watch(node, look)
+        self.half.send(Kind.WATCH, dump(node.index))
+
+    def seen_now(self) -> list[list[Any]]:
+        """What the nodes that are alive have to tell, by their numbers."""
+        return [[node.index, list(look())] for node, look in self.looks.items()]
 
 
 def _forget(record: Record) -> None:
@@ -200,8 +210,6 @@ class ConfinedSession(Session):
     def _on_output(self, payload: memoryview) -> None:
         pid, stream, text = load(bytes(payload))
         program = self.host.hosted(pid)
-        if program.is_heard:
-            self.recorder.output(program, stream, text)
         if program.on_output is not None:
             program.on_output(stream, text)
 
@@ -227,7 +235,11 @@ class ConfinedSession(Session):
         return [list(entry) for entry in entries]
 
     def _finish(self, payload: memoryview) -> Any:
-        """What was launched, in launch's own words."""
+        """What was launched, in launch's own words; and what the trusted half asks for."""
+        types, files = load(bytes(payload))
         self.describe()
-        interfaces = self.recorder.interfaces(set(load(bytes(payload))))
-        return {'launch': self.recorder.launch, 'roots': self.recorder.roots, 'interfaces': interfaces}
+        recorder = self.recorder
+        sources = {file: self.index.source_path(file) for file in files}
+        interfaces = recorder.interfaces(set(types))
+        told = {'launch': recorder.launch, 'roots': recorder.roots, 'seen': recorder.seen_now()}
+        return {**told, 'interfaces': interfaces, 'sources': sources}

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from struct import Struct
 from typing import Any, NoReturn
 
-from edulaunch.link.clock import HalfSimulation, Key
+from edulaunch.link.clock import BEFORE_ALL, HalfSimulation, Key
 from edulaunch.link.codec import HEADER, LONGEST_FRAME, Kind, Violation, dump, load
 
 FLUSH_BYTES = 1 << 17
@@ -90,7 +90,7 @@ class Half:
 
     def _pass_token(self, key: Key) -> None:
         self._hand_over(Kind.TOKEN, key)
-        self.await_token(key[0] - (key[1] < 0))
+        self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
 
     def await_token(self, grant_ns: int) -> None:
         """Let the other half run until it passes the token; at most until the time is `grant_ns`."""
@@ -99,13 +99,20 @@ class Half:
         self._grant_ns = self.sim.now_ns
 
     def _take_until(self, kind: Kind) -> Any:
-        """Take frames until one of this kind hands over; what is said with it. What is wrong in any of them ends the link."""
+        """Take frames until one of this kind hands over; what is said with it."""
+        return self.checked(lambda: self._until(kind))
+
+    def _until(self, kind: Kind) -> Any:
+        while True:
+            found, payload = self._next()
+            if found == kind:
+                return self._take_over(payload)
+            self._dispatch(found, payload)
+
+    def checked(self, act: Callable[[], Any]) -> Any:
+        """Do something with what the other half has sent. What goes wrong with it there ends the link."""
         try:
-            while True:
-                found, payload = self._next()
-                if found == kind:
-                    return self._take_over(payload)
-                self._dispatch(found, payload)
+            return act()
         except (Violation, Gone, TooMuch) as error:
             self.fatal(error)
         except Exception as error:

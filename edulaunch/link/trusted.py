@@ -18,7 +18,7 @@ from edulaunch.graph.topics import WatchedPublisher
 from edulaunch.graph.tracer import Record
 from edulaunch.interfaces.underlay import underlay_registry
 from edulaunch.link.clock import HalfSimulation
-from edulaunch.link.codec import Kind, Messages, Violation, load
+from edulaunch.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.link.half import Half
 from edulaunch.link.hosted import hosted_program, shipped_path
 from edulaunch.link.replica import Replica
@@ -229,6 +229,7 @@ class Trusted:
         self.replica = self.recorder.replica = Replica(self.half, self.graph, self.messages, self._program)
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
+        self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # what is odd about the other half's nodes, by their numbers
         self.half.calls[Kind.SIGNAL] = self.host.send_signal
         self.half.handlers.update(
             {
@@ -240,6 +241,9 @@ class Trusted:
                 Kind.WROTE: self._wrote,
                 Kind.LOG: self._log,
                 Kind.NOTE: self._note,
+                Kind.FACT: self._fact,
+                Kind.FACT_OVER: self._fact_over,
+                Kind.WATCH: self._watch,
                 Kind.SPAWN: self.host.spawn,
                 Kind.HEARD: self.host.hear,
             }
@@ -250,11 +254,19 @@ class Trusted:
         with streams_of_programs():
             self.half.await_token(self.sim.now_ns)
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
-            recorder = self.recorder
-            told = self.half.call(Kind.FINISH, sorted({row[2] for row in (*recorder.endpoints, *recorder.calls)}))
+            self.half.checked(self._describe)
+        self.recorder.stop()
+        return self.recorder.content()
+
+    def _describe(self) -> None:
+        """Ask the other half what it knows of what was launched. It may say what it likes: nothing here depends on it."""
+        recorder = self.recorder
+        types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
+        files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
+        told = self.half.call(Kind.FINISH, [sorted(types), sorted(files)])
         recorder.launch, recorder.roots, recorder.texts = told['launch'], told['roots'], told['interfaces']
-        recorder.stop()
-        return recorder.content()
+        self._seen.update({index: [(_text(kind), dict(data)) for kind, data in seen] for index, seen in told['seen']})
+        recorder.use_sources(lambda path: _text(told['sources'].get(path, path)))
 
     def _program(self, pid: Any) -> ConfinedProgram:
         return self._programs[pid]
@@ -289,6 +301,18 @@ class Trusted:
         pid, kind, text = load(bytes(payload))
         program: Any = None if pid is None else self._programs[pid]
         self.recorder.note(program, _text(kind), _text(text))
+
+    def _fact(self, payload: memoryview) -> None:
+        pid, kind, key, data = load(bytes(payload))
+        self.recorder.fact(self._programs[pid], _text(kind), tuples(key), dict(data))  # type: ignore[arg-type]
+
+    def _fact_over(self, payload: memoryview) -> None:
+        pid, kind, key = load(bytes(payload))
+        self.recorder.fact_over(self._programs[pid], _text(kind), tuples(key))  # type: ignore[arg-type]
+
+    def _watch(self, payload: memoryview) -> None:
+        node = self.replica.their(load(bytes(payload)), NodeEntry)
+        self.recorder.watch(node, lambda: self._seen.get(node.index, ()))
 
     def _parameter(self, payload: memoryview) -> None:
         index, name, value, origin = load(bytes(payload))
