@@ -45,6 +45,7 @@ class Kind(IntEnum):
     NOTE = 21
     FACT = 29
     FACT_OVER = 30
+    DESCRIPTOR = 32
     WATCH = 31  # a node may have facts to tell at the end
     SPAWN = 22  # the trusted half is to host a program
     SIGNAL = 23  # a call, for a hosted program

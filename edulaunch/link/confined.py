@@ -8,6 +8,7 @@ from collections.abc import Callable, Hashable
 from functools import partial
 from typing import Any
 
+from edulaunch.facts import facts_of
 from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.parameter_files import ParameterFileError
 from edulaunch.graph.ros_arguments import entries_of_file
@@ -101,6 +102,11 @@ class ConfinedRecorder(Recorder):
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         self.half.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
+
+    def descriptor(
+        self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
+    ) -> None:
+        self.half.send(Kind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
 
     def process_started(self, process: Any) -> None:
         if not isinstance(process, HostedProgram):
@@ -227,7 +233,7 @@ class ConfinedSession(Session):
         try:
             entries = generated.entries() if generated is not None else entries_of_file(os.path.join(folder, path))
         except ParameterFileError as error:
-            return {'reason': str(error), 'help': error.help}
+            return {'reason': str(error), 'facts': facts_of(error)}
         except UnicodeDecodeError as error:
             return {'coding': [error.encoding, error.object[error.start : error.end], error.start, error.end, error.reason]}
         except OSError as error:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from types import MappingProxyType
 from typing import Any
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.graph import Graph, NodeEntry
 from edulaunch.graph.parameter_files import Entry, ParameterFileError
 from edulaunch.graph.qos import TRANSIENT_LOCAL
@@ -163,7 +164,8 @@ def _is_value(value: Any) -> bool:
 
 def _reading_error(told: Any) -> Exception:
     if 'reason' in told:
-        return ParameterFileError(_text(told['reason']), told['help'] if told['help'] is None else _text(told['help']))
+        error = ParameterFileError(_text(told['reason']))
+        return with_facts(error, _text(told['facts'].pop('about')), **told['facts']) if told['facts'] else error
     if 'coding' in told:
         encoding, wrong, start, end, reason = told['coding']
         if not (0 <= start < end < 1 << 26 and isinstance(wrong, bytes)):
@@ -236,6 +238,7 @@ class Trusted:
                 Kind.ASKED: self._asked,
                 Kind.ANSWERED: self._answered,
                 Kind.PARAMETER: self._parameter,
+                Kind.DESCRIPTOR: self._descriptor,
                 Kind.STARTED: self._started,
                 Kind.ENDED: self._ended,
                 Kind.WROTE: self._wrote,
@@ -317,6 +320,11 @@ class Trusted:
     def _parameter(self, payload: memoryview) -> None:
         index, name, value, origin = load(bytes(payload))
         self.recorder.parameter(self.replica.their(index, NodeEntry), _text(name), value, _text(origin))
+
+    def _descriptor(self, payload: memoryview) -> None:
+        index, name, description, read_only, limits = load(bytes(payload))
+        node = self.replica.their(index, NodeEntry)
+        self.recorder.descriptor(node, _text(name), _text(description), read_only is True, limits)
 
     def _asked(self, payload: memoryview) -> None:
         index, sequence, served, data = load(bytes(payload))
