@@ -61,8 +61,8 @@ attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
 attached.PLACES.update({name: ('edulaunch.canvas.text_table', name) for name in ('message_table', 'log_table')})
 attached.PLACES.update(
     advice_marks=('edulaunch.advice.marks', 'marks'),
-    judge=('edulaunch.advice', 'judge'),
-    told=('edulaunch.advice', 'told'),
+    judge=('edulaunch.advice.judging', 'judge'),
+    told=('edulaunch.advice.wording', 'told'),
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
     replay=('edulaunch.view.replay', 'Replay'),
     help_below=('edulaunch.advice.below', 'help_below'),

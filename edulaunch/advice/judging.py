@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -29,6 +31,23 @@ MOST = 20
 
 def judge(recording: Recording) -> list[Finding]:
     """What is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
+    with _collector_paused():
+        return _judge(recording)
+
+
+@contextmanager
+def _collector_paused() -> Iterator[None]:
+    """Rules make many small things and no cycles: looking through a large recording for those takes longer than the rules do."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
+
+
+def _judge(recording: Recording) -> list[Finding]:
     explained = [
         finding._replace(process=failure.process) for failure in failures(recording) for finding in _asked('errors', failure)
     ]

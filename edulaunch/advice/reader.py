@@ -6,10 +6,11 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from functools import cache
-from gettext import NullTranslations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from gettext import NullTranslations
+
     from edulaunch.advice.retelling import Retelling
 
 LOCALE = os.path.join(os.path.dirname(__file__), 'locale')

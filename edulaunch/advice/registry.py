@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import pkgutil
 from functools import cache
 from importlib import import_module
 
@@ -13,13 +12,18 @@ KINDS = ('errors', 'plans', 'recordings', 'sources', 'workspaces')
 """What rules look at, each a folder: a Failure, a Rehearsal, a Recording, a Source, a Workspace."""
 
 
+_loaded: dict[str, Rule] = {}
+
+
 @cache
 def rules_over(kind: str) -> tuple[Rule, ...]:
     """The rules that look at one kind of thing, in the order of their files."""
     folder = os.path.join(os.path.dirname(__file__), kind)
-    modules = sorted(module.name for module in pkgutil.iter_modules([folder]))
+    modules = sorted(name.removesuffix('.py') for name in os.listdir(folder) if name.endswith('.py') and name[0] != '_')
     loaded = [import_module(f'edulaunch.advice.{kind}.{name}') for name in modules]
-    return tuple(value for module in loaded for value in vars(module).values() if isinstance(value, Rule))
+    rules = tuple(value for module in loaded for value in vars(module).values() if isinstance(value, Rule))
+    _loaded.update((rule.name, rule) for rule in rules)
+    return rules
 
 
 @cache
@@ -29,11 +33,6 @@ def all_rules() -> dict[str, Rule]:
     return dict(sorted(rules.items()))
 
 
-@cache
 def rule_named(name: str) -> Rule:
     """The rule of that name; only as many files are loaded as it takes to find it. Raises KeyError when there is none."""
-    for kind in KINDS:
-        for rule in rules_over(kind):
-            if rule.name == name:
-                return rule
-    raise KeyError(name)
+    return _loaded[name] if name in _loaded else all_rules()[name]

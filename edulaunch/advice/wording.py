@@ -60,7 +60,7 @@ def said_at_the_end(
     :param helped: programs below whose error it was said already.
     """
     findings = [one for one in recording.advice if (one.time_s is None or one.time_s >= since_s) and one.process not in helped]
-    return warning_lines(findings, reader)
+    return warning_lines(findings, reader) if findings else []
 
 
 def place(finding: Finding, reader: Reader) -> Iterator[str]:

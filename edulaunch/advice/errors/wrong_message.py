@@ -16,7 +16,7 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
     'messages.published-no-message',
     what='publish() was given a {got}, but this publisher sends {wanted} messages',
     why='a topic carries messages of one type; Python does not turn a {got} into one',
-    do='make a message, set its fields, publish that: msg = {wanted}(); msg.data = ...; publisher.publish(msg)',
+    do='make a message, set its fields, and publish that: msg = {wanted}(), then publisher.publish(msg)',
     level='error',
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
