@@ -13,6 +13,7 @@ from edulaunch.advice.retelling import fields_of
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
+MOST_NAMES = 12
 MOST_TOLD = 5
 """Findings that are told where nobody asked for them."""
 
@@ -85,4 +86,7 @@ def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> 
 
 
 def _listed(value: Any) -> Any:
-    return ', '.join(map(str, value)) if isinstance(value, (list, tuple)) else value
+    """A list of names as words; of a long one the beginning."""
+    if not isinstance(value, (list, tuple)):
+        return value
+    return ', '.join([*map(str, value[:MOST_NAMES]), *(['...'] if len(value) > MOST_NAMES else [])])

@@ -28,7 +28,11 @@ UNKNOWN_INTERFACES = about(
 )
 MODULE_PART = about(
     'programs.module-part',
-    what=('{parent} has no module of this name; it has: {known}', '{parent} has no modules'),
+    what=(
+        '{parent} has no module of this name; the nearest one is {near}',
+        '{parent} has no module of this name; it has: {known}',
+        '{parent} has no modules',
+    ),
     do=('write {parent}.{near}', 'look at the folder of {parent}, and name the file without .py'),
 )
 COMPILED = about(
