@@ -52,6 +52,14 @@ def fact_place(recording: Recording, fact: Fact) -> Place:
     return places(recording).get(fact.process or '', NOWHERE)
 
 
+def asking_place(recording: Recording, node: str, name: str) -> Place:
+    """The line at which a node asks a service or action that is not there, or waits for it; else where its program was started."""
+    for fact in recording.facts:
+        if fact.kind in ('request lost', 'server awaited') and (fact.data['node'], fact.data['name']) == (node, name):
+            return fact_place(recording, fact)
+    return node_place(recording, node)
+
+
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
     """The place that the origin of a parameter tells in words ('a.launch.py line 4'), else where the program was started."""
     started = places(recording).get(process or '', NOWHERE)

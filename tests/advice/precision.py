@@ -3,6 +3,8 @@
 `broken/NAME/` holds the exercise, or a workspace with `src/`, and `planted.txt`: the mistake in words, the rules that name it, a
 word that the sentence must have, and how it is run (as behind `edulaunch doctor`).
 
+`healthy/NAME/` holds twins of some of them with nothing wrong, of which nothing may be said.
+
 `python -m tests.advice.precision [NAME...]` prints what is said of each.
 """
 
@@ -19,7 +21,9 @@ from edulaunch.advice.judging import in_order
 from edulaunch.session import Session
 
 BROKEN = Path(__file__).parent / 'broken'
+HEALTHY = Path(__file__).parent / 'healthy'
 NAMES = sorted(path.name for path in BROKEN.iterdir() if path.is_dir())
+TWINS = sorted(path.name for path in HEALTHY.iterdir() if path.is_dir())
 
 
 class Planted(NamedTuple):
@@ -30,9 +34,14 @@ class Planted(NamedTuple):
     run: list[str]
 
 
+def folder_of(name: str) -> Path:
+    """Where a broken exercise or a healthy twin lies."""
+    return BROKEN / name if name in NAMES else HEALTHY / name
+
+
 def planted(name: str) -> Planted:
     """What `planted.txt` says."""
-    lines = (BROKEN / name / 'planted.txt').read_text(encoding='utf-8').splitlines()
+    lines = (folder_of(name) / 'planted.txt').read_text(encoding='utf-8').splitlines()
     fields = dict(line.split(': ', 1) for line in lines)
     return Planted(fields['rule'].split('|'), fields['names'], fields['run'].split())
 
@@ -40,7 +49,7 @@ def planted(name: str) -> Planted:
 @cache
 def remarks(name: str) -> list[Finding]:
     """All that is said of a broken exercise: of its sources, of its dry run, and of its run."""
-    folder, words = BROKEN / name, planted(name).run
+    folder, words = folder_of(name), planted(name).run
     seconds = float(words[words.index('--for') + 1]) if '--for' in words else 5.0
     words = words[: words.index('--for')] if '--for' in words else words
     workspace = [folder] if (folder / 'src').is_dir() else []
@@ -72,8 +81,10 @@ def is_named_first(name: str) -> bool:
 
 def main(names: list[str]) -> None:
     """Print what is said."""
-    for name in names or NAMES:
-        print('first ' if is_named_first(name) else 'MISSED', name, f'({len(remarks(name))} remarks)')
+    for name in names or [*NAMES, *TWINS]:
+        print(
+            'twin  ' if name in TWINS else 'first ' if is_named_first(name) else 'MISSED', name, f'({len(remarks(name))} remarks)'
+        )
         for finding in remarks(name):
             print(f'    [{finding.rule}] {told(finding).what}')
 

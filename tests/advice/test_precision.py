@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from tests.advice.precision import NAMES, is_named_first, remarks
+import pytest
+
+from tests.advice.precision import NAMES, TWINS, is_named_first, remarks
 
 
 def test_the_planted_mistake_is_named_first_in_nine_of_ten() -> None:
@@ -14,3 +16,8 @@ def test_the_planted_mistake_is_named_first_in_nine_of_ten() -> None:
 def test_there_is_at_most_one_further_remark_on_average() -> None:
     further = {name: len(remarks(name)) - 1 for name in NAMES if len(remarks(name)) > 1}
     assert sum(further.values()) <= len(NAMES), further
+
+
+@pytest.mark.parametrize('name', TWINS)
+def test_nothing_is_said_of_a_healthy_twin(name: str) -> None:
+    assert [finding.rule for finding in remarks(name)] == []

@@ -23,10 +23,18 @@ class Notes(Tracer):
     def __init__(self) -> None:
         self.parameters: list[tuple[str, str, Any, str]] = []
         self.logs: list[tuple[int, str, str]] = []
-        self.facts: list[tuple[str, dict[str, Any]]] = []
+        self._known: dict[tuple[str, Any], dict[str, Any]] = {}
 
     def fact(self, process: Any, kind: str, key: Any, data: dict[str, Any]) -> None:
-        self.facts.append((kind, data))
+        self._known[kind, key] = data
+
+    def fact_over(self, process: Any, kind: str, key: Any) -> None:
+        self._known.pop((kind, key), None)
+
+    @property
+    def facts(self) -> list[tuple[str, dict[str, Any]]]:
+        """Those that still hold."""
+        return [(kind, data) for (kind, _), data in self._known.items()]
 
     def waits(self) -> list[tuple[str, dict[str, Any]]]:
         """The facts about waits that cannot end."""

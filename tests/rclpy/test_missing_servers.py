@@ -45,7 +45,7 @@ def test_a_goal_to_nobody_is_a_fact(world: World) -> None:
     assert (kind, data['name'], data['kind']) == ('request lost', '/count', 'action')
 
 
-def test_a_wait_of_ten_seconds_is_a_fact(world: World) -> None:
+def test_a_wait_of_a_second_is_a_fact(world: World) -> None:
     def body(node: Node) -> None:
         client = node.create_client(Empty, 'spawm')
         while not client.wait_for_service(1.0):

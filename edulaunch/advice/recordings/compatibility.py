@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import ends_by_name, node_place, speaker
+from edulaunch.advice.runs import asking_place, ends_by_name, node_place, speaker
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -115,6 +115,6 @@ def service_type(recording: Recording) -> Iterator[Finding]:
         served = {end.type for end in servers}
         for end in clients:
             if end.type not in served:
-                file, line = node_place(recording, end.node)
+                file, line = asking_place(recording, end.node, name)
                 types = {'asked': end.type, 'served': servers[0].type}
                 yield found('service', name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), **types)

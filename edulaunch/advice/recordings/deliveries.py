@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
+from edulaunch.advice.runs import asking_place, fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
 from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
@@ -129,7 +129,9 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
 def no_server(recording: Recording) -> Iterator[Finding]:
     """A client that lived a second, of what nobody ever offered; of our own nodes only those that ask."""
     served, actions, own = names_of(recording, 'service'), _actions(recording), own_nodes(recording)
-    lines = {(fact.data['node'], fact.data['name']): fact for fact in recording.facts if fact.kind in MISSING}
+    asked = {
+        (fact.data['node'], fact.data['name']) for fact in recording.facts if fact.kind in ('request lost', 'server awaited')
+    }
     parameters = _parameters(recording)
     for end in recording.ends:
         name = end.name.removesuffix(GOAL)
@@ -141,16 +143,14 @@ def no_server(recording: Recording) -> Iterator[Finding]:
         ):
             continue
         known = actions if name != end.name else served
-        fact = lines.get((end.node, name))
-        if name not in known and (end.node in own or fact is not None):
-            file, line = node_place(recording, end.node) if fact is None else fact_place(recording, fact)
+        if name not in known and (end.node in own or (end.node, name) in asked):
+            file, line = asking_place(recording, end.node, name)
             near = nearest(name, known) or _alike(name, known)
             facts = {'node': speaker(recording, end.node), 'kind_of': 'action' if name != end.name else 'service', 'near': near}
             yield found('service', name, file=file, line=line, time_s=end.made_s, **facts)
 
 
 GOAL = '/_action/send_goal'
-MISSING = ('request lost', 'server awaited')
 
 
 @rule(

@@ -49,8 +49,15 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
     """Files of the folders in which packages keep parameters, robots and worlds."""
     package = source.package
     for path in _not_installed(source):
-        is_data = package.relative(path).split(os.sep)[0] in DATA_FOLDERS
-        if is_data and not os.path.basename(path).startswith('.') and not package.is_launch_file(path):
+        relative = package.relative(path)
+        top = relative.split(os.sep)[0]
+        is_module = os.path.isfile(os.path.join(path.removesuffix(relative), top, '__init__.py'))  # a package called `maps`
+        if (
+            top in DATA_FOLDERS
+            and not is_module
+            and not os.path.basename(path).startswith('.')
+            and not package.is_launch_file(path)
+        ):
             yield _of_file(package.name, path, install_facts(package, path))
 
 

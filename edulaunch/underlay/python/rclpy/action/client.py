@@ -270,15 +270,17 @@ class ActionClient(Waitable):
         while self._node.context.alive and not self._server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
-            self._count_wait()
+            self._waited_ns += POLL_NS
+            self._watch_wait()
         return self.server_is_ready()
 
-    def _count_wait(self) -> None:
-        """Note a wait that has become long, once."""
-        from rclpy.impl.missing_servers import LONG_NS, note_long_wait
+    def _watch_wait(self) -> None:
+        """Note a wait that has become long, until it ends well."""
+        from rclpy.impl.missing_servers import LONG_NS, note_long_wait, note_server_came
 
-        self._waited_ns += POLL_NS
-        if self._waited_ns == LONG_NS and not self._server_is_ready():
+        if self._server_is_ready():
+            note_server_came(self._goal_client, self._name)
+        elif self._waited_ns == LONG_NS:
             note_long_wait(self._goal_client, self._name, 'action')
 
     def destroy(self) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 from edulaunch.processes.current import current_process
 from edulaunch.processes.student_line import student_line
 
-LONG_NS = 10_000_000_000
+LONG_NS = 1_000_000_000
 """How long a client waits for a server until that is worth a fact."""
 
 
@@ -22,6 +22,11 @@ def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
 def note_long_wait(endpoint: Any, name: str, kind: str) -> None:
     """A client waits and waits."""
     _note('server awaited', endpoint, name, kind)
+
+
+def note_server_came(endpoint: Any, name: str) -> None:
+    """The server that a client has waited for is there after all."""
+    current_process().fact_over('server awaited', (endpoint.node.index, name))
 
 
 def _note(what: str, endpoint: Any, name: str, kind: str) -> None:

@@ -1,0 +1,30 @@
+import time
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.publisher = self.create_publisher(Twist, '/turtle1/cmd_vel', 10)
+
+    def drive(self):
+        msg = Twist()
+        msg.linear.x = 1.0
+        msg.angular.z = 0.8
+        self.publisher.publish(msg)
+
+
+def main():
+    rclpy.init()
+    node = Driver()
+    while rclpy.ok():
+        node.drive()
+        time.sleep(0.5)
+    rclpy.shutdown()
+
+
+if __name__ == '__main__':
+    main()

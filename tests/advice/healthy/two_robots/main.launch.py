@@ -1,0 +1,13 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        ExecuteProcess(cmd=['python3', os.path.join(os.path.dirname(__file__), 'driver.py')], output='screen'),
+        ExecuteProcess(cmd=['ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x: 2.0, y: 2.0}']),
+    ])
