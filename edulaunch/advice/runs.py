@@ -53,7 +53,7 @@ def fact_place(recording: Recording, fact: Fact) -> Place:
 
 
 def asking_place(recording: Recording, node: str, name: str) -> Place:
-    """The line at which a node asks a service or action that is not there, or waits for it; else where its program was started."""
+    """Where a node asks a service or action that is not there, or waits for it; else where its program was started."""
     for fact in recording.facts:
         if fact.kind in ('request lost', 'server awaited') and (fact.data['node'], fact.data['name']) == (node, name):
             return fact_place(recording, fact)
