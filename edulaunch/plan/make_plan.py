@@ -45,12 +45,14 @@ class Rehearsal(NamedTuple):
     :ivar outline: the same and what is left out, as a tree for people.
     :ivar missing: what was assumed: names of packages, and other things in words.
     :ivar placeholders: the share folder of the packages that were assumed; None when none may be.
+    :ivar read: names of the launch configurations that substitutions asked for, in order.
     """
 
     plan: Plan
     outline: Branch
     missing: tuple[list[str], list[str]]
     placeholders: str | None
+    read: list[str]
 
 
 def rehearse(
@@ -73,8 +75,8 @@ def rehearse(
     plan = planner.plan()
     missing = planner.assumptions
     if missing is None:
-        return Rehearsal(plan, planner.outline, ([], []), None)
-    return Rehearsal(plan, planner.outline, (missing.packages, missing.others), missing.share)
+        return Rehearsal(plan, planner.outline, ([], []), None, list(planner.read))
+    return Rehearsal(plan, planner.outline, (missing.packages, missing.others), missing.share, list(planner.read))
 
 
 def _given(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:

@@ -34,6 +34,7 @@ class Planner:
     """A launch service in a simulation of its own, in which nothing is started.
 
     :ivar assumptions: what may be taken to be there; None when nothing may.
+    :ivar read: names of the launch configurations that substitutions asked for.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class Planner:
         self._watch: Any = None
         self._setters = Setters()
         self.assumptions: Assumptions | None = None
+        self.read: Mapping[str, bool] = {}
 
     @property
     def outline(self) -> Branch:
@@ -126,6 +128,7 @@ class Planner:
             process.state['launch.show_help'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
             process.state['launch.change_state'] = ImaginedLifecycles().change
+            self.read = process.state.setdefault('launch.read', {})
             return self._launch()
         except Exception as error:
             self._broken = error

@@ -1,0 +1,55 @@
+"""What several rules ask of a dry run: its nodes, its files, and the texts that it hands on."""
+
+from __future__ import annotations
+
+import ast
+import os
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.plan import Rehearsal
+    from edulaunch.plan.outline import Branch
+
+
+def branches(rehearsal: Rehearsal) -> Iterator[Branch]:
+    """All that launch came to, in order."""
+    from edulaunch.plan.why import branches
+
+    return branches(rehearsal.outline)
+
+
+def nodes(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
+    """The node actions that were executed, each with its item."""
+    for branch in branches(rehearsal):
+        if branch.item is not None and branch.item['kind'] == 'node':
+            yield branch, branch.item
+
+
+def name_of(item: dict[str, Any]) -> str:
+    """What people call a node of a plan: its name, or its executable where the launch file leaves that to the program."""
+    name: str = item['runtime_name'] or item['executable']
+    return name
+
+
+def place_of(branch: Branch) -> dict[str, Any]:
+    """`file` and `line` of a finding: of the student's file, not of the link by which it is presented as installed."""
+    return {} if branch.origin is None else {'file': os.path.realpath(branch.origin.file), 'line': branch.origin.line}
+
+
+def launch_files(rehearsal: Rehearsal) -> list[str]:
+    """The launch files that were read, the first one first."""
+    files = [rehearsal.plan['file'], *(item['file'] for item in rehearsal.plan['items'] if item['kind'] == 'include')]
+    return [file for file in dict.fromkeys(files) if os.path.isfile(file)]
+
+
+def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
+    """The student's own Python launch files with their syntax trees; nothing of them is executed."""
+    from launch._help import is_students
+
+    from edulaunch.workspace.sources import parsed
+
+    for file in launch_files(rehearsal):
+        tree = parsed(file) if file.endswith('.py') and is_students(file) else None
+        if tree is not None:
+            yield file, tree

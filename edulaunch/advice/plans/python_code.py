@@ -1,0 +1,156 @@
+"""What Python does at once in a launch file, although it is meant for later; nothing of the file is executed for these."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.outlines import students_python
+from edulaunch.advice.rule import rule
+
+if TYPE_CHECKING:
+    from edulaunch.plan import Rehearsal
+
+LESSON = '02_substitutions_and_events'
+ACTIONS = frozenset(
+    (
+        'ComposableNodeContainer',
+        'DeclareLaunchArgument',
+        'ExecuteProcess',
+        'GroupAction',
+        'IncludeLaunchDescription',
+        'LifecycleNode',
+        'LogInfo',
+        'Node',
+        'OpaqueFunction',
+        'RegisterEventHandler',
+        'SetEnvironmentVariable',
+        'SetParameter',
+        'TimerAction',
+    )
+)
+Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
+
+
+@rule(
+    'launch.python-if',
+    what='"{text}" asks the substitution itself, not its value: it is always {outcome}',
+    why='this line runs before launch knows any argument',
+    do=(
+        "give the action a condition: condition=IfCondition(EqualsSubstitution(LaunchConfiguration('{argument}'), {value}))",
+        "give the action a condition: condition=IfCondition(LaunchConfiguration('{argument}'))",
+        'give the action a condition: condition=IfCondition(...)',
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def python_if(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of a LaunchConfiguration or a variable that holds one; `.perform(context)` gives a text, which may be compared."""
+    for file, tree in students_python(rehearsal):
+        for function in _functions(tree):
+            known = _configurations(function)
+            for test in _tests(function):
+                yield from _asked(test, known, file)
+
+
+def _asked(test: ast.expr, known: dict[str, str | None], file: str) -> Iterator[Finding]:
+    if isinstance(test, ast.Compare) and len(test.ops) == 1:
+        operator, other = test.ops[0], test.comparators[0]
+        if (
+            isinstance(operator, (ast.Eq, ast.NotEq))
+            and _is_configuration(test.left, known)
+            and not _is_configuration(other, known)
+        ):
+            outcome = isinstance(operator, ast.NotEq)
+            name = _argument(test.left, known)
+            value = ast.unparse(other)
+            text = ast.unparse(test)
+            yield found('text', text, file=file, line=test.lineno, outcome=str(outcome), argument=name, value=value)
+        return
+    is_not = isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not)
+    inner = test.operand if isinstance(test, ast.UnaryOp) and is_not else test
+    if _is_configuration(inner, known):
+        name = _argument(inner, known)
+        yield found('text', ast.unparse(test), file=file, line=test.lineno, outcome=str(not is_not), argument=name)
+
+
+def _functions(tree: ast.Module) -> Iterator[Function]:
+    yield from (node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Module)))
+
+
+def _own(function: Function) -> Iterator[ast.AST]:
+    """Everything of a function but the functions in it."""
+    todo: list[ast.AST] = list(function.body)
+    while todo:
+        node = todo.pop()
+        yield node
+        if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)):
+            todo += ast.iter_child_nodes(node)
+
+
+def _tests(function: Function) -> Iterator[ast.expr]:
+    """What decides an `if`, in both forms, part by part."""
+    for node in _own(function):
+        if isinstance(node, (ast.If, ast.IfExp)):
+            yield from node.test.values if isinstance(node.test, ast.BoolOp) else (node.test,)
+
+
+def _configurations(function: Function) -> dict[str, str | None]:
+    """Variables that hold a LaunchConfiguration and nothing else, with the name of the argument where it is written out."""
+    found: dict[str, str | None] = {}
+    others: set[str] = set()
+    for node in _own(function):
+        if isinstance(node, ast.Assign):
+            for target in node.targets:
+                if isinstance(target, ast.Name) and _is_call(node.value):
+                    found[target.id] = _first_text(node.value)
+                else:
+                    others |= {name.id for name in ast.walk(target) if isinstance(name, ast.Name)}
+    return {name: argument for name, argument in found.items() if name not in others}
+
+
+def _is_call(node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == 'LaunchConfiguration'
+
+
+def _first_text(call: ast.AST) -> str | None:
+    words = call.args[:1] if isinstance(call, ast.Call) else []
+    return words[0].value if words and isinstance(words[0], ast.Constant) and isinstance(words[0].value, str) else None
+
+
+def _is_configuration(node: ast.AST, known: dict[str, str | None]) -> bool:
+    return _is_call(node) or (isinstance(node, ast.Name) and node.id in known)
+
+
+def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
+    return known[node.id] if isinstance(node, ast.Name) else _first_text(node)
+
+
+@rule(
+    'launch.not-added',
+    what='{action} {variable} is made here and never handed to the launch description, so nothing happens with it',
+    why='launch sees only what stands in the list of LaunchDescription([...]), or was given to add_action()',
+    do='write {variable} into the list of LaunchDescription([...])',
+    lesson='01_first_launch',
+    level='error',
+)
+def not_added(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """A variable of generate_launch_description() that holds an action and is never read."""
+    for file, tree in students_python(rehearsal):
+        for function in _functions(tree):
+            if isinstance(function, ast.Module) or function.name != 'generate_launch_description':
+                continue
+            names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
+            read = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+            if not read & {'locals', 'globals', 'vars', 'eval', 'exec'}:
+                yield from _unread(function, read, file)
+
+
+def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], file: str) -> Iterator[Finding]:
+    for node in function.body:
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Name):
+            target, made = node.targets[0], node.value.func.id
+            if made in ACTIONS and len(node.targets) == 1 and isinstance(target, ast.Name) and target.id not in read:
+                yield found('variable', target.id, file=file, line=node.lineno, action=made)

@@ -1,0 +1,100 @@
+"""Texts that arrive other than they were meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.outlines import branches, name_of, nodes, place_of
+from edulaunch.advice.rule import rule
+
+if TYPE_CHECKING:
+    from edulaunch.plan import Rehearsal
+
+LESSON = '02_substitutions_and_events'
+_OBJECT = re.compile(r'<launch(?:_ros)?\.substitutions\.[\w.]*?(\w+) object at')
+_DOLLAR = re.compile(r'\$\((?:var|arg|env|find-pkg-share|dirname|eval)\b[^)]*\)?')
+
+
+@rule(
+    'launch.substitution-as-text',
+    what='a {substitution} was made into text here: the value begins with "{shown}"',
+    why='a substitution has no value before launch visits it, so an f-string or str() shows only the object',
+    do="write a list instead of the text: ['robot_', LaunchConfiguration('name')]; launch joins its parts",
+    lesson=LESSON,
+    level='error',
+)
+def substitution_as_text(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """By what Python shows of an object."""
+    for branch in branches(rehearsal):
+        said = next(filter(None, map(_OBJECT.search, _texts(branch.item))), None)
+        if said is not None and branch.origin is not None:
+            yield found('substitution', said[1], **place_of(branch), shown=said.string[:40])
+
+
+@rule(
+    'launch.dollar-in-python',
+    what='{text} stands in a Python launch file, where nobody replaces it',
+    why='$(...) belongs to XML and YAML launch files; in Python it is a text as any other',
+    do=("write LaunchConfiguration('{argument}')", 'write the substitution: EnvironmentVariable(...), FindPackageShare(...)'),
+    lesson=LESSON,
+    level='error',
+)
+def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """In what a Python launch file gives a node or a program; parameter files may have it."""
+    for branch in branches(rehearsal):
+        if branch.origin is None or not branch.origin.file.endswith('.py'):
+            continue
+        item = dict(branch.item or {})
+        if item.get('shell'):
+            continue
+        if item.get('kind') == 'node':
+            given = {one.name: one.value for one in branch.action.given_parameters() if not one.is_of_a_file}
+            item = {'arguments': item['arguments'], 'remappings': item['remappings'], 'parameters': given}
+        said = next(filter(None, map(_DOLLAR.search, _texts(item))), None)
+        if said is not None:
+            word = said[0].strip('$()').split()
+            argument = word[1] if word[0] in ('var', 'arg') and len(word) > 1 else None
+            yield found('text', said[0], **place_of(branch), argument=argument)
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """All texts in plain data."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for item in value.values():
+            yield from _texts(item)
+    elif isinstance(value, (list, tuple)):
+        for item in value:
+            yield from _texts(item)
+
+
+@rule(
+    'launch.words-in-one',
+    what='{executable} gets one argument with spaces in it: "{text}"',
+    why='no shell takes it apart: the program sees one long word',
+    do='write each word by itself: arguments=[{words}]',
+    lesson='01_first_launch',
+    level='error',
+)
+def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """An option together with its value, or several numbers."""
+    for branch, item in nodes(rehearsal):
+        for word in item['arguments']:
+            parts = word.split()
+            is_option = len(parts) > 1 and parts[0].startswith('-') and len(parts[0]) > 1 and '=' not in parts[0]
+            if is_option or (len(parts) > 2 and all(map(_is_number, parts[:3]))):
+                words = ', '.join(map(repr, parts))
+                yield found('text', word, **place_of(branch), executable=name_of(item), words=words)
+                break
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,18 @@
+import os
+
+from launch import LaunchDescription
+from launch_ros.actions import Node, SetParameter
+
+
+def generate_launch_description():
+    params = os.path.join(os.path.dirname(__file__), 'params.yaml')
+    return LaunchDescription([
+        SetParameter('use_sim_time', False),
+        Node(
+            package='turtlesim',
+            executable='turtlesim_node',
+            name='sim',
+            namespace='/',
+            parameters=[params, {'background_g': 7}],
+        ),
+    ])

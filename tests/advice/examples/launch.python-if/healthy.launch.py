@@ -1,0 +1,14 @@
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    gui = LaunchConfiguration('gui')
+    return LaunchDescription([
+        DeclareLaunchArgument('gui', default_value='true'),
+        Node(package='turtlesim', executable='turtlesim_node'),
+        Node(package='turtlesim', executable='draw_square', condition=IfCondition(gui)),
+    ])

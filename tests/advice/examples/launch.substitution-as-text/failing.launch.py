@@ -1,0 +1,15 @@
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('name', default_value='left'),
+        Node(
+            package='turtlesim',
+            executable='turtlesim_node',
+            parameters=[{'background_g': f"robot {LaunchConfiguration('name')}"}],
+        ),
+    ])
