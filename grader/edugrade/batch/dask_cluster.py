@@ -56,7 +56,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
         from ..progress_bar import progress_bar
 
         with progress_bar(len(entries)) as advance:
-            for future in as_completed(entries):
+            for future in as_completed(entries, loop=client.loop):
                 entry = entries.pop(future)
                 try:
                     _keep(store, entry, future.result(), options)
