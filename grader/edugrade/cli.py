@@ -29,6 +29,7 @@ VERBS = {
     'export': '.export.command',
     'gradescope': '.export.gradescope',
     'schema': '.report_schema',
+    'similar': '.similar.command',
     'sign': '.signature',
     'verify': '.verify',
 }

@@ -12,6 +12,7 @@ from .outcome import Outcome
 from .receipt import receipt
 from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
+from .similar.graph import launch_graph
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
@@ -36,6 +37,7 @@ def document(report: Report) -> dict[str, Any]:
         'sandbox': report.sandbox,
         'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
         'checks': [_check(paths.result(result), paths) for result in report.results],
+        'graph': launch_graph(report.outcomes[0].recording),
         'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
 

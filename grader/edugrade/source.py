@@ -57,6 +57,12 @@ class Source:
         line = _line_of(re.compile(f'.*(?:{pattern})'), self._lines) if pattern else None
         return self.place if line is None else Place(self.file, line)
 
+    def texts(self) -> dict[str, str]:
+        """Every text by its path, relative to the folder that all of them are in."""
+        known = {self.file: self._lines, **self._others}
+        above = os.path.commonpath([os.path.dirname(path) for path in known])
+        return {os.path.relpath(path, above): '\n'.join(lines) for path, lines in known.items()}
+
     def bodies(self) -> dict[str, list[str]]:
         """The lines of each file from its launch description on, by the file's name: what a student writes in."""
         found = {}

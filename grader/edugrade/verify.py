@@ -55,7 +55,7 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
     before, seed = report['receipt'], report['receipt'].get('seed')
     if type(seed) is not int:
         raise UnusableInput(f'the receipt of {options.report} has no seed')
-    submission = Submission(options.submission or _find(report, options.report))
+    submission = Submission(options.submission or find_submission(report, options.report))
     rubric = options.rubric or report['rubric']['name'] if submission.exercise != report['rubric']['name'] else options.rubric
     work = plan_work(submission, rubric, seed)
     yield from _of_the_seed(report, options.course_secret_file, submission)
@@ -101,7 +101,7 @@ def _words(value: Any) -> str:
     return text if len(text) <= 80 else f'{text[:80]}...'
 
 
-def _find(report: dict[str, Any], path: str) -> str:
+def find_submission(report: dict[str, Any], path: str) -> str:
     """The submission with the report's hash: beside the report, here, or where a batch has it.
 
     :raises UnusableInput: when there is none.

@@ -23,7 +23,7 @@ def merged(earlier: dict[str, Any], again: dict[str, Any], name: str) -> dict[st
     earned = None if exit_code == BROKEN_GRADER else rounded(sum(check['earned'] for check in checks))
     return {
         **earlier,
-        **{key: again[key] for key in ('receipt', 'seed', 'rubric', 'submission', 'scenarios', 'sandbox', 'gaps')},
+        **{key: again[key] for key in ('receipt', 'seed', 'rubric', 'submission', 'scenarios', 'sandbox', 'gaps', 'graph')},
         'verdict': VERDICTS[exit_code],
         'exit_code': exit_code,
         'points': {'earned': earned, 'possible': sum(check['points'] for check in checks)},
