@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 
 LONGEST_SLEEP_S = 0.02
+KEPT_S = 600.0
+FORGET_EVERY_S = 10.0
+MESSAGES_KEPT = 200
 COMMAND_S = 5.0
 PATIENCE_S = 15.0
 """Simulated seconds that a command has, and then to end after Ctrl-C."""
@@ -49,8 +52,10 @@ class Machine:
 
     can_continue = True
 
-    def __init__(self, make: Callable[[], Session], speed: float = 1.0) -> None:
+    def __init__(self, make: Callable[[], Session], speed: float = 1.0, keep_s: float | None = None) -> None:
         self._make = make
+        self._keep_s = keep_s
+        self._forgot_s = 0.0
         self._done: list[tuple[int, dict[str, Any]]] = []
         self._is_again = False
         self.pages: list[Page] = []
@@ -65,6 +70,7 @@ class Machine:
         with outer_loop_set_aside():
             self.session = self._make()
         self.time = RealTime(self.session.sim, speed)
+        self._forgot_s = 0.0
         self._hand = Viewer(self, lambda message: None)
 
     def __repr__(self) -> str:
@@ -88,15 +94,31 @@ class Machine:
 
     def _advance(self) -> float | None:
         with outer_loop_set_aside(), streams_of_programs():
-            return self.time.advance()
+            wait_s = self.time.advance()
+        self._forget()
+        return wait_s
+
+    def _forget(self) -> None:
+        """Let go of old messages now and then, by simulated time: a machine that goes on for hours stays small."""
+        sim = self.session.sim
+        if self._keep_s is not None and sim.elapsed_s - self._forgot_s >= FORGET_EVERY_S:
+            self._forgot_s = sim.elapsed_s
+            self.session.recorder.forget_before(sim.now_ns - round(self._keep_s * 1e9), MESSAGES_KEPT)
 
     def run(self, duration_s: float) -> Recording:
         """Let simulated seconds pass as fast as possible; returns what was recorded so far.
 
         The interrupt button (Ctrl-C) ends it early; what was recorded is kept.
         """
-        with outer_loop_set_aside():
-            self.session.run(duration_s)
+        left_s = duration_s
+        while left_s > 0:
+            part_s = min(left_s, FORGET_EVERY_S)
+            left_s -= part_s
+            with outer_loop_set_aside():
+                interrupted = self.session.run(part_s)
+            self._forget()
+            if interrupted:
+                break
         self.time.go_on()
         return self.recording()
 
@@ -248,11 +270,14 @@ def start(
     seed: int = 0,
     speed: float = 1.0,
     workspaces: Sequence[PathLike] | None = None,
+    keep_s: float | None = KEPT_S,
 ) -> Machine:
     """Start a machine, and a launch file on it: as :func:`edulaunch.run`, but it goes on and can be looked at.
 
     :param path_or_package: as in `run`; None: nothing is launched.
     :param speed: simulated seconds per real second.
+    :param keep_s: simulated seconds after which messages are let go, so that a machine that goes on for hours stays small; None:
+        never. Nodes, parameters and the last messages of each topic stay.
     :raises UnusableInput: when the file or package does not exist, or `speed` is no positive number.
     """
     if not 0 < speed <= 100:
@@ -266,4 +291,4 @@ def start(
             session.launch(path_or_package, file, texts)
         return session
 
-    return Machine(make, speed)
+    return Machine(make, speed, keep_s)

@@ -40,7 +40,7 @@ def packed(piece: dict[str, Any], small: bool = True) -> str:
 
 def recorded_page(piece: dict[str, Any], title: str, tab: str = 'graph', *, small: bool = True) -> str:
     """An HTML page that plays a whole film, from disk and without a network; `small`: see :func:`packed`."""
-    options = json.dumps({'tab': tab}).replace('</', '<\\/')
+    options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (
         f"unpacked('{packed(piece, small)}').then(film => openDesk(document.getElementById('desk'), null, {options}).load(film));"
     )
@@ -50,7 +50,9 @@ def recorded_page(piece: dict[str, Any], title: str, tab: str = 'graph', *, smal
 def live_page(title: str, tab: str = 'graph') -> str:
     """The page beside a terminal: it talks to the server that it came from."""
     link = (Path(__file__).with_name('page') / 'socket.js').read_text(encoding='utf-8')
-    return _page(title, f'{link}\nopenDesk(document.getElementById("desk"), socketLink(), {{ tab: {json.dumps(tab)} }});')
+    return _page(
+        title, f'{link}\nopenDesk(document.getElementById("desk"), socketLink(), {{ tab: {json.dumps(tab)}, whole: true }});'
+    )
 
 
 def _page(title: str, start: str) -> str:

@@ -15,8 +15,9 @@ from edulaunch.processes.spec import ProcessSpec
 from edulaunch.view.advice import marks_of
 from edulaunch.view.completing import completions
 from edulaunch.view.film import Film
+from edulaunch.view.page import recorded_page
 from edulaunch.view.panes import COUNT, Pane
-from edulaunch.view.sources import OfRecorder
+from edulaunch.view.sources import OfRecorder, film_of
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -183,6 +184,12 @@ class Viewer:
         """Ctrl-C in one of the page's terminals."""
         self._panes[_pane(words)].interrupt()
 
+    def _export(self, words: dict[str, Any]) -> None:
+        """Give the page a file that plays what has happened until now, from disk and without a network."""
+        recording = self._machine.recording()
+        name = os.path.basename(recording.launch.file or '').partition('.')[0] or 'machine'
+        self._say({'export': recorded_page(film_of(recording), name), 'name': f'{name}.html'})
+
     def _advise(self, words: dict[str, Any]) -> None:
         """Let the rules look at what has happened until now."""
         marks = marks_of(self._machine.recording()) or []
@@ -223,6 +230,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'complete': Viewer._complete,
     'interrupt': Viewer._interrupt,
     'advise': Viewer._advise,
+    'export': Viewer._export,
 }
 
 

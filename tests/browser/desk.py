@@ -12,11 +12,15 @@ class Desk:
     """The desk in a page. Shadow roots are open: selectors reach into them.
 
     :ivar errors: what the page's console complained of, and addresses of other machines that it asked.
+    :ivar processes: what stands behind the page, where a test started it: 'launch' and 'view'; its address.
     """
 
     def __init__(self, page: Any, own: tuple[str, ...] = ()) -> None:
         self.page = page
         self.errors: list[str] = []
+        self.processes: dict[str, Any] = {}
+        self.address = ''
+        self.env: dict[str, str] = {}
         page.on('console', lambda message: self.errors.append(message.text) if message.type == 'error' else None)
         page.on('pageerror', lambda error: self.errors.append(str(error)))
         if own:

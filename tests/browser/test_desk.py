@@ -40,13 +40,13 @@ def beside_terminal(page: Any, tmp_path: Path) -> Iterator[Desk]:
     view = subprocess.Popen([*words, 'view', '--no-browser'], **quiet)  # type: ignore[call-overload]
     address = re.search(r'http://\S+', view.stdout.readline())
     assert address
-    desk = Desk(page, (address[0], address[0].replace('http', 'ws')))
+    desk = Desk(page, (address[0], address[0].replace('http', 'ws'), 'blob:'))
+    desk.processes, desk.address, desk.env = {'launch': launch, 'view': view}, address[0], env
     page.goto(address[0])
     page.locator('.worlds canvas').first.wait_for()
     yield desk
-    view.terminate()
-    launch.terminate()
-    for process in (view, launch):
+    for process in desk.processes.values():
+        process.terminate()
         process.wait(timeout=20)
         process.stdout.close()
 
@@ -57,6 +57,9 @@ def check_the_desk(desk: Desk, shots: Path, name: str, *, can_continue: bool) ->
     look_back(desk, shots / f'{name}-frames.png', can_continue=can_continue)
     use_the_tabs(desk)
     desk.page.screenshot(path=shots / f'{name}-graph.png')
+    use_the_terminals(desk)
+    desk.page.screenshot(path=shots / f'{name}-terminal.png')
+    export_and_replay(desk)
     assert desk.errors == []
 
 
@@ -105,7 +108,7 @@ def use_the_tabs(desk: Desk) -> None:
     page = desk.page
     desk.press('play or pause')
     desk.open('parameters')
-    page.get_by_label('/sim background_r').evaluate('e => { e.value = 250; e.dispatchEvent(new Event("change")); }')
+    page.get_by_label('/sim background_r', exact=True).evaluate('e => { e.value = 250; e.dispatchEvent(new Event("change")); }')
     page.wait_for_function(
         """() => { const root = [...document.querySelectorAll('*')].find(e => e.shadowRoot?.querySelector('.desk')).shadowRoot;
         return root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] > 240; }""",
@@ -118,16 +121,110 @@ def use_the_tabs(desk: Desk) -> None:
     page.get_by_placeholder('word').fill('turtle2')
     desk.until('.log td', 'Spawning turtle [turtle2]')
     desk.until_js("!root.querySelector('.log').textContent.includes('[turtle1]')")
-    desk.open('terminal')
-    page.get_by_label('a command for the machine').fill('ros2 node list')
-    page.keyboard.press('Enter')
-    desk.until('.terminal', '/broadcaster2')
     desk.open('graph')
     page.locator('svg path.lit').first.wait_for()
 
 
+def use_the_terminals(desk: Desk) -> None:
+    """A command in the first, one that goes on in the second, where Tab works, too; Ctrl-C ends it."""
+    page = desk.page
+    desk.open('terminal')
+    page.get_by_label('a command for the machine', exact=True).fill('ros2 node list')
+    page.keyboard.press('Enter')
+    desk.until('.terminal', '/broadcaster2')
+    second = page.get_by_label('a command for the machine, terminal 2')
+    second.fill('ros2 topic echo /turtle1/po')
+    second.press('Tab')
+    desk.until_js("root.querySelectorAll('.term input')[1].value === 'ros2 topic echo /turtle1/pose '")
+    second.press('Enter')
+    desk.until('.term:nth-child(2) .terminal', 'linear_velocity')
+    desk.press('Ctrl-C for terminal 2')
+    desk.until_js("root.querySelectorAll('.term .tools span')[1].textContent === '$'")
+
+
+def export_and_replay(desk: Desk) -> None:
+    """A file with all that has happened, opened from disk in a browser without a network."""
+    with desk.page.expect_download(timeout=30_000) as waiting:
+        desk.press('save what has happened')
+    assert waiting.value.suggested_filename in ('turtle_tf2_demo.html', 'machine.html')
+    context = desk.page.context.browser.new_context(offline=True)
+    replay = Desk(context.new_page(), ('file:',))
+    replay.page.goto(Path(waiting.value.path()).rename(Path(waiting.value.path()).with_suffix('.html')).as_uri())
+    replay.page.locator('.worlds canvas').first.wait_for()
+    replay.seek(0.0)
+    assert replay.pose('turtle1') == (5.54, 5.54)
+    replay.seek(1.0)
+    assert 'turtle2' in replay.label() and replay.time() > 1
+    assert replay.errors == []
+    context.close()
+
+
 def test_the_page_beside_a_terminal(beside_terminal: Desk, shots: Path) -> None:
     check_the_desk(beside_terminal, shots, 'terminal', can_continue=False)
+
+
+def test_a_tab_that_is_closed_in_mid_run_loses_nothing(beside_terminal: Desk) -> None:
+    old = beside_terminal
+    old.open('terminal')
+    old.page.get_by_label('a command for the machine', exact=True).fill('ros2 topic echo /turtle1/pose')
+    old.page.keyboard.press('Enter')
+    old.until('.terminal', 'theta')
+    context = old.page.context
+    old.page.close()
+    new = Desk(context.new_page(), (old.address, old.address.replace('http', 'ws')))
+    new.page.goto(old.address)
+    new.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
+    new.seek(0.0)
+    assert new.pose('turtle1') == (5.54, 5.54) and 'turtle2' not in new.label()
+    new.open('terminal')
+    new.page.get_by_label('a command for the machine', exact=True).fill('ros2 node list')
+    new.page.keyboard.press('Enter')
+    new.until('.terminal', '/listener')
+    assert new.errors == []
+
+
+def test_the_page_server_dies_and_the_machine_goes_on(beside_terminal: Desk) -> None:
+    desk = beside_terminal
+    desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
+    desk.processes['view'].kill()
+    desk.until('.state', 'has ended')
+    desk.seek(0.0)
+    assert desk.pose('turtle1') == (5.54, 5.54), 'what was seen stays'
+    assert desk.processes['launch'].poll() is None
+    words = [sys.executable, '-m', 'edulaunch', 'view', '--no-browser']
+    quiet = {'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL, 'env': desk.env, 'text': True}
+    again = desk.processes['again'] = subprocess.Popen(words, **quiet)  # type: ignore[call-overload]
+    new = Desk(desk.page.context.new_page())
+    address = re.search(r'http://\S+', again.stdout.readline())
+    assert address
+    new.page.goto(address[0])
+    new.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
+    new.seek(0.0)
+    assert new.pose('turtle1') == (5.54, 5.54), 'and the machine has everything from its start'
+
+
+def test_the_machine_dies_and_the_page_keeps_what_it_has_seen(beside_terminal: Desk) -> None:
+    desk = beside_terminal
+    desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
+    subprocess.run([sys.executable, '-m', 'edulaunch', 'machine', 'stop'], env=desk.env, check=True, stdout=subprocess.DEVNULL)
+    desk.until('.state', 'has ended')
+    desk.seek(0.5)
+    assert 'turtle1' in desk.label()
+    assert desk.processes['launch'].wait(timeout=20) == 1
+
+
+def test_a_page_of_another_origin_gets_nothing(beside_terminal: Desk) -> None:
+    page = beside_terminal.page.context.new_page()
+    page.goto('about:blank')
+    address = beside_terminal.address
+    fetched = "address => fetch(address).then(answer => answer.text(), error => 'refused')"
+    assert page.evaluate(fetched, address) == 'refused'
+    joined = """address => new Promise(done => { const socket = new WebSocket(address);
+        socket.onopen = () => done('let in'); socket.onerror = () => done('refused'); })"""
+    assert page.evaluate(joined, address.replace('http', 'ws') + 'socket') == 'refused'
+    framed = """address => new Promise(done => { const frame = document.createElement('iframe'); frame.src = address;
+        frame.onload = () => { try { done(frame.contentDocument ? 'read' : 'refused'); } catch { done('refused'); } }; document.body.append(frame); })"""
+    assert page.evaluate(framed, address) == 'refused'
 
 
 def test_an_exported_file_plays_from_disk(page: Any, tmp_path: Path, shots: Path) -> None:
@@ -185,3 +282,19 @@ def test_the_desk_in_a_notebook(lab: Lab, course: Path, shots: Path, code: str, 
         desk.errors.clear()  # what JupyterLab itself complains of while it starts
         check_the_desk(desk, shots, 'lab', can_continue=can_continue)
         assert page.requests == []
+
+
+def test_a_kernel_that_dies_leaves_the_page_with_what_it_has_seen(lab: Lab, course: Path) -> None:
+    cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': STARTED, 'outputs': [], 'execution_count': None}
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (course / 'lessons' / 'dies.ipynb').write_text(json.dumps(notebook))
+    with lab.open('dies') as page:
+        desk = Desk(page.page)
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        desk.until_js("root.querySelector('.worlds canvas')?.ariaLabel.includes('turtle2')")
+        page.page.evaluate('() => window.jupyterapp.serviceManager.sessions.shutdownAll()')
+        desk.seek(0.0)
+        assert desk.pose('turtle1') == (5.54, 5.54)
+        desk.open('log')
+        desk.until('.log td', 'Spawning turtle [turtle1]')

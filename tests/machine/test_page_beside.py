@@ -51,7 +51,7 @@ def test_the_page_goes_when_the_terminal_is_killed(desk: Desk) -> None:
 
 def test_a_tool_with_a_window_is_the_page_at_its_tab(desk: Desk) -> None:
     shell = desk.ros2('run rqt_plot rqt_plot', BROWSER='true')
-    assert '{ tab: "plot" }' in (page(address(shell)) or '')
+    assert 'tab: "plot"' in (page(address(shell)) or '')
     shell.type('\x03')
     assert shell.end() == 0
 
@@ -60,7 +60,7 @@ def test_the_shell_function_opens_it_too(desk: Desk) -> None:
     program = [sys.executable, '-m', 'edulaunch', 'env', '--answer']
     shell = Shell('rviz2', cwd=desk.folder, env={**desk.env, 'BROWSER': 'true'}, program=program)
     desk.shells.append(shell)
-    assert '{ tab: "frames" }' in (page(address(shell)) or '')
+    assert 'tab: "frames"' in (page(address(shell)) or '')
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,8 @@ import pytest
 import edulaunch
 from edulaunch import UnusableInput
 from edulaunch.machine.started import Machine
+from edulaunch.view.film import Film
+from edulaunch.view.sources import OfRecorder
 
 
 @pytest.fixture
@@ -81,3 +83,21 @@ def test_what_is_not_there_is_named(speed: float, tab: str, step: str) -> None:
     with pytest.raises(UnusableInput), edulaunch.start(speed=speed) as machine:
         machine.step(step)
         machine.view(tab)
+
+
+def test_a_machine_that_goes_on_for_long_lets_old_messages_go_and_says_from_where_it_has_them() -> None:
+    with edulaunch.start('turtlesim', 'multisim.launch.py', keep_s=20) as machine:
+        film = Film(OfRecorder(machine.session.recorder))
+        counts = []
+        for _ in range(6):
+            recording = machine.run(20)
+            film.piece()
+            counts.append(sum(topic.count for topic in recording.topics.values()))
+        assert recording.duration_s == 120 and recording.trajectory('/turtlesim1/turtle1').t[0] == pytest.approx(100, abs=0.1)
+        assert counts[-1] <= counts[1] * 1.1
+        assert [row[2] for row in recording._content['endpoints']], 'the graph stays whole'
+
+
+def test_without_a_limit_everything_stays() -> None:
+    with edulaunch.start('turtlesim', 'multisim.launch.py', keep_s=None) as machine:
+        assert machine.run(40).trajectory('/turtlesim1/turtle1').t[0] < 0.1

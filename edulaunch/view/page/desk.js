@@ -9,7 +9,7 @@ class Desk {
     this.store.grows = this.live;
     this.machine = { running: true, speed: 1 };
     this.options = { axes: false, colours: true };
-    this.box = make('section', { class: 'desk', 'aria-label': link ? 'live view of the machine' : 'replay of a run' });
+    this.box = make('section', { class: options.whole ? 'desk whole' : 'desk', 'aria-label': link ? 'live view of the machine' : 'replay of a run' });
     root.append(this.box);
     this.head();
     this.stage();
@@ -26,8 +26,10 @@ class Desk {
     this.title = make('strong', {}, 'edulaunch');
     this.state = make('span', { class: 'state', role: 'status' });
     this.alerts = new AlertsView(this);
+    this.save = button('Export', 'save what has happened as a page that plays it, from disk and without a network', () => this.send({ op: 'export' }));
+    this.save.hidden = !this.live;
     this.dark = button('◐', 'dark or light', () => this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'));
-    this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.dark));
+    this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.save, this.dark));
   }
   stage() {
     this.worlds = make('div', { class: 'worlds' });
@@ -118,7 +120,7 @@ class Desk {
   theme(name) {
     this.box.dataset.theme = name;
     const of = name => getComputedStyle(this.box).getPropertyValue('--' + name).trim();
-    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar'].map(name => [name, of(name)]));
+    this.colours = Object.fromEntries(['ink', 'soft', 'field', 'grid', 'plate', 'bar', 'x', 'y', 'z'].map(name => [name, of(name)]));
     this.redraw();
   }
   tree(time) {
@@ -144,9 +146,16 @@ class Desk {
     if (message.piece) this.store.apply(message.piece);
     if (message.machine) Object.assign(this.machine, message.machine);
     if (message.pane !== undefined) this.views.terminal[0].hear(message);
+    if (message.export) this.download(message.export, message.name);
     if (message.ended) this.ended = message.ended;
     if (message.said) this.say(message.said);
     this.redraw();
+  }
+  download(text, name) {
+    const place = URL.createObjectURL(new Blob([text], { type: 'text/html' })), link = make('a', { href: place, download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(place), 60_000);
+    this.say(`saved as ${name}`);
   }
   say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
   load(piece, seen) { this.store.apply(piece); this.time = 0; if (seen) seen.desk = this; this.redraw(); }

@@ -115,7 +115,8 @@ class FramesView {
     const tip = (pose, axis) => this.at(turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length));
     const high = this.mode.value === 'above' ? [] : poses.filter(pose => Math.abs(pose.p[2] - this.low) > 1e-3);
     strokes(pen, high.map(({ p }) => [this.at(p), this.at([p[0], p[1], this.low])]), this.desk.colours.soft, 0.8, [2, 3]);
-    for (const [axis, colour, width] of [[[0, 0, 1], '#265cb2', 2], [[0, 1, 0], '#2e8c30', 2], [[1, 0, 0], '#cc241d', 3]]) {
+    const { x, y, z } = this.desk.colours;
+    for (const [axis, colour, width] of [[[0, 0, 1], z, 2], [[0, 1, 0], y, 2], [[1, 0, 0], x, 3]]) {
       strokes(pen, poses.map(pose => [this.at(pose.p), tip(pose, axis)]), colour, width);
       if (poses.length <= FEW) this.letters(pen, poses, axis, colour);
     }

@@ -12,6 +12,6 @@ function socketLink() {
     hear(message);
     if (message.piece) setTimeout(() => requestAnimationFrame(() => send({ op: 'next' })), SHOWN_EVERY_MS - 8);
   });
-  socket.addEventListener('close', () => hear({ ended: 'the machine has ended; what was seen stays here', machine: { running: false } }));
+  socket.addEventListener('close', () => hear({ ended: 'the machine or its page server has ended; what was seen stays here, reload to look again', machine: { running: false } }));
   return { send, on: handler => handlers.push(handler) };
 }

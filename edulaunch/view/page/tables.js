@@ -51,7 +51,7 @@ class ParameterView {
     this.box = make('div', { class: 'pane scroll' });
     this.table = make('table', { class: 'small' });
     this.every = make('input', { type: 'checkbox' });
-    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all of them'), make('span', { class: 'soft' }, 'a value can be changed while the machine lives')), this.table);
+    this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all of them'), make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.table);
     this.every.addEventListener('change', () => { this.key = null; desk.redraw(); });
   }
   draw(time) {
