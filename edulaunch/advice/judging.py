@@ -95,12 +95,23 @@ def failures(recording: Recording) -> Iterator[Failure]:
 def in_order(findings: Iterable[Finding]) -> list[Finding]:
     """The worst first, then what is sure, then by time; one of each, and nothing that only follows from another."""
     rules = {finding.rule: rule_named(finding.rule) for finding in findings}
-    hidden = {name for rule in rules.values() for name in rule.hides}
+    causes = [one for one in findings if rules[one.rule].hides]
     first: dict[tuple[Any, ...], Finding] = {}
     for finding in sorted(findings, key=lambda one: _rank(rules[one.rule], one)):
-        if finding.rule not in hidden:
+        if not any(finding.rule in rules[cause.rule].hides and _may_hide(cause, finding) for cause in causes):
             first.setdefault((finding.rule, finding.kind, finding.name, finding.file, finding.line), finding)
     return list(first.values())
+
+
+def _may_hide(cause: Finding, other: Finding) -> bool:
+    """Whether both are about one node, as far as that is known. Frames of tf belong to all nodes."""
+    of_cause, of_other = _nodes(cause), _nodes(other)
+    return not of_cause or not of_other or bool(of_cause & of_other) or cause.rule.startswith('tf.')
+
+
+def _nodes(finding: Finding) -> set[str]:
+    facts = {**finding.facts, finding.kind: finding.name}
+    return {facts[name] for name in ('node', 'other') if facts.get(name)}
 
 
 def _asked(kind: str, thing: Any) -> list[Finding]:

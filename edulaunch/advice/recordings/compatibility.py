@@ -103,7 +103,6 @@ def different_types(recording: Recording) -> Iterator[Finding]:
     do='import and use {served} in the client',
     lesson=LESSON,
     level='error',
-    hides=('messages.no-server',),
 )
 def service_type(recording: Recording) -> Iterator[Finding]:
     """A client for whose type there is no server of that name, though there is one of another type."""

@@ -106,16 +106,16 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.other-node-spun',
-    what='{node} is spun until the answer of {awaited} comes, but the client that waits for it is of another node',
+    what='{node} is spun until the answer of {awaited} comes, but the client that waits for it is of {other}',
     why='an answer is taken by the node that asked, and nobody spins that one',
-    do='spin the node that made the client, or make the client in {node}',
+    do='spin {other}, or make the client in {node}',
     lesson=LESSON,
     level='error',
     hides=('messages.reply-not-taken', 'programs.never-spun'),
 )
 def other_node_spun(recording: Recording) -> Iterator[Finding]:
     """`spin_until_future_complete` with the future of another node's client."""
-    return _of(recording, 'other node spun')
+    return _of(recording, 'other node spun', 'other')
 
 
 @rule(

@@ -79,6 +79,11 @@ class Client(ServiceEnd, Entity):
         """What it waits for, for a fact."""
         return {'name': self._impl.service_name, 'kind': 'service'}
 
+    def node_name(self) -> str:
+        """Full name of the node that it belongs to."""
+        name: str = self._impl.node.fully_qualified_name
+        return name
+
     def call_async(self, request: Any) -> Future:
         """Send a request; the future gets the reply. Without a server the request is lost.
 

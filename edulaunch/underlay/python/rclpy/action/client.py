@@ -244,6 +244,11 @@ class ActionClient(Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
+    def node_name(self) -> str:
+        """Full name of the node that it belongs to."""
+        name: str = self._goal_client.node.fully_qualified_name
+        return name
+
     def awaited(self) -> dict[str, str]:
         """What it waits for, for a fact."""
         return {'name': self._name, 'kind': 'action'}

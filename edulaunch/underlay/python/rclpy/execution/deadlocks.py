@@ -56,7 +56,8 @@ def _note_spin(kind: str, function: str, node: Node, executor: Executor) -> None
 
 def note_foreign_future(node: Node, entity: Any) -> None:
     """A node is spun until the client of another one, which nobody spins, gets its answer."""
-    _keep('other node spun', {'node': core_of(node).full_name, **entity.awaited(), **student_line()})
+    data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
+    _keep('other node spun', {**data, **student_line()})
 
 
 def _keep(kind: str, data: dict[str, Any]) -> None:

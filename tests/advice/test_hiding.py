@@ -1,0 +1,29 @@
+"""What only follows from another finding is not told beside it, if both are about one node; tf's frames belong to all nodes."""
+
+from __future__ import annotations
+
+import pytest
+
+from edulaunch.advice import Finding, found
+from edulaunch.advice.judging import in_order
+
+
+def slept(node: str) -> Finding:
+    return found('node', node)._replace(rule='time.sleep-in-callback')
+
+
+def lagging(node: str) -> Finding:
+    return found('topic', '/chatter', node=node)._replace(rule='messages.not-taken')
+
+
+@pytest.mark.parametrize(
+    ('node', 'rules'), [('/slow', ['time.sleep-in-callback']), ('/other', ['messages.not-taken', 'time.sleep-in-callback'])]
+)
+def test_a_consequence_is_hidden_for_the_same_node_only(node: str, rules: list[str]) -> None:
+    assert sorted(one.rule for one in in_order([lagging(node), slept('/slow')])) == rules
+
+
+def test_frames_belong_to_all_nodes() -> None:
+    cause = found('frame', 'turtle1', node='/broadcaster')._replace(rule='tf.zero-rotation')
+    empty = found('frame', 'turtle1', node='/listener')._replace(rule='tf.empty-buffer')
+    assert [one.rule for one in in_order([empty, cause])] == ['tf.zero-rotation']
