@@ -157,7 +157,7 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
     'tf.not-a-number',
     what="{node} broadcasts '{frame}' with a number that is none (nan)",
     why='tf2 refuses such a transform, so the frame stays where it was',
-    do='look for a division by zero, or for the root or arcus of a number that has none, in what you send',
+    do='look for a division by zero, or the root of a negative number, in what you send',
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),

@@ -55,7 +55,7 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
     'turtlesim.wall',
     what='{turtle} ran into the wall and pushed against it for {seconds} s, at x={x}, y={y}',
     why='the field goes from 0 to 11.09 in x and y; at the edge a turtle stays where it is, whatever it is told',
-    do='turn before the wall, or begin further inside: compare the pose with 1 and 10 in your node',
+    do='turn before the wall: listen to the pose, and turn when x or y is below 1 or above 10',
     lesson=LESSON,
 )
 def wall(recording: Recording) -> Iterator[Finding]:
