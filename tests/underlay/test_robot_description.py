@@ -189,3 +189,21 @@ def test_xacro_finds_packages_and_writes_a_file(tmp_path: Path, stage: Any) -> N
     process = stage.start('xacro', 'xacro', str(tmp_path / 'a.xacro'), '-o', str(tmp_path / 'out.urdf'))
     stage.until(10)
     assert process.returncode == 0 and 'share/turtlesim' in (tmp_path / 'out.urdf').read_text()
+
+
+LINK = '<link name="base"/><link name="arm"/>'
+JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="arm"/></joint>'
+
+
+@pytest.mark.parametrize(
+    ('body', 'text'),
+    [
+        ('', 'No link elements found in urdf file'),
+        (LINK + JOINT.format('bas'), r"parent link \[bas\] of joint \[j\] not found; did you mean 'base'\?"),
+        (LINK, r'Two root links found: \[base\] and \[arm\]'),
+        ('<link name="arm"/>' + JOINT.format('arm'), 'No root link found'),
+    ],
+)
+def test_links_that_do_not_hang_together_refuse_the_description(body: str, text: str) -> None:
+    with pytest.raises(ValueError, match=text):
+        read_joints(f'<robot name="r">{body}</robot>')

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import cos, sin
 from typing import Any, NamedTuple
 
+from edulaunch.nearest import did_you_mean
 from edulaunch.tf.quaternions import multiply
 
 MOVING = ('revolute', 'continuous', 'prismatic')
@@ -70,7 +71,34 @@ def read_joints(description: str) -> list[Joint]:
         robot = URDF.from_xml_string(description.encode())
     except Exception as error:
         raise ValueError(' '.join(str(error).split()) or type(error).__name__) from error
-    return [_joint(found) for found in robot.joints]
+    joints = [_joint(found) for found in robot.joints]
+    _check_tree([link.name for link in robot.links], joints)
+    return joints
+
+
+def _check_tree(links: list[str], joints: list[Joint]) -> None:
+    """All links are there and hang together at one root.
+
+    :raises ValueError: as the original's parser refuses the whole description.
+    """
+    if not links:
+        raise ValueError('No link elements found in urdf file')
+    for joint in joints:
+        for end, link in (('parent', joint.parent), ('child', joint.child)):
+            if link not in links:
+                near = did_you_mean(link, links)
+                raise ValueError(
+                    f'Failed to build tree: {end} link [{link}] of joint [{joint.name}] not found' + (f'; {near}' if near else '')
+                )
+    children = {joint.child for joint in joints}
+    roots = [link for link in links if link not in children]
+    if len(roots) != 1:
+        found = (
+            f'Two root links found: [{roots[0]}] and [{roots[1]}]'
+            if roots
+            else 'No root link found. The robot xml is not a tree.'
+        )
+        raise ValueError(f'Failed to find root link: {found}')
 
 
 def _joint(found: Any) -> Joint:
