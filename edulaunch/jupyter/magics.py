@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from collections.abc import Callable
+from contextlib import redirect_stderr
 from typing import Any
 
 from IPython.core.magic import Magics, line_cell_magic, line_magic, magics_class, no_var_expand
@@ -61,6 +63,20 @@ class RosMagics(Magics):
     def apt(self, line: str) -> None:
         """Says what of `apt install ros-jazzy-...` is here already."""
         self._told(lambda: self.terminal.set_up(f'apt {line}'))
+
+    @no_var_expand
+    @line_magic
+    def edulaunch(self, line: str) -> None:
+        """The command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`, `%edulaunch explain FILE`."""
+        from edulaunch.cli.main import main
+
+        with redirect_stderr(sys.stdout):
+            try:
+                main(shlex.split(line))
+            except SystemExit:  # argparse has said why
+                pass
+            except ValueError as error:
+                print(f'error: {error}: a quote is not closed')
 
     @line_magic
     def recording(self, line: str) -> Recording:

@@ -109,3 +109,18 @@ def test_the_tab_key_works_before_anything_runs_and_leaves_python_alone(shell: A
         assert [each.text for each in shell.Completer.completions('%ros2 run turtle_tf2_', 21)] == ['turtle_tf2_py']
         shell.user_ns['topic_of_mine'] = 1
         assert 'topic_of_mine' in [each.text for each in shell.Completer.completions('x = topic_of', 12)]
+
+
+@pytest.mark.parametrize(
+    ('line', 'part'),
+    [
+        ('plan sim.launch.py', 'turtlesim_node'),
+        ('recording info nothing.rec', 'error: '),
+        ('oops', "invalid choice: 'oops'"),
+        ('launch "sim', 'a quote is not closed'),
+    ],
+)
+def test_the_other_command_works_in_a_cell_too(shell: Any, capsys: pytest.CaptureFixture[str], line: str, part: str) -> None:
+    result = shell.run_cell(f'%edulaunch {line}')
+    told = capsys.readouterr()
+    assert result.success and part in told.out and told.err == ''
