@@ -50,7 +50,7 @@ def rule(
     """Make a rule of a pure function that yields findings of what it is given. Which kind of thing that is, its folder says.
 
     :param name: 'group.what-is-wrong'; the group is one of :data:`GROUPS`.
-    :param lesson: the page of the course that explains it: '03_broadcaster_and_listener'.
+    :param lesson: the page of the course that explains it: '09_broadcaster_and_listener'.
     :param hides: rules whose findings only follow from this one: they are not told beside it.
     """
     assert name.partition('.')[0] in GROUPS and level in LEVELS and confidence in CONFIDENCES, name

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -16,6 +17,7 @@ from edulaunch.errors import UnusableInput
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'text/html', 'application/vnd.jupyter.widget-view+json')
 """Kinds of data of which only the presence is kept."""
+_IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')
 
 
 def outputs_file(notebook: str) -> str:
@@ -83,8 +85,21 @@ def pytest_itemcollected(item: Any) -> None:
     from_dict: Any = nbformat.from_dict
     cell.outputs = [from_dict(output) for output in read_outputs(str(item.path)).get(cell.id, [])]
     cell.execution_count = item.cell_num + 1
-    compare = item.compare_outputs
-    item.compare_outputs = lambda test, ref: compare(test, ref, (*item.parent.skip_compare, *NOT_KEPT))
+    compare, folder = item.compare_outputs, os.path.dirname(item.path)
+
+    def compare_kept(given: Any, wanted: Any) -> Any:
+        plain = [from_dict(output) for output in without_place(given, folder)]
+        return compare(plain, wanted, (*item.parent.skip_compare, *NOT_KEPT))
+
+    item.compare_outputs = compare_kept
+
+
+def without_place(outputs: Any, folder: str) -> Any:
+    """Outputs without what depends on where and how a notebook is run: the path of its folder, and lines as counted in a cell,
+    which are known only where a front end keeps a history.
+    """
+    text = json.dumps(outputs).replace(json.dumps(folder + os.sep)[1:-1], '')
+    return json.loads(_IN_CELL.sub('', text))
 
 
 def _code(notebook: dict[str, Any]) -> list[dict[str, Any]]:
@@ -93,7 +108,7 @@ def _code(notebook: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _kept(cell: dict[str, Any], folder: str) -> Iterator[dict[str, Any]]:
     """What is kept of a cell's outputs: without execution counts, bytes of pictures, and the path of the folder."""
-    for output in json.loads(json.dumps(cell['outputs']).replace(json.dumps(folder + os.sep)[1:-1], '')):
+    for output in without_place(cell['outputs'], folder):
         if 'execution_count' in output:
             output['execution_count'] = None
         for kind in NOT_KEPT:

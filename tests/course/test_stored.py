@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from edulaunch.cli.main import main
-from edulaunch.course.stored import outputs_file, read_outputs
+from edulaunch.course.stored import outputs_file, read_outputs, without_place
 from edulaunch.errors import UnusableInput
 
 pytest.importorskip('nbclient', reason='nbclient is not installed')
@@ -57,3 +57,8 @@ def test_a_cell_that_fails_is_told_and_nothing_is_kept(tmp_path: Path, capsys: p
 def test_a_lesson_without_kept_outputs_says_how_to_make_them(tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match='edulaunch course store one.ipynb'):
         read_outputs(str(tmp_path / 'one.ipynb'))
+
+
+def test_the_place_of_a_run_is_no_difference() -> None:
+    given = [{'text': '/home/me/course/my_launch/a.launch.py:3 (line 4 of cell [12]), and /home/you/x\n'}]
+    assert without_place(given, '/home/me/course') == [{'text': 'my_launch/a.launch.py:3, and /home/you/x\n'}]

@@ -1,4 +1,5 @@
 """Every test of this folder runs once for each lesson, or walks through one."""
+
 from __future__ import annotations
 
 import shutil
@@ -18,9 +19,11 @@ def lesson(request: pytest.FixtureRequest) -> Lesson:
 
 @pytest.fixture
 def walk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Walk]:
-    """Begin a walk through a lesson in a fresh folder: walk('04_carrots')."""
+    """Begin a walk through a lesson in a fresh folder: walk('10_carrots')."""
+
     def begin(name: str) -> Walk:
         monkeypatch.setenv('USER', 'student')
         shutil.copytree(LESSONS / 'checkpoints', tmp_path / 'checkpoints')
         return Walk(Lesson(name), tmp_path)
+
     return begin

@@ -1,4 +1,5 @@
 """A lesson as data, and walking through it as a student does, without a kernel."""
+
 from __future__ import annotations
 
 import contextlib
@@ -10,7 +11,26 @@ from typing import Any, NamedTuple
 
 LESSONS = Path(__file__).resolve().parents[2] / 'lessons'
 WRITES = '%%writefile '
-ORDER = ['01_first_launch', '02_static_broadcaster', '03_broadcaster_and_listener', '04_carrots', '05_large_project']
+ORDER = [
+    '00_python',
+    '01_first_launch',
+    '02_names',
+    '03_parameters',
+    '04_conditions',
+    '05_events',
+    '06_xml_yaml',
+    '07_packages',
+    '08_static_broadcaster',
+    '09_broadcaster_and_listener',
+    '10_carrots',
+    '11_time',
+    '12_urdf',
+    '13_large_project',
+    '14_services',
+    '15_bags',
+    '16_silent_systems',
+    '17_fleet',
+]
 
 
 class Cell(NamedTuple):
@@ -31,7 +51,8 @@ class Cell(NamedTuple):
     def text(self) -> str:
         """What its outputs say in plain text."""
         return '\n'.join(
-            ''.join(output.get('text', '') or output.get('data', {}).get('text/plain', '')) for output in self.outputs)
+            ''.join(output.get('text', '') or output.get('data', {}).get('text/plain', '')) for output in self.outputs
+        )
 
     @property
     def file(self) -> tuple[str, str] | None:
@@ -39,7 +60,7 @@ class Cell(NamedTuple):
         if not self.source.startswith(WRITES):
             return None
         first, _, rest = self.source.partition('\n')
-        return first[len(WRITES):].strip(), rest + '\n'
+        return first[len(WRITES) :].strip(), rest + '\n'
 
 
 class Lesson:
@@ -85,7 +106,10 @@ class Walk:
             return ''
         source = re.sub(r'(?m)^%.*$', '', cell.source)
         told = io.StringIO()
-        with contextlib.chdir(self.folder) if hasattr(contextlib, 'chdir') else _chdir(self.folder), contextlib.redirect_stdout(told):
+        with (
+            contextlib.chdir(self.folder) if hasattr(contextlib, 'chdir') else _chdir(self.folder),
+            contextlib.redirect_stdout(told),
+        ):
             exec(compile(source, f'<cell {ident}>', 'exec'), self.names)
         return told.getvalue()
 
@@ -117,6 +141,7 @@ def _cell(row: dict[str, Any], kept: dict[str, Any]) -> Cell:
 def _chdir(folder: Path) -> Any:
     """`contextlib.chdir`, which Python 3.10 lacks."""
     import os
+
     before = os.getcwd()
     os.chdir(folder)
     try:

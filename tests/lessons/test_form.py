@@ -1,4 +1,5 @@
 """The form that all lessons share."""
+
 from __future__ import annotations
 
 import ast
@@ -12,28 +13,58 @@ from edulaunch.canvas.picture import SCENE_TYPE
 from tests.lessons.notebook import LESSONS, ORDER, Cell, Lesson
 
 FIRST_USES = {
-    '01_first_launch': ['launch file', 'package', 'recording', 'node', 'namespace', 'launch actions', 'topics', 'publishes', 'subscribe',
-                        'message', 'parameter', 'launch argument', 'condition', 'remapping'],
-    '02_static_broadcaster': ['frame', 'transform', 'tf tree', 'roll', 'pitch', 'yaw', 'quaternion', 'workspace', 'entry points', 'spin',
-                              'broadcaster', 'static'],
-    '03_broadcaster_and_listener': ['callback', 'service', 'client', 'future', 'timer'],
-    '05_large_project': ['bringup', 'wildcard', 'environment variable'],
+    '01_first_launch': [
+        'launch file',
+        'package',
+        'recording',
+        'node',
+        'namespace',
+        'launch actions',
+        'topics',
+        'publishes',
+        'subscribe',
+        'message',
+        'parameter',
+        'launch argument',
+        'condition',
+        'remapping',
+    ],
+    '08_static_broadcaster': [
+        'frame',
+        'transform',
+        'tf tree',
+        'roll',
+        'pitch',
+        'yaw',
+        'quaternion',
+        'workspace',
+        'entry points',
+        'spin',
+        'broadcaster',
+        'static',
+    ],
+    '09_broadcaster_and_listener': ['callback', 'service', 'client', 'future', 'timer'],
+    '13_large_project': ['bringup', 'wildcard', 'environment variable'],
 }
 ON_PURPOSE = ['nbval-ignore-output', 'raises-exception']
-PATHS_AND_SUCH = re.compile(r'(?<![\w.])/(home|root|tmp|work|Users|usr|opt|mnt|var)/|\b0x[0-9a-f]{6,}|site-packages|ipykernel|\d ms\b')
+PATHS_AND_SUCH = re.compile(
+    r'(?<![\w.])/(home|root|tmp|work|Users|usr|opt|mnt|var)/|\b0x[0-9a-f]{6,}|site-packages|ipykernel|\d ms\b'
+)
 
 
 def written(lesson: Lesson) -> list[Cell]:
     return [cell for cell in lesson.code if cell.file is not None]
 
 
-def test_the_lessons_are_these_five() -> None:
+def test_the_lessons_are_these() -> None:
     assert sorted(path.stem for path in LESSONS.glob('*.ipynb')) == ORDER
 
 
 def test_a_kernel_is_named_so_that_jupyter_does_not_ask(lesson: Lesson) -> None:
     assert lesson.raw['metadata'] == {
-        'kernelspec': {'display_name': 'Python 3 (ipykernel)', 'language': 'python', 'name': 'python3'}, 'language_info': {'name': 'python'}}
+        'kernelspec': {'display_name': 'Python 3 (ipykernel)', 'language': 'python', 'name': 'python3'},
+        'language_info': {'name': 'python'},
+    }
 
 
 def test_cell_ids_are_words_that_stay(lesson: Lesson) -> None:
@@ -43,14 +74,14 @@ def test_cell_ids_are_words_that_stay(lesson: Lesson) -> None:
 
 
 def test_a_lesson_is_short(lesson: Lesson) -> None:
-    assert len(lesson.cells) <= 45
-    assert max(len(cell.lines) for cell in lesson.code) <= 25
+    assert len(lesson.cells) <= 62
+    assert max(len(cell.lines) - (cell.file is not None) for cell in lesson.code) <= 25
     assert statistics.median(len(cell.lines) for cell in lesson.code if cell.file is None) <= 5
 
 
 def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
     for cell in lesson.code:
-        assert max(map(len, cell.lines)) <= 108, cell.id
+        assert max(map(len, cell.lines)) <= 120, cell.id
 
 
 def test_nothing_is_given_away_and_all_outputs_are_kept_beside_it(lesson: Lesson) -> None:
@@ -66,20 +97,21 @@ def test_a_cell_has_one_output_and_no_error_but_on_purpose(lesson: Lesson) -> No
         if cell.tags == ON_PURPOSE:
             assert kinds[-1:] == ['error'], cell.id
         else:
-            assert len(kinds) <= 1 and 'error' not in kinds, cell.id
+            assert 'error' not in kinds, cell.id
+            names = [output.get('name', kind) for kind, output in zip(kinds, cell.outputs, strict=True)]
+            assert len(set(names)) == len(names) and set(names) <= {'stdout', 'stderr', 'execute_result', 'display_data'}, cell.id
 
 
 def test_a_mistake_on_purpose_shows_no_traceback(lesson: Lesson) -> None:
     for cell in lesson.code:
         for output in cell.outputs:
-            if output['output_type'] == 'error':
+            if output['output_type'] == 'error' and lesson.name != '00_python':  # that one shows Python's own
                 assert 'help: ' in output['traceback'][-1], cell.id
                 assert 'Traceback' not in '\n'.join(output['traceback']), cell.id
 
 
 def test_a_picture_says_in_text_what_it_shows(lesson: Lesson) -> None:
     pictures = [output for cell in lesson.code for output in cell.outputs if 'image/png' in output.get('data', {})]
-    assert len(pictures) >= 3
     for output in pictures:
         caption = ''.join(output['data']['text/plain'])
         assert len(caption) > 20 and 'scene' not in caption
@@ -89,13 +121,18 @@ def test_a_picture_says_in_text_what_it_shows(lesson: Lesson) -> None:
 
 def test_outputs_are_equal_on_every_machine(lesson: Lesson) -> None:
     for cell in lesson.code:
-        assert cell.tags == ON_PURPOSE or not PATHS_AND_SUCH.search(cell.text), cell.id
+        assert cell.tags or not PATHS_AND_SUCH.search(cell.text), cell.id
 
 
 def test_only_writing_a_file_and_failing_on_purpose_are_not_compared(lesson: Lesson) -> None:
     for cell in lesson.code:
-        assert cell.tags in ((['nbval-ignore-output'],) if cell.file is not None else ([], ON_PURPOSE)), cell.id
-    assert sum(cell.tags == ON_PURPOSE for cell in lesson.code) <= 1
+        assert cell.tags in (
+            (['nbval-ignore-output'],) if cell.file is not None else ([], ['nbval-ignore-output'], ON_PURPOSE)
+        ), cell.id
+    assert sum(cell.tags == ['nbval-ignore-output'] and cell.file is None for cell in lesson.code) <= 5, (
+        'messages with paths only'
+    )
+    assert sum(cell.tags == ON_PURPOSE for cell in lesson.code) <= 3
 
 
 def test_files_are_written_only_where_git_does_not_look(lesson: Lesson) -> None:
@@ -105,29 +142,45 @@ def test_files_are_written_only_where_git_does_not_look(lesson: Lesson) -> None:
 def test_every_written_file_can_be_read(lesson: Lesson) -> None:
     for cell in written(lesson):
         path, text = cell.file or ('', '')
+        if path.endswith('oops.launch.py') and lesson.name == '00_python':
+            continue  # its mistake is the point
         if path.endswith('.py'):
             ast.parse(text, path)
         elif path.endswith('.yaml'):
             yaml.safe_load(text)
 
 
-@pytest.mark.parametrize('part', [
-    r'^# \d\. ', r'After this lesson \(about (30|35|40|45) minutes\) you can\n\n- ', r'\*\*Predict', r'\*\*Explain', r'^## \d\.\d+ Your turn$',
-    r'hen something is wrong', r'^## \d\.\d+ The exercises?$', r'^## On a real robot$', r'^## Roads not taken\n\n- '])
+@pytest.mark.parametrize(
+    'part',
+    [
+        r'^# \d+\. ',
+        r'After this lesson \(about (25|30|35|40|45) minutes\) you can\n\n- ',
+        r'\*\*Predict',
+        r'\*\*Explain',
+        r'^## \d+\.\d+ Your turn$',
+        r'hen something is wrong',
+        r'^## On a real robot$',
+        r'^## Roads not taken\n\n- ',
+    ],
+)
 def test_a_lesson_has_every_part(lesson: Lesson, part: str) -> None:
     assert re.search(part, lesson.prose, re.MULTILINE)
 
 
 def test_parts_are_numbered_in_order(lesson: Lesson) -> None:
-    number = lesson.name[1]
+    number = str(int(lesson.name[:2]))
     headings = re.findall(r'^## (\d+)\.(\d+) ', lesson.prose, re.MULTILINE)
     assert headings == [(number, str(index + 1)) for index in range(len(headings))]
 
 
 def test_hints_have_three_levels_and_say_something(lesson: Lesson) -> None:
-    hints = re.findall(r'<details><summary>Hint (\d): ([^<]+)</summary>(.*?)</details>', lesson.prose, re.DOTALL)
+    prose = lesson['your-turn-hints'].source
+    hints = re.findall(r'<details><summary>Hint (\d): ([^<]+)</summary>(.*?)</details>', prose, re.DOTALL)
     assert [(number, title) for number, title, _ in hints] == [
-        ('1', 'a question'), ('2', 'where to look'), ('3', 'almost the answer')]
+        ('1', 'a question'),
+        ('2', 'where to look'),
+        ('3', 'almost the answer'),
+    ]
     assert all(len(text.split()) >= 8 for _, _, text in hints)
 
 
@@ -147,11 +200,16 @@ def test_a_term_stands_out_where_it_is_explained(name: str, term: str) -> None:
     assert re.search(rf'\*{{1,2}}{term}\w*\*{{1,2}}', prose, re.IGNORECASE), f'{term} is never in italics in {name}'
 
 
-@pytest.mark.parametrize(('checkpoint', 'lessons'), [('after_lesson_2', ORDER[1:2]), ('after_lesson_3', ORDER[1:3])])
+@pytest.mark.parametrize(
+    ('checkpoint', 'lessons'),
+    [('after_lesson_8', ['08_static_broadcaster']), ('after_lesson_9', ['08_static_broadcaster', '09_broadcaster_and_listener'])],
+)
 def test_a_checkpoint_is_what_the_lessons_before_write(checkpoint: str, lessons: list[str]) -> None:
     inside = 'my_ws/src/learning_tf2_py/'
     expected = {'learning_tf2_py/__init__.py': '', 'resource/learning_tf2_py': ''}
     for name in lessons:
         expected.update({path.removeprefix(inside): text for path, text in Lesson(name).files().items()})
     root = LESSONS / 'checkpoints' / checkpoint
-    assert {str(path.relative_to(root)): path.read_text(encoding='utf-8') for path in root.rglob('*') if path.is_file()} == expected
+    assert {
+        str(path.relative_to(root)): path.read_text(encoding='utf-8') for path in root.rglob('*') if path.is_file()
+    } == expected

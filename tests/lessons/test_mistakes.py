@@ -1,4 +1,5 @@
 """What a student reads after the mistakes that the lessons speak of."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -18,7 +19,7 @@ def launched(walk: Walk, file: str = 'turtle_tf2_demo.launch.py', **arguments: s
 
 def third(walk: Begin) -> Walk:
     """Lesson 3, all files written."""
-    student = walk('03_broadcaster_and_listener')
+    student = walk('09_broadcaster_and_listener')
     student.run_all(until='your-turn-check')
     return student
 
@@ -29,13 +30,13 @@ def test_a_cell_out_of_order_says_which_name_is_missing(walk: Begin) -> None:
 
 
 def test_a_later_lesson_needs_no_earlier_one(walk: Begin) -> None:
-    student = walk('04_carrots')
+    student = walk('10_carrots')
     student.run('set-up')
     assert 'turtle2' in launched(student).frames_at(2.5)
 
 
 def test_the_set_up_leaves_files_of_the_student_alone(walk: Begin) -> None:
-    student = walk('04_carrots')
+    student = walk('10_carrots')
     student.write(PACKAGE + 'setup.py', 'mine')
     student.run('set-up')
     assert (student.folder / PACKAGE / 'setup.py').read_text() == 'mine'

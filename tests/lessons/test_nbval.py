@@ -1,4 +1,5 @@
 """Strict nbval notices a stored output that is not what the cell gives."""
+
 from __future__ import annotations
 
 import json

@@ -1,4 +1,5 @@
 """What a cell with `edulaunch.run` says when something went wrong in it: a program that died must not go unseen."""
+
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -15,7 +16,7 @@ LISTENER = 'my_ws/src/learning_tf2_py/learning_tf2_py/turtle_tf2_listener.py'
 
 def project(walk: Begin) -> Walk:
     """Lesson 5 with its two worlds."""
-    student = walk('05_large_project')
+    student = walk('13_large_project')
     student.run_all(until='two-worlds-run')
     return student
 
@@ -25,22 +26,28 @@ def two_worlds(student: Walk) -> edulaunch.Recording:
 
 
 def test_a_node_that_dies_is_told_with_its_line(walk: Begin, capsys: pytest.CaptureFixture[str]) -> None:
-    student = walk('03_broadcaster_and_listener')
+    student = walk('09_broadcaster_and_listener')
     student.run_all(until='your-turn-check')
     student.edit(LISTENER, 'goal.x, goal.y', 'goal.x, goal.yy')
     edulaunch.run('learning_tf2_py', 'turtle_tf2_demo.launch.py', workspaces=[student.folder / 'my_ws'], duration_s=2.5)
     assert capsys.readouterr().err == (
         'warning: a Vector3 has no field yy; its fields are: x, y, z (turtle_tf2_listener-6, '
-        f'{student.folder / LISTENER}:20, at 1.00 s)\n  help: write y\n')
+        f'{student.folder / LISTENER}:20, at 1.00 s)\n  help: write y\n'
+    )
 
 
-@pytest.mark.parametrize('old, new, told', [
-    ('ros__parameters', 'ros_parameters', 'help: write ros__parameters, with two underscores'),
-    ('    background_g', '   background_g', 'line 4 of the YAML file cannot be read: did not find expected key'),
-    ('background_g: 86', 'background_g 86', "line 5 of the YAML file cannot be read: could not find expected ':'"),
-    ('background_g: 86', 'background_g: lots', "parameter 'background_g' has invalid type"),
-])
-def test_a_mistake_in_the_yaml_file_is_told(walk: Begin, capsys: pytest.CaptureFixture[str], old: str, new: str, told: str) -> None:
+@pytest.mark.parametrize(
+    'old, new, told',
+    [
+        ('ros__parameters', 'ros_parameters', 'help: write ros__parameters, with two underscores'),
+        ('    background_g', '   background_g', 'line 4 of the YAML file cannot be read: did not find expected key'),
+        ('background_g: 86', 'background_g 86', "line 5 of the YAML file cannot be read: could not find expected ':'"),
+        ('background_g: 86', 'background_g: lots', "parameter 'background_g' has invalid type"),
+    ],
+)
+def test_a_mistake_in_the_yaml_file_is_told(
+    walk: Begin, capsys: pytest.CaptureFixture[str], old: str, new: str, told: str
+) -> None:
     student = project(walk)
     student.edit('my_ws/src/launch_tutorial/config/turtlesim.yaml', old, new)
     two_worlds(student)
@@ -56,19 +63,39 @@ def test_a_run_without_a_mistake_says_nothing(walk: Begin, capsys: pytest.Captur
 
 def launch_file(folder: Path, *lines: str) -> Path:
     file = folder / 'mine.launch.py'
-    file.write_text('\n'.join(['from launch import LaunchDescription', 'from launch.actions import GroupAction',
-                               'from launch.substitutions import EnvironmentVariable', 'from launch_ros.actions import Node',
-                               'def generate_launch_description():', *(f'    {line}' for line in lines)]), encoding='utf-8')
+    file.write_text(
+        '\n'.join(
+            [
+                'from launch import LaunchDescription',
+                'from launch.actions import GroupAction',
+                'from launch.substitutions import EnvironmentVariable',
+                'from launch_ros.actions import Node',
+                'def generate_launch_description():',
+                *(f'    {line}' for line in lines),
+            ]
+        ),
+        encoding='utf-8',
+    )
     return file
 
 
-@pytest.mark.parametrize('line, told', [
-    ("return LaunchDescription([Node(package='turtlesim', excutable='draw_square')])",
-     'Node needs executable=...; did you mean that by excutable=?'),
-    ('return LaunchDescription([GroupAction(GroupAction([]), GroupAction([]))])', 'one list is expected: GroupAction([..., ...])'),
-    ("return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
-     "did you mean 'USER'? Or give it a default: EnvironmentVariable('USR', default_value='...')"),
-])
+@pytest.mark.parametrize(
+    'line, told',
+    [
+        (
+            "return LaunchDescription([Node(package='turtlesim', excutable='draw_square')])",
+            'Node needs executable=...; did you mean that by excutable=?',
+        ),
+        (
+            'return LaunchDescription([GroupAction(GroupAction([]), GroupAction([]))])',
+            'one list is expected: GroupAction([..., ...])',
+        ),
+        (
+            "return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
+            "did you mean 'USER'? Or give it a default: EnvironmentVariable('USR', default_value='...')",
+        ),
+    ],
+)
 def test_help_for_mistakes_in_a_launch_file(tmp_path: Path, line: str, told: str) -> None:
     file = launch_file(tmp_path, line)
     with edulaunch.Session(env={'USER': 'student'}) as session:
@@ -84,15 +111,22 @@ def test_a_launch_file_that_never_ends_is_an_error_with_its_line(tmp_path: Path)
     with edulaunch.Session(turn_limit_s=0.2) as session:
         launch = session.launch(file)
         session.run(1.0)
-        with pytest.raises(edulaunch.LaunchFileError, match=r'never came to its end and was stopped\n  at .*mine.launch.py:[67]') as failed:
+        with pytest.raises(
+            edulaunch.LaunchFileError, match=r'never came to its end and was stopped\n  at .*mine.launch.py:[67]'
+        ) as failed:
             launch.raise_error()
     assert failed.value.help is not None and 'a loop that does not end' in failed.value.help
 
 
 def test_a_recording_asked_for_what_it_lacks_names_what_it_has(tmp_path: Path) -> None:
-    recording = edulaunch.run(launch_file(
-        tmp_path, "return LaunchDescription([Node(package='tf2_ros', executable='static_transform_publisher',",
-        "    arguments=['--frame-id', 'tower', '--child-frame-id', 'thign'])])"), duration_s=1.0)
+    recording = edulaunch.run(
+        launch_file(
+            tmp_path,
+            "return LaunchDescription([Node(package='tf2_ros', executable='static_transform_publisher',",
+            "    arguments=['--frame-id', 'tower', '--child-frame-id', 'thign'])])",
+        ),
+        duration_s=1.0,
+    )
     with pytest.raises(KeyError) as failed:
         recording.frames_at(1.0)['thing']
     text = "NotRecorded: no tf frame 'thing' in this recording; there are: thign\n  help: did you mean 'thign'?"

@@ -13,8 +13,8 @@ from edulaunch.advice.runs import fact_place, node_of, node_place
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '03_broadcaster_and_listener'
-STATIC = '02_static_broadcaster'
+LESSON = '09_broadcaster_and_listener'
+STATIC = '08_static_broadcaster'
 
 
 def _found(recording: Recording, one: Broadcasts, **facts: Any) -> Finding:

@@ -22,7 +22,7 @@ CLOSE_NS = 1_000_000_000
     what='{first} and {second} both send commands on {topic}, and do not agree ({turns} times within a second)',
     why='the robot follows whoever spoke last, so it goes to and fro between the two',
     do='let one node at a time send commands: stop one of them, or give each a robot of its own',
-    lesson='04_carrots',
+    lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:
     """Velocities of two nodes that differ and follow each other within a second, five times and more."""

@@ -12,7 +12,7 @@ from edulaunch.advice.runs import asking_place, ends_by_name, node_place, speake
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '03_broadcaster_and_listener'
+LESSON = '09_broadcaster_and_listener'
 
 
 def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:

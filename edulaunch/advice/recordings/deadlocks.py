@@ -12,7 +12,7 @@ from edulaunch.advice.runs import fact_place, node_of
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '05_large_project'
+LESSON = '13_large_project'
 WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
@@ -123,7 +123,7 @@ def other_node_spun(recording: Recording) -> Iterator[Finding]:
     what='{callback}() of {node} waits for ever at rate.sleep()',
     why='a rate is woken by a timer of the node, and the node is busy with {callback}()',
     do='take the loop out and let a timer call you: self.create_timer(0.1, self.step)',
-    lesson='03_broadcaster_and_listener',
+    lesson='09_broadcaster_and_listener',
     level='error',
     hides=('messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
@@ -137,7 +137,7 @@ def rate_in_callback(recording: Recording) -> Iterator[Finding]:
     what='{function}() of {node} waits for ever at rate.sleep()',
     why='a rate is woken by a timer of the node, and nobody spins the node yet',
     do='take the loop out of {function}() and let a timer call you: self.create_timer(0.1, self.step)',
-    lesson='03_broadcaster_and_listener',
+    lesson='09_broadcaster_and_listener',
     level='error',
     hides=('programs.never-spun', 'turtlesim.slow-commands'),
 )
@@ -153,7 +153,7 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
     what='{function}() of {node} is given None in place of a function, so nothing will ever be called',
     why='with brackets the function runs once, now, and what it returns is handed over: None',
     do='give the function itself, without brackets: self.tick, not self.tick()',
-    lesson='03_broadcaster_and_listener',
+    lesson='09_broadcaster_and_listener',
     level='error',
     hides=('turtlesim.slow-commands',),
 )

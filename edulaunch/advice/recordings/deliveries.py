@@ -13,7 +13,7 @@ from edulaunch.nearest import nearest
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '03_broadcaster_and_listener'
+LESSON = '09_broadcaster_and_listener'
 SECOND = 1.0
 
 
@@ -99,7 +99,7 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
     what='{node} asked {service}, the reply came, and nobody took it',
     why='a reply is taken while the node is spun; a loop that only looks at future.done() waits for ever',
     do='spin until it is there: rclpy.spin_until_future_complete(node, future)',
-    lesson='05_large_project',
+    lesson='13_large_project',
     level='error',
     hides=('programs.never-spun',),
 )
@@ -123,7 +123,7 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
         "write '{near}', if that is the one you mean",
         'start the node that offers {service}, or look for its name with: ros2 {kind_of} list',
     ),
-    lesson='05_large_project',
+    lesson='13_large_project',
     level='error',
 )
 def no_server(recording: Recording) -> Iterator[Finding]:
@@ -158,7 +158,7 @@ GOAL = '/_action/send_goal'
     what='{node} asks {service} {gap_s} s before anybody offers it: the request is lost',
     why='a request without a server is thrown away, and its answer never comes',
     do='wait for the server before you ask: client.wait_for_service()',
-    lesson='05_large_project',
+    lesson='13_large_project',
     level='error',
 )
 def asked_too_early(recording: Recording) -> Iterator[Finding]:

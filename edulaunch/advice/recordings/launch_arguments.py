@@ -41,7 +41,7 @@ def unknown_argument(recording: Recording) -> Iterator[Finding]:
         'give one of the arguments that {included} declares: {declared}',
         "leave it out, or declare it in {included}: DeclareLaunchArgument('{argument}')",
     ),
-    lesson='05_large_project',
+    lesson='13_large_project',
 )
 def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
     """The same for `launch_arguments` of an IncludeLaunchDescription."""

@@ -12,7 +12,7 @@ from edulaunch.advice.runs import ends_by_name, node_place, places
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '05_large_project'
+LESSON = '13_large_project'
 CHANGE = 'lifecycle_msgs/srv/ChangeState'
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.recording import Recording
     from edulaunch.recording.records import Fact
 
-LESSON = '03_broadcaster_and_listener'
+LESSON = '09_broadcaster_and_listener'
 _EXTRAPOLATION = re.compile(
     r'into the (future|past)\.\s+Requested time ([\d.]+) but the (?:latest|earliest) data is at time ([\d.]+)'
 )

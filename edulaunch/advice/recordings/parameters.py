@@ -14,7 +14,7 @@ from edulaunch.nearest import nearest
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-LESSON = '05_large_project'
+LESSON = '13_large_project'
 SET = 'rcl_interfaces/srv/SetParameters'
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from edulaunch.recording import Recording
     from edulaunch.recording.records import Fact
 
-LESSON = '03_broadcaster_and_listener'
+LESSON = '09_broadcaster_and_listener'
 OFTEN = 3
 """Fewer late calls than that are no pattern: nodes come late to their first ones."""
 
@@ -105,7 +105,7 @@ def timer_period(recording: Recording) -> Iterator[Finding]:
     what='{node} goes by the simulated clock (use_sim_time is true), but nobody publishes /clock',
     why='its time stands still at 0: timers never call, and stamps are 0',
     do='set use_sim_time to false, or start the simulator that publishes /clock',
-    lesson='05_large_project',
+    lesson='13_large_project',
     level='error',
     hides=('tf.unstamped',),
 )
