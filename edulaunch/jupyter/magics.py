@@ -67,7 +67,7 @@ class RosMagics(Magics):
     @no_var_expand
     @line_magic
     def edulaunch(self, line: str) -> None:
-        """The command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`, `%edulaunch explain FILE`."""
+        """The command `edulaunch`, as in a terminal: `%edulaunch doctor FILE`, `%edulaunch pkg check DIR`."""
         from edulaunch.cli.main import main
 
         with redirect_stderr(sys.stdout):
