@@ -15,6 +15,7 @@ TESTS = (
     'launch_pytest',
     'edulaunch.jupyter',
     'edulaunch.course',
+    'edulaunch.machine.sliders',
 )
 """Rooms that only pytest or a notebook loads, and test frameworks for them."""
 
