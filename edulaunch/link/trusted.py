@@ -52,7 +52,7 @@ class ConfinedProgram:
 class TrustedRecorder(Recorder):
     """Keeps the record, and lets the confined half know what it may see of it.
 
-    :ivar hosted_nodes: positions in `nodes` of the nodes that run here.
+    :ivar hosted_nodes, hosted_parameters: positions in `nodes` of the nodes that run here, and in `parameters` of theirs.
     """
 
     replica: Replica
@@ -61,6 +61,7 @@ class TrustedRecorder(Recorder):
     def __init__(self, sim: HalfSimulation) -> None:
         super().__init__(sim)
         self.hosted_nodes: list[int] = []
+        self.hosted_parameters: list[int] = []
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
         keep = super().channel(publisher)
@@ -79,6 +80,11 @@ class TrustedRecorder(Recorder):
             self.hosted_nodes.append(len(self.nodes))
         super().node_added(node)
         self.replica.node_added(node)
+
+    def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
+        if node.index not in self.replica.theirs:
+            self.hosted_parameters.append(len(self.parameters))
+        super().parameter(node, name, value, origin)
 
     def node_removed(self, node: NodeEntry) -> None:
         super().node_removed(node)

@@ -46,6 +46,8 @@ class Recording:
 
     hosted_nodes: frozenset[int] | None = None
     """Positions in `nodes` of those that a trusted half hosted (see `edulaunch.link`); None when all ran in one process."""
+    hosted_parameters: frozenset[int] = frozenset()
+    """Positions among the parameters of what these nodes set themselves: another node of the same name does not speak for them."""
 
     def __init__(self, content: dict[str, Any]) -> None:
         self._content = content
@@ -196,8 +198,9 @@ class Recording:
         :raises KeyError: when no such node was there; the message names the nodes that were.
         """
         found: dict[str, Parameter] = {}
-        for _, name, parameter, value, origin in self._content['parameters']:
-            if name == node:
+        is_hosted = any(self.nodes[position].name == node for position in self.hosted_nodes or ())
+        for position, (_, name, parameter, value, origin) in enumerate(self._content['parameters']):
+            if name == node and (position in self.hosted_parameters or not is_hosted):
                 if value is None:
                     found.pop(parameter, None)
                 else:

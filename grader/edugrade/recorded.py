@@ -20,14 +20,14 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it; take out calls 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
     """The outcome that these bytes stand for; None when they are no recording of this scenario.
 
-    :param content: a line of JSON, the numbers of the nodes that ran in the trusted half; then the recording.
+    :param content: a line of JSON, which nodes and parameters are the trusted half's own; then the recording.
     """
     from edulaunch.recording import Recording
 
     try:
         hosted, _, rest = content.partition(b'\n')
         recording = Recording.from_bytes(rest)
-        recording.hosted_nodes = frozenset(json.loads(hosted))
+        recording.hosted_nodes, recording.hosted_parameters = map(frozenset, json.loads(hosted))
         launch, programs = recording.launch, recording.processes
         if recording.seed != scenario.seed or launch.arguments != dict(scenario.arguments):
             return None

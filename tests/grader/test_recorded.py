@@ -15,7 +15,7 @@ SCENARIO = Scenario('s', {}, 0.2, 3)
 
 @pytest.fixture(scope='module')
 def content() -> bytes:
-    return b'[0]\n' + edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
+    return b'[[0], []]\n' + edulaunch.run('turtlesim', 'multisim.launch.py', duration_s=0.2, seed=3).to_bytes()
 
 
 def failed(tmp_path: Path, text: str) -> bytes:
@@ -25,7 +25,7 @@ def failed(tmp_path: Path, text: str) -> bytes:
     with edulaunch.Session(seed=3) as session:
         session.launch(str(file))
         session.run(0.2)
-        return b'[]\n' + session.recording().to_bytes()
+        return b'[[], []]\n' + session.recording().to_bytes()
 
 
 def test_a_recording_of_the_scenario_is_accepted(content: bytes) -> None:
@@ -40,7 +40,7 @@ def test_a_recording_of_another_run_is_refused(content: bytes, other: Scenario) 
     assert recorded(other, content) is None
 
 
-@pytest.mark.parametrize('noise', [b'', b'12345', b'{}', b'[]\n{}', b'\xff' * 100])
+@pytest.mark.parametrize('noise', [b'', b'12345', b'{}', b'[[], []]\n{}', b'[]\n{}', b'\xff' * 100])
 def test_noise_is_refused(noise: bytes) -> None:
     assert recorded(SCENARIO, noise) is None
 
