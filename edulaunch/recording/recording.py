@@ -47,7 +47,7 @@ class Recording:
     hosted_nodes: frozenset[int] | None = None
     """Positions in `nodes` of those that a trusted half hosted (see `edulaunch.link`); None when all ran in one process."""
     hosted_parameters: frozenset[int] = frozenset()
-    """Positions among the parameters of what these nodes set themselves: another node of the same name does not speak for them."""
+    """Positions among the parameters of what these nodes set: another node of the same name does not speak for them."""
 
     def __init__(self, content: dict[str, Any]) -> None:
         self._content = content
