@@ -1,0 +1,152 @@
+"""Python cannot read the file: by what it says of it, which is short, and of the line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.advice.failure import Failure
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import Rule, rule
+
+SYNTAX = ('SyntaxError', 'IndentationError', 'TabError', 'InvalidPythonLaunchFileError')
+CLOSING = {'(': ')', '[': ']', '{': '}'}
+QUOTES = '\u2018\u2019\u201a\u201b\u201c\u201d\u201e\u201f\u00ab\u00bb\u2032\u2033\u00b4`'
+STRAIGHT = {
+    **dict.fromkeys('\u2010\u2011\u2013\u2014\u2212', '-'),
+    **dict.fromkeys('\u00a0\u2009\u202f\u200b', 'an ordinary space'),
+    '\uff0c': ',',
+    '\uff08': '(',
+    '\uff09': ')',
+}
+_BLOCK = re.compile(r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)")
+_CHARACTER = re.compile(r"invalid (?:character '.' \(|non-printable character )U\+([0-9A-F]{4,6})")
+
+
+def _said(failure: Failure, pattern: str, types: tuple[str, ...] = SYNTAX) -> re.Match[str] | None:
+    return re.search(pattern, failure.message) if failure.type in types else None
+
+
+def _in_line(failure: Failure, **facts: Any) -> Finding:
+    return found('process', failure.process or '', file=failure.file, line=failure.line, time_s=failure.time_s, **facts)
+
+
+@rule(
+    'programs.typographic-quotes',
+    what='Python does not know the character {character} ({code}): it was typed by an editor for letters, or copied from a page',
+    do=('write straight quotes instead of {quote}: \' or "', 'write {straight} instead', 'take it out, and write the line anew'),
+    level='error',
+)
+def typographic_quotes(failure: Failure) -> Iterator[Finding]:
+    """Quotes and dashes that look almost the same."""
+    said = _said(failure, _CHARACTER.pattern)
+    if said is not None:
+        character = chr(int(said[1], 16))
+        quote = character if character in QUOTES else None
+        shown = character if character.isprintable() and not character.isspace() else 'here'
+        yield _in_line(failure, character=shown, code=f'U+{said[1]}', straight=STRAIGHT.get(character), quote=quote)
+
+
+@rule(
+    'programs.bracket-open',
+    what='the bracket {opening} of this line is never closed',
+    why='Python reads on to the end of the file to find {closing}',
+    do='write {closing} where the list or the call ends',
+    level='error',
+)
+def bracket_open(failure: Failure) -> Iterator[Finding]:
+    """Python names the line in which it was opened."""
+    said = _said(failure, r"'([(\[{])' was never closed")
+    if said is not None:
+        yield _in_line(failure, opening=said[1], closing=CLOSING[said[1]])
+
+
+@rule(
+    'programs.bracket-other',
+    what=(
+        '{closing} closes the {opening} of line {opened}, which wants {wanted}',
+        '{closing} closes a {opening}, which wants {wanted}',
+    ),
+    do='write {wanted} before it, or instead of it',
+    level='error',
+)
+def bracket_other(failure: Failure) -> Iterator[Finding]:
+    """One kind of bracket was opened, another is closed."""
+    said = _said(failure, r"closing parenthesis '(.)' does not match opening parenthesis '(.)'(?: on line (\d+))?")
+    if said is not None:
+        opened = int(said[3]) if said[3] else None
+        yield _in_line(failure, closing=said[1], opening=said[2], wanted=CLOSING[said[2]], opened=opened)
+
+
+@rule(
+    'programs.bracket-too-many',
+    what='this {closing} closes nothing',
+    do='take it out, or write its opening bracket',
+    level='error',
+)
+def bracket_too_many(failure: Failure) -> Iterator[Finding]:
+    """A closing bracket without an opening one."""
+    said = _said(failure, r"unmatched '(.)'")
+    if said is not None:
+        yield _in_line(failure, closing=said[1])
+
+
+@rule(
+    'programs.not-utf-8',
+    what='the file is not UTF-8 text',
+    why='some editors save UTF-16 or another encoding; Python and ROS 2 read UTF-8',
+    do='save the file again with the encoding UTF-8',
+    level='error',
+)
+def not_utf_8(failure: Failure) -> Iterator[Finding]:
+    """UTF-16 is full of null bytes. Not every Python names the file: of a program, its name must do."""
+    types = (*SYNTAX, 'ValueError', 'UnicodeDecodeError')
+    if _said(failure, r"null bytes|can't decode byte|Non-UTF-8 code|invalid or missing encoding", types):
+        file = None if failure.process else failure.file
+        yield found('process', failure.process or '', file=file, time_s=failure.time_s)
+
+
+@rule(
+    'programs.indentation',
+    what=('the line behind line {opened} is not indented', 'the indentation of this line fits none of the lines above'),
+    why='Python knows by the indentation alone what belongs together',
+    do=('indent it by four spaces: it belongs to the {statement}', 'indent with four spaces for each level, never with tabs'),
+    level='error',
+)
+def indentation(failure: Failure) -> Iterator[Finding]:
+    """Too little, too much, or tabs among spaces."""
+    if failure.type in ('IndentationError', 'TabError'):
+        said = re.search(
+            r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)", failure.message
+        )
+        statement = None if said is None else said[1] or said[2]
+        yield _in_line(failure, opened=None if said is None else int(said[3]), statement=statement)
+
+
+def _simple(name: str, pattern: str, what: str, do: str) -> Rule:
+    """A rule that has nothing to add to what Python says but a clear word."""
+
+    def look(failure: Failure) -> Iterator[Finding]:
+        if _said(failure, pattern):
+            yield _in_line(failure)
+
+    return rule(name, what=what, do=do, level='error')(look)
+
+
+NO_COMMA = _simple(
+    'programs.no-comma',
+    r'Perhaps you forgot a comma',
+    'a comma is missing in this line, or at the end of the line above',
+    'write a comma between the two values',
+)
+NO_COLON = _simple('programs.no-colon', r"expected ':'", 'a colon is missing at the end of this line', 'write : at its end')
+OPEN_TEXT = _simple(
+    'programs.open-text',
+    r'unterminated (?:triple-quoted |f-)?string literal|EOL while scanning',
+    'a text begins in this line and does not end',
+    'write the closing quote, the same as the opening one',
+)
+ONE_EQUALS = _simple(
+    'programs.one-equals', r"Maybe you meant '=='", 'one = gives a value; a comparison has two', 'write == to compare'
+)

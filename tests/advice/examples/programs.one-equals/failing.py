@@ -1,0 +1,13 @@
+import rclpy
+from rclpy.node import Node
+
+
+def main():
+    rclpy.init()
+    node = Node('drive')
+    if node.get_name() = 'drive':
+        node.get_logger().info('ready')
+    rclpy.spin(node)
+
+
+main()
