@@ -62,12 +62,10 @@ def _given_to_says(tree: ast.AST) -> Iterator[str]:
 def _sentences(tree: ast.AST) -> Iterator[str]:
     """The texts of several words, f-strings as templates; of docstrings the first line where it is a check's sentence."""
     inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    inner |= {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
         if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
-            first = node.body[0]
-            assert isinstance(first, ast.Expr)
-            inner.add(id(first.value))
-            if isinstance(node, ast.FunctionDef) and node.decorator_list:
+            if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
                 yield (ast.get_docstring(node) or '').partition('\n')[0]
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == 'WORDS':
             yield from ast.literal_eval(node.value)
@@ -75,6 +73,10 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
         text = template_of(node) if id(node) not in inner else ''
         if len(_WORD.findall(_FIELD.sub('', text))) >= 2 and not _CODE.search(text):
             yield text
+
+
+def _is_check(decorator: ast.expr) -> bool:
+    return ast.unparse(decorator).startswith('check(')
 
 
 def template_of(node: ast.AST) -> str:
