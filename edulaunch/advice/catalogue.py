@@ -30,7 +30,7 @@ REPORTS = (
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
-_CODE = re.compile(r'^\W*\w+\(.*\)$|\(\?!|\\')
+_CODE = re.compile(r'^[\w=]*\w+\(.*\)$|^\n|\(\?!|\\')
 """A call that is to be written as it stands, a regular expression."""
 _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
@@ -64,14 +64,13 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
     inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     inner |= {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
-            if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
-                yield (ast.get_docstring(node) or '').partition('\n')[0]
+        if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
+            yield (ast.get_docstring(node) or '').partition('\n')[0]
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == 'WORDS':
             yield from ast.literal_eval(node.value)
             inner |= {id(part) for part in ast.walk(node.value)}
         text = template_of(node) if id(node) not in inner else ''
-        if len(_WORD.findall(_FIELD.sub('', text))) >= 2 and not _CODE.search(text):
+        if len(_WORD.findall(_FIELD.sub('', text))) >= (1 if _FIELD.search(text) else 2) and not _CODE.search(text):
             yield text
 
 

@@ -13,9 +13,13 @@ from string import Formatter
 from typing import NamedTuple
 
 _BARE = re.compile(r'\{(\w+)[^{}]*\}')
-LONGEST = 4000
+LONGEST = 2000
 """Characters: a longer text is a program's output, not a sentence of ours."""
-DEEPEST = 6
+DEEPEST = 3
+LEAST = 8
+"""One letter of so many has to stand in templates: else it is somebody else's sentence with a word of ours in it."""
+MOST_TRIES = 500
+"""Facts that are looked at in one text: whoever writes one that fits everywhere gets it back as it is."""
 
 
 class _Pattern(NamedTuple):
@@ -48,18 +52,30 @@ class Retelling:
     def __init__(self, catalogue: Mapping[str, str]) -> None:
         self._whole = {_plain(english): _plain(other) for english, other in catalogue.items() if not fields_of(english)}
         found = [_pattern(english, other) for english, other in catalogue.items() if fields_of(english)]
-        self._patterns = sorted(filter(None, found), key=lambda pattern: -sum(map(len, pattern.texts)))
+        self._tries = 0
+        self._patterns = [pattern for pattern in found if pattern is not None]
 
-    def __call__(self, text: str, depth: int = 0) -> str:
+    def __call__(self, text: str) -> str:
         """The sentence in the other language; as it is when no template fits."""
-        whole = self._whole.get(text)
-        if whole is not None or len(text) > LONGEST or depth > DEEPEST:
-            return text if whole is None else whole
-        for pattern in self._patterns:
+        self._tries = 0
+        return self._retold(text, DEEPEST)[1] if len(text) <= LONGEST else text
+
+    def _retold(self, text: str, depth: int) -> tuple[int, str]:
+        """How many letters of a text stand in templates, its facts' templates among them, and the text in the other language. Of
+        several templates that fit, the one that explains most of the text is meant.
+        """
+        if text in self._whole:
+            return len(text), self._whole[text]
+        best = (0, text)
+        self._tries += 1
+        for pattern in self._patterns if depth and self._tries < MOST_TRIES else ():
             facts = pattern.facts(text)
             if facts is not None:
-                return pattern.template.format_map({name: self(value, depth + 1) for name, value in facts.items()})
-        return text
+                told = {name: self._retold(value, depth - 1) for name, value in facts.items()}
+                known = sum(map(len, pattern.texts)) + sum(letters for letters, _ in told.values())
+                if known > max(best[0], len(text) // LEAST):
+                    best = known, pattern.template.format_map({name: words for name, (_, words) in told.items()})
+        return best
 
 
 def fields_of(template: str) -> list[str]:

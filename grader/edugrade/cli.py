@@ -168,9 +168,11 @@ def _show(text: str) -> None:
 
 
 def _tell_of_the_sandbox(reports: list[Report]) -> None:
+    from edulaunch.advice import reader_here
+
     from .terminal import sandbox_line
 
-    print(sandbox_line(reports), file=sys.stderr)
+    print(reader_here().retells(sandbox_line(reports)), file=sys.stderr)
 
 
 def _colour() -> bool:

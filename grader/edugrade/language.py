@@ -11,7 +11,22 @@ from .short_paths import ShortPaths
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
 
-WORDS = ('ok', 'FAILED', 'not run', 'BROKE', 'expected', 'seen', 'where', 'try', 'cause', 'no mark', '{earned} of {points}')
+WORDS = (
+    'ok',
+    'FAILED',
+    'not run',
+    'BROKE',
+    'expected',
+    'seen',
+    'where',
+    'try',
+    'cause',
+    'no mark',
+    '{earned} of {points}',
+    '{first} m and {second} m',
+    'failed',
+    'broke',
+)
 """Marks and labels: single words, which no search for sentences finds."""
 
 
@@ -29,6 +44,11 @@ def retold(result: CheckResult, reader: Reader) -> CheckResult:
 
 def _maybe(text: str | None, reader: Reader) -> str | None:
     return None if text is None else reader.retells(text)
+
+
+def points_of(result: CheckResult, reader: Reader) -> str:
+    """What a check earned, in brackets; '' where there is nothing to earn."""
+    return f'  [{reader.retells(f"{result.earned} of {result.points}")}]' if result.points else ''
 
 
 def explained(result: CheckResult, paths: ShortPaths, reader: Reader) -> dict[str, str]:

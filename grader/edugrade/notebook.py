@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 
+from edulaunch.advice import reader_here
 from edulaunch.errors import UnusableInput
 
 from .course import HIGHEST, find_course, read_course
@@ -36,8 +37,9 @@ class CheckReport:
     def headline(self) -> str:
         """The result in one line."""
         report = self.report
-        mark = 'no mark' if report.earned is None else f'{report.earned} of {report.possible} points'
-        return f'{report.rubric}: {report.verdict}, {mark}'
+        reader = reader_here()
+        mark = reader.retells('no mark' if report.earned is None else f'{report.earned} of {report.possible} points')
+        return f'{report.rubric}: {reader.retells(report.verdict)}, {mark}'
 
     def __repr__(self) -> str:
         words = f'\n{self.word}\n' if self.word else ''

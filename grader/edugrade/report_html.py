@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from .language import explained, retold
+from .language import explained, points_of, retold
 from .markup import Markup, element, joined
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
@@ -42,9 +42,10 @@ def report_html(report: Report) -> Markup:
 
 
 def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
-    points = f'  [{result.earned} of {result.points}]' if result.points else ''
     mark = element('span', reader.says(MARKS[result.status]), style=_MARK + COLOURS[result.status])
-    return element('div', mark, result.sentence, element('small', points), style=f'margin:.15em 0 .15em {indent}')
+    return element(
+        'div', mark, result.sentence, element('small', points_of(result, reader)), style=f'margin:.15em 0 .15em {indent}'
+    )
 
 
 def _failed(result: CheckResult, paths: ShortPaths, reader: Reader) -> Markup:

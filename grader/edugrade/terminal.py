@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from .language import explained, retold
+from .language import explained, points_of, retold
 from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
 
@@ -32,9 +32,9 @@ def render(report: Report, *, colour: bool = False) -> str:
     lines = [printable(title), '']
     for status in (GRADER_BROKE, FAILED):
         for result in _of(status, results):
-            lines += [mark(status) + _title(result), *_explanation(result, paths, reader)]
-    lines += _not_run(results, mark)
-    lines += [mark(PASSED) + _title(result) for result in _of(PASSED, results)]
+            lines += [mark(status) + _title(result, reader), *_explanation(result, paths, reader)]
+    lines += _not_run(results, mark, reader)
+    lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
     next_ = printable(reader.retells(next_step(report)))
     lines += ['', reader.retells(points_line(report)), *textwrap.wrap(next_, WIDTH, break_on_hyphens=False)]
     return '\n'.join(lines) + '\n'
@@ -52,8 +52,8 @@ def _coloured_mark(reader: Reader, status: str) -> str:
     return f'\x1b[{COLOURS[status]}m{_plain_mark(reader, status)}\x1b[0m'
 
 
-def _title(result: CheckResult) -> str:
-    return result.sentence + (f'  [{result.earned} of {result.points}]' if result.points else '')
+def _title(result: CheckResult, reader: Reader) -> str:
+    return result.sentence + points_of(result, reader)
 
 
 def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader) -> Iterator[str]:
@@ -83,13 +83,13 @@ def printable(text: str) -> str:
     return ''.join(sign if sign.isprintable() or sign == '\n' else '?' for sign in text)
 
 
-def _not_run(results: list[CheckResult], mark: Callable[[str], str]) -> Iterator[str]:
+def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Reader) -> Iterator[str]:
     """The checks that were not run, folded under the one to repair."""
     reasons = dict.fromkeys(result.reason for result in _of(NOT_RUN, results))
     for reason in reasons:
         yield f'{mark(NOT_RUN)}{reason}:'
         folded = (result for result in _of(NOT_RUN, results) if result.reason == reason)
-        yield from (f'{INDENT}  {_title(result)}' for result in folded)
+        yield from (f'{INDENT}  {_title(result, reader)}' for result in folded)
 
 
 def points_line(report: Report) -> str:
