@@ -21,6 +21,7 @@ for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SI
     if number is not None and signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, usual)
 HERE = (Path(__file__).parent, Path(__file__).parents[1])
+TAKES_TIME = ('terminals', 'whole')
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
@@ -28,16 +29,16 @@ settings.load_profile('repository')
 
 def pytest_report_header() -> str:
     """Say what a run of all unit tests leaves out."""
-    return 'in real terminals: only when named (tests/terminals tests/machine, or -m terminals)'
+    return 'left out unless their folder is named: tests in real terminals (-m terminals), of all there is once more (-m whole)'
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Tests in real terminals take their time; they are left to those who name them, and to a step of `.ci/run`."""
+    """What takes its time is left to those who name it, and to a step of `.ci/run`."""
     if config.option.markexpr or any(Path(word.partition('::')[0]).resolve() not in HERE for word in config.args):
         return
-    left_out = [item for item in items if item.get_closest_marker('terminals')]
-    items[:] = [item for item in items if not item.get_closest_marker('terminals')]
+    left_out = [item for item in items if any(item.get_closest_marker(name) for name in TAKES_TIME)]
+    items[:] = [item for item in items if not any(item.get_closest_marker(name) for name in TAKES_TIME)]
     config.hook.pytest_deselected(items=left_out)
 
 

@@ -37,6 +37,7 @@ def test_the_course_is_in_order(copy: Path) -> None:
     assert problems(copy) == []
 
 
+@pytest.mark.whole
 def test_stubs_fail_with_a_gap_named_and_solutions_pass() -> None:
     assert list(check_runs(str(REPOSITORY), COURSE)) == []
 

@@ -11,8 +11,23 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).parents[2]
 
 
+QUICK = ('-p', 'no:nbval', '-p', 'no:hypothesispytest')
+
+
 def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, '-m', 'pytest', '-p', 'no:cacheprovider', '-c', '/dev/null', '--rootdir', str(folder), str(folder)]
+    command = [
+        sys.executable,
+        '-m',
+        'pytest',
+        '-p',
+        'no:cacheprovider',
+        *QUICK,
+        '-c',
+        '/dev/null',
+        '--rootdir',
+        str(folder),
+        str(folder),
+    ]
     plugin = ['-p', 'edugrade.pytest_plugin'] if 'edugrade' not in installed() else []
     return subprocess.run([*command, *plugin, *words], cwd=folder, capture_output=True, text=True, env=environment())
 

@@ -19,6 +19,7 @@ CONFTEST = 'from edulaunch.course.stored import pytest_itemcollected\n'
 WORDS = ['-p', 'no:cacheprovider', '--nbval', '--nbval-current-env', '--nbval-cell-timeout=60', 'some.ipynb']
 
 
+@pytest.mark.whole
 def test_a_changed_pose_and_a_changed_digest_fail_and_nothing_else_does(tmp_path: Path) -> None:
     lesson = Lesson('01_first_launch')
     lesson.raw['cells'] = [cell for cell in lesson.raw['cells'] if cell['id'] in KEPT]

@@ -13,7 +13,10 @@ PROGRAM = Path(__file__).resolve().parent / 'two_halves.py'
 AT_LEAST = {'solutions': 11, 'exercises': 5, 'underlay': 25, 'corpus': 60}
 
 
-@pytest.mark.parametrize('group', AT_LEAST)
+GROUPS = ['solutions', *(pytest.param(group, marks=pytest.mark.whole) for group in ('exercises', 'underlay', 'corpus'))]
+
+
+@pytest.mark.parametrize('group', GROUPS)
 def test_alone_and_over_the_link(group: str) -> None:
     done = subprocess.run([sys.executable, str(PROGRAM), group], capture_output=True, text=True)
     rows = [json.loads(line) for line in done.stdout.splitlines()]
@@ -22,6 +25,7 @@ def test_alone_and_over_the_link(group: str) -> None:
     assert len(rows) >= AT_LEAST[group]
 
 
+@pytest.mark.whole
 @pytest.mark.skipif(not (PROGRAM.parents[3] / 'shared' / 'seeds').is_dir(), reason='the seed tutorials are not beside this')
 def test_the_seeds() -> None:
     done = subprocess.run([sys.executable, str(PROGRAM), 'seeds'], capture_output=True, text=True)

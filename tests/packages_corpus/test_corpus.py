@@ -67,11 +67,13 @@ def digests(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], s
     return {(name, seed): digest for name, seed, digest in map(str.split, done.stdout.splitlines())}
 
 
+@pytest.mark.whole
 def test_every_run_is_the_same_in_another_process(digests: dict[tuple[str, str], str]) -> None:
     here = {(name, '0'): HERE_TOO.get((name, '0')) or run_case(name).digest() for name in CASES}
     assert [key for key in here if here[key] != digests[key]] == []
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize('name', [name for name, case in CASES.items() if case.random])
 def test_another_seed_gives_another_run(name: str, digests: dict[tuple[str, str], str]) -> None:
     assert digests[name, '0'] != digests[name, '1']
