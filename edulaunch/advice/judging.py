@@ -104,14 +104,15 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
-    """Whether both are about one node, as far as that is known. Frames of tf belong to all nodes."""
+    """Whether both are about one node or program, as far as that is known. Frames of tf belong to all nodes."""
     of_cause, of_other = _nodes(cause), _nodes(other)
-    return not of_cause or not of_other or bool(of_cause & of_other) or cause.rule.startswith('tf.')
+    shared = cause.rule.startswith('tf.') and other.rule.startswith('tf.')
+    return not of_cause or not of_other or bool(of_cause & of_other) or shared
 
 
 def _nodes(finding: Finding) -> set[str]:
     facts = {**finding.facts, finding.kind: finding.name}
-    return {facts[name] for name in ('node', 'other') if facts.get(name)}
+    return {facts[name] for name in ('node', 'other', 'process') if facts.get(name)}
 
 
 def _asked(kind: str, thing: Any) -> list[Finding]:

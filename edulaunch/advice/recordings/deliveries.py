@@ -83,14 +83,17 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
-    """At the end of the run, or of the node; a node that is never spun is told of otherwise."""
+    """At the end of the run, or of the node: old messages, or a full queue of a student's node. One that is never spun is told of
+    otherwise.
+    """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
     for fact in recording.facts:
         if fact.kind == 'messages wait' and fact.data['node'] not in unspun and fact.data['topic'] != '/parameter_events':
             file, line = node_place(recording, fact.data['node'])
             age_s = round(fact.time_s - fact.data['since_s'], 1)
             facts = {'messages': fact.data['messages'], 'depth': fact.data['depth'], 'age_s': age_s, 'node': fact.data['node']}
-            if age_s >= SECOND:
+            is_full = fact.data['messages'] == fact.data['depth'] and fact.data['node'] in own_nodes(recording)
+            if age_s >= SECOND or is_full:
                 yield found('topic', fact.data['topic'], file=file, line=line, time_s=fact.data['since_s'], **facts)
 
 

@@ -91,8 +91,37 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)
-        if name is not None and not fact.data['frames']:
+        if name is not None and not fact.data['frames'] and not _is_early(recording, fact):
             yield _found(recording, fact, name)
+
+
+@rule(
+    'tf.lookup-early',
+    what="{node} looks up '{frame}' before it can know it: in its first moment, and never again",
+    why='transforms are received while the node is spun; in a constructor nothing has come yet',
+    do=(
+        'look it up in a timer, again and again: self.create_timer(0.1, self.on_timer), with try: ... except TransformException: '
+        'return'
+    ),
+    lesson=LESSON,
+    level='error',
+    hides=('programs.died',),
+)
+def lookup_early(recording: Recording) -> Iterator[Finding]:
+    """Of a frame that is broadcast, asked for only in the first 50 ms of the node."""
+    known = frame_names(recording)
+    for fact in _lookups(recording):
+        name = next((name for name in reversed(fact.data['unknown']) if name in known), None)
+        if name is not None and _is_early(recording, fact):
+            yield _found(recording, fact, name, process=fact.process)
+
+
+def _is_early(recording: Recording, fact: Fact) -> bool:
+    started = next((node.started_s for node in recording.nodes if node.process == fact.process), fact.time_s)
+    return fact.last_s - started < MOMENT_S
+
+
+MOMENT_S = 0.05
 
 
 @rule(
@@ -119,16 +148,18 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
     what="{node} looks up '{frame}' {gap_s} s after the newest transform that its buffer holds",
     why='a transform takes a moment to arrive; asked for "now" the buffer has only older ones',
     do=(
-        'ask for the newest transform with rclpy.time.Time() as the time, or wait for it: '
-        'lookup_transform(..., timeout=Duration(seconds=1.0))'
+        'ask for the newest transform with rclpy.time.Time() as the time: in the {waited_s} s that this lookup waits, the node '
+        'takes no new ones',
+        'ask for the newest transform with rclpy.time.Time() as the time',
     ),
     lesson=LESSON,
     level='error',
+    hides=('time.slow-callback',),
 )
 def lookup_future(recording: Recording) -> Iterator[Finding]:
     """Each lookup was too early, up to the last one."""
     for fact, gap_s in _extrapolations(recording, 'future'):
-        yield _found(recording, fact, fact.data['source'], gap_s=gap_s)
+        yield _found(recording, fact, fact.data['source'], gap_s=gap_s, waited_s=fact.data['waited_s'] or None)
 
 
 @rule(

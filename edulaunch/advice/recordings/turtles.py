@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import ends_by_name, node_place, own_nodes
+from edulaunch.advice.runs import ends_by_name, node_place, own_nodes, speaker
 from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
     for time_s, _, client, request, response in _calls(recording, 'Spawn'):
         if response is not None and not response[0]:
             file, line = node_place(recording, client)
-            yield found('turtle', request[3], file=file, line=line, time_s=time_s, node=client)
+            yield found('turtle', request[3], file=file, line=line, time_s=time_s, node=speaker(recording, client))
 
 
 @rule(
@@ -114,7 +114,7 @@ def outside(recording: Recording) -> Iterator[Finding]:
                 file, line = node_place(recording, client)
                 name = (request[3] or 'a turtle') if kind == 'Spawn' else service.rpartition('/')[0]
                 place = {'x': round(request[0], 2), 'y': round(request[1], 2)}
-                yield found('turtle', name, file=file, line=line, time_s=time_s, node=client, **place)
+                yield found('turtle', name, file=file, line=line, time_s=time_s, node=speaker(recording, client), **place)
 
 
 @rule(
@@ -132,13 +132,23 @@ def degrees(recording: Recording) -> Iterator[Finding]:
             if abs(request[at]) > FULL_TURN:
                 file, line = node_place(recording, client)
                 name = request[3] if kind == 'Spawn' else service.rpartition('/')[0]
-                yield found('turtle', name, file=file, line=line, time_s=time_s, node=client, angle=round(request[at], 2))
+                yield found(
+                    'turtle',
+                    name,
+                    file=file,
+                    line=line,
+                    time_s=time_s,
+                    node=speaker(recording, client),
+                    angle=round(request[at], 2),
+                )
     for turtle, rows in commands(recording).items():
         fast = next((row for row in rows if abs(row[2][5]) > FAST), None)
         if fast is not None:
             file, line = node_place(recording, fast[1])
             angle = round(fast[2][5], 2)
-            yield found('turtle', turtle, file=file, line=line, time_s=fast[0] / 1e9, node=fast[1], angle=angle)
+            yield found(
+                'turtle', turtle, file=file, line=line, time_s=fast[0] / 1e9, node=speaker(recording, fast[1]), angle=angle
+            )
 
 
 @rule(
@@ -156,7 +166,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
         if request[4] and any(request[:4]) and service not in down:
             file, line = node_place(recording, client)
             turtle = service.rpartition('/')[0]
-            yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=client, off=request[4])
+            yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=speaker(recording, client), off=request[4])
 
 
 @rule(
@@ -176,6 +186,26 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
             file, line = node_place(recording, asker)
             near = nearest(match[1], names)
             yield found('turtle', match[1], file=file, line=line, time_s=time_ns / 1e9, near=near, names=names, process=process)
+
+
+@rule(
+    'turtlesim.killed',
+    what='{node} sends commands to {turtle} after it was killed',
+    why='with the turtle its topics are gone, and the commands are lost',
+    do="spawn '{short}' again, or stop sending when you kill it",
+    lesson=LESSON,
+    level='error',
+)
+def killed(recording: Recording) -> Iterator[Finding]:
+    """Commands that came after the kill, without a spawn of the same name in between."""
+    spawned = [(time_s, request[3]) for time_s, _, _, request, _ in _calls(recording, 'Spawn')]
+    for time_s, service, _, request, _ in _calls(recording, 'Kill'):
+        turtle = f'{service.rpartition("/")[0]}/{request[0]}'
+        late = next((row for row in commands(recording).get(turtle, ()) if row[0] / 1e9 > time_s and any(row[2])), None)
+        if late is not None and not any(at_s > time_s and name == request[0] for at_s, name in spawned):
+            file, line = node_place(recording, late[1])
+            facts = {'node': speaker(recording, late[1]), 'short': request[0]}
+            yield found('turtle', turtle, file=file, line=line, time_s=late[0] / 1e9, **facts)
 
 
 _NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
@@ -199,7 +229,9 @@ def ignored_axes(recording: Recording) -> Iterator[Finding]:
             if any(used) and not any(used[axis] for axis in counting):
                 file, line = node_place(recording, node)
                 axes = [name for name, is_used in zip(AXES, used, strict=True) if is_used]
-                yield found('turtle', turtle, file=file, line=line, time_s=rows[0][0] / 1e9, node=node, axes=axes)
+                yield found(
+                    'turtle', turtle, file=file, line=line, time_s=rows[0][0] / 1e9, node=speaker(recording, node), axes=axes
+                )
 
 
 AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z')

@@ -104,7 +104,8 @@ class Buffer(BufferCore, BufferInterface):
                 target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time)
             )
         except TransformFailure as failure:
-            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), failure.kind, str(failure))
+            waited_s = timeout.nanoseconds / 1e9
+            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), failure.kind, str(failure), waited_s)
             raise exception_of(failure) from None
         if self._failed.pairs:
             self._failed.found(target_frame, source_frame)
@@ -130,7 +131,8 @@ class Buffer(BufferCore, BufferInterface):
         """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         if not answer[0]:
-            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), 'asked', answer[1])
+            waited_s = timeout.nanoseconds / 1e9
+            self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), 'asked', answer[1], waited_s)
         elif self._failed.pairs:
             self._failed.found(target_frame, source_frame)
         return answer if return_debug_tuple else answer[0]

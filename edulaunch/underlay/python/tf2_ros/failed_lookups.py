@@ -24,8 +24,10 @@ class FailedLookups:
         self._number = number
         self.pairs: set[tuple[str, str]] = set()
 
-    def note(self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str) -> None:
-        """There was no answer; `kind` is that of the failure, `text` tf2's own."""
+    def note(
+        self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str, waited_s: float = 0.0
+    ) -> None:
+        """There was no answer; `kind` is that of the failure, `text` tf2's own; `waited_s` the time limit it had."""
         process = current_process()
         self.pairs.add((target, source))
         names = buffer.frame_names()
@@ -37,6 +39,7 @@ class FailedLookups:
             'asked_s': (time_ns - process.sim.start_ns) / 1e9 if time_ns else None,
             'unknown': [name for name in dict.fromkeys((target, source)) if not buffer.frame_exists(name)],
             'frames': names[:MOST_FRAMES],
+            'waited_s': waited_s,
         }
         process.fact(KIND, (self._number, target, source), {**data, **student_line()})
 

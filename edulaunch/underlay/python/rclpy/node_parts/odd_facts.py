@@ -17,6 +17,8 @@ LONG_NS = 500_000_000
 """How long something waits for a callback until that is odd."""
 VERY_LONG_NS = 3_000_000_000
 """A callback that holds up a timer for so long does not end."""
+DEEP = 5
+"""A queue of so many messages that is full: the next one throws one away. Smaller ones are often full for a moment."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 
@@ -44,7 +46,7 @@ def _waiting(core: NodeCore) -> Facts:
     now_ns = core.graph.sim.now_ns
     for subscription in core.subscriptions:
         queue = subscription._impl.queue
-        if queue and now_ns - queue[0][1] >= LONG_NS:
+        if queue and (now_ns - queue[0][1] >= LONG_NS or DEEP <= len(queue) == queue.maxlen):
             data = {'node': core.full_name, 'topic': subscription._impl.topic_name, 'messages': len(queue)}
             yield 'messages wait', {**data, 'depth': queue.maxlen, 'since_s': _elapsed_s(core, queue[0][1])}
     for client in core.clients:

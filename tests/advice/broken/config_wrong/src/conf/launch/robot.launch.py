@@ -1,0 +1,10 @@
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = os.path.join(get_package_share_directory('conf'), 'config', 'robot.yaml')
+    return LaunchDescription([Node(package='conf', executable='robot', parameters=[config])])

@@ -1,0 +1,20 @@
+import os
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+HERE = os.path.dirname(__file__)
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            Node(
+                package='tf2_ros',
+                executable='static_transform_publisher',
+                arguments=['--x', '1', '--frame-id', 'world', '--child-frame-id', 'camera'],
+            ),
+            ExecuteProcess(cmd=['python3', os.path.join(HERE, 'where.py')]),
+        ]
+    )
