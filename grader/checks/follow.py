@@ -65,7 +65,9 @@ def follower_exists(run: Evidence) -> None:
     """turtle2 is spawned"""
     for recording in run.values():
         if not turtle_track(recording, FOLLOWER):
-            turtles = [topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose')]
+            turtles = [
+                topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose') and turtle_track(recording, topic)
+            ]
             raise Missing(
                 'turtle2',
                 name='turtle2',
