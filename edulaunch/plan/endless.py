@@ -6,8 +6,11 @@ import gc
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from edulaunch.processes.watchdog import RunawayProgram
     from edulaunch.sim.simulation import Simulation
 
+TURN_LIMIT_S = 2.0
+"""Seconds of the processor's time that the code of a launch file may take without coming on; see `Watchdog`."""
 MOST_INSTANTS = 2_000
 MOST_STEPS = 500_000
 """So often may simulated time advance, and so much may be done, before something must end."""
@@ -35,3 +38,20 @@ def run_to_rest(sim: Simulation) -> str | None:
 def still_busy(sim: Simulation) -> str:
     """What to say then."""
     return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
+
+
+def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
+    """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
+    from traceback import walk_tb
+
+    from launch._help import is_students
+
+    places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]
+    own = [place for place in places if is_students(place.rpartition(':')[0])]
+    return {
+        'type': 'RunawayProgramError',
+        'text': 'the launch file never came to its end and was stopped',
+        'help': 'look for a loop that does not end: a launch file only says what to start',
+        'origin': own[-1] if own else None,
+        'stage': 'load',
+    }

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
-from edulaunch.plan.endless import run_to_rest, still_busy
+from edulaunch.plan.endless import TURN_LIMIT_S, run_to_rest, runaway_error, still_busy
 from edulaunch.plan.lifecycles import ImaginedLifecycles
 from edulaunch.plan.outline import Branch, Setters
 from edulaunch.plan.rehearsal import Notes, RehearsalHost
+from edulaunch.processes.watchdog import RunawayProgram, Watchdog
 from edulaunch.sim.simulation import Simulation
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ class Planner:
         self._notes = Notes()
         self._sim = Simulation()
         self._host = RehearsalHost(self._sim, Graph(self._sim, self._notes), index, env=environ, ros2=ros2)
+        self._host.watchdog = Watchdog(self._sim, TURN_LIMIT_S)
         self._items: list[Plan] = []
         self._processes = 0
         self._error: Plan | None = None
@@ -130,6 +132,9 @@ class Planner:
             process.state['launch.change_state'] = ImaginedLifecycles().change
             self.read = process.state.setdefault('launch.read', {})
             return self._launch()
+        except RunawayProgram as error:
+            self._error = runaway_error(error)
+            return 1
         except Exception as error:
             self._broken = error
             return 1

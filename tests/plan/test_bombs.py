@@ -89,3 +89,14 @@ def test_a_value_that_would_explode_is_refused(value: str, tmp_path: Path) -> No
     )['error']
     assert error['text']
     assert len(error['text']) < 10_000
+
+
+@pytest.mark.parametrize('loop', ['while True:\n        pass', 'number = 0\n    while number >= 0:\n        number += 1'])
+def test_a_loop_without_end_in_a_launch_file_is_stopped_at_its_line(
+    tmp_path: Path, loop: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr('edulaunch.plan.planner.TURN_LIMIT_S', 0.02)
+    path = tmp_path / 'x.launch.py'
+    error = planned(path, f'def generate_launch_description():\n    {loop}\n')['error']
+    assert (error['type'], error['text']) == ('RunawayProgramError', 'the launch file never came to its end and was stopped')
+    assert error['origin'].startswith(f'{path}:') and 'loop that does not end' in error['help']
