@@ -3,4 +3,4 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    return LaunchDescription([Node(package='robot', executable='arm')])
+    return LaunchDescription([Node(package='robot', executable='arm', output='screen')])
