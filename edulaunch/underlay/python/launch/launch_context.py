@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, MutableMapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from ._engine import environment, process_state, running_process
 from ._handler_table import HandlerTable
-from ._locals_view import LocalsView
 from ._run_notes import names_read
 from .event import Event
 from .event_handler import BaseEventHandler
@@ -20,6 +19,26 @@ if TYPE_CHECKING:
 
     from ._event_queue import EventQueue
     from ._include_ring import Include
+
+
+class LocalsView:
+    """Reads a dictionary through attributes.
+
+    :raises AttributeError: for a name that is not in it, listing those that are; and on every attempt to set
+        one.
+    """
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        object.__setattr__(self, '_values', values)
+
+    def __getattr__(self, name: str) -> Any:
+        values: dict[str, Any] = object.__getattribute__(self, '_values')
+        if name not in values:
+            raise AttributeError(f"context.locals does not contain attribute '{name}', it contains: [{', '.join(values)}]")
+        return values[name]
+
+    def __setattr__(self, name: str, value: Any) -> NoReturn:
+        raise AttributeError("can't set attribute, locals are read-only")
 
 
 class LaunchContext:

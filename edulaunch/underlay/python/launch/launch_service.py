@@ -5,13 +5,12 @@ from __future__ import annotations
 import collections.abc
 import signal
 import threading
-from collections.abc import Awaitable, Iterable, Iterator
+from collections.abc import Awaitable, Coroutine, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
-from ._done import Done
 from ._engine import new_event_loop, running_process
 from ._help import show_help
 from ._origin import note_origin
@@ -34,6 +33,25 @@ if TYPE_CHECKING:
     from .launch_description import LaunchDescription
 
 DEBUG = 10
+
+
+class Done(Coroutine[Any, Any, None]):
+    """A coroutine with nothing left to do. Unlike one of an `async def` it may also be thrown away without a warning."""
+
+    def send(self, value: Any) -> Any:
+        """Ends at once."""
+        raise StopIteration
+
+    def throw(self, typ: Any, val: Any = None, tb: Any = None) -> Any:
+        """Ends with that exception."""
+        raise typ if val is None else val
+
+    def close(self) -> None:
+        """Nothing is left to close."""
+
+    def __await__(self) -> Generator[Any, None, None]:
+        return
+        yield
 
 
 class LaunchService:
