@@ -5,14 +5,24 @@ Needs `edulaunch[browser]` and Chromium. Films are made by hand, so that a hundr
 
 from __future__ import annotations
 
+import asyncio
+import json
 import math
+import os
 import shutil
+import subprocess
+import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
+import edulaunch
 from edulaunch.view.columns import FINE, number_steps
+from edulaunch.view.film import Film
 from edulaunch.view.page import recorded_page
+from edulaunch.view.sources import OfRecorder
+from edulaunch.view.viewer import Viewer
 
 ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage']
 COUNT = """(draw) => new Promise(done => {
@@ -24,6 +34,12 @@ SEEK = """() => { const desk = window.desk, found = [];
   for (let i = 1; i <= 20; i++) { desk.time = desk.store.now * ((i * 7) % 20) / 20; const began = performance.now();
     desk.asked = true; desk.beat(began); found.push(performance.now() - began); }
   desk.asked = false; return found.sort((a, b) => a - b)[10]; }"""
+
+
+COLUMNS = """() => { const { topics, tracks } = window.desk.store;
+  const all = [...[...topics.values()].flatMap(topic => [topic.t, ...topic.columns]), ...[...tracks.values()].flatMap(track => track.c)];
+  return all.reduce((sum, column) => sum + (column.a?.byteLength || 0), 0); }"""
+"""Bytes of the columns, which the heap of scripts does not count."""
 
 
 def film(turtles: int, frames: int, seconds: float, rate: float = 62.5) -> dict[str, Any]:
@@ -55,30 +71,134 @@ def film(turtles: int, frames: int, seconds: float, rate: float = 62.5) -> dict[
     return piece
 
 
+def pictures(page: Any, folder: Path) -> None:
+    """Pictures a second while a film plays, beside a bare loop; and how long an instant takes to be shown."""
+    for title, piece, tab in (
+        ('3 turtles, 12 frames, 60 s, frames open', film(3, 12, 60), 'frames'),
+        ('3 turtles, 12 frames, 60 s, graph lit', film(3, 12, 60), 'graph'),
+        ('100 turtles, 200 frames, 20 s', film(100, 200, 20), 'frames'),
+        ('3 turtles, 12 frames, 10 minutes', film(3, 12, 600), 'frames'),
+    ):
+        file = folder / 'film.html'
+        file.write_text(recorded_page(piece, title, tab).replace('.load(film)', '.load(film, window)'), encoding='utf-8')
+        page.goto(file.as_uri())
+        page.wait_for_function('() => window.desk && window.desk.worldViews')
+        bare = page.evaluate(COUNT, False)
+        page.evaluate('() => { window.desk.playing = true; window.desk.redraw(); }')
+        drawn = page.evaluate(COUNT, True)
+        page.evaluate('() => { window.desk.playing = false; }')
+        took = page.evaluate(SEEK)
+        print(f'{title}: {drawn:.0f} pictures a second (a bare loop {bare:.0f}), an instant shown in {took:.1f} ms')
+
+
+DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+
+
+def python_side(seconds: float) -> None:
+    """Processor time of a machine in real time, alone and with a page that is told thirty times a second."""
+    for looked_at in (False, True):
+
+        async def body(looked_at: bool = looked_at) -> float:
+            with edulaunch.start(*DEMO) as machine:
+                viewer = Viewer(machine, lambda message: json.dumps(message, separators=(',', ':')))
+                machine.take({'op': 'drive', 'turtle': '/turtle1', 'linear': 2, 'angular': 1})
+                await asyncio.sleep(2)
+                begun, before = time.monotonic(), time.process_time()
+                while time.monotonic() - begun < seconds:
+                    if looked_at:
+                        viewer.show()
+                    await asyncio.sleep(1 / 30)
+                return (time.process_time() - before) / (time.monotonic() - begun)
+
+        part = asyncio.run(body())
+        print(f'python side, {"with a page" if looked_at else "alone"}: {part:.1%} of a core in real time')
+
+
+def first_picture(page: Any) -> None:
+    """From the call of `edulaunch view` to the first turtle on the page, while a launch runs; beside a bare Python."""
+    with tempfile.TemporaryDirectory() as runtime:
+        env = {**os.environ, 'XDG_RUNTIME_DIR': runtime, 'EDULAUNCH_GRACE_S': '1', 'BROWSER': 'true'}
+        words = [sys.executable, '-m', 'edulaunch']
+        quiet: dict[str, Any] = {'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL, 'env': env, 'text': True}
+        launch = subprocess.Popen([*words, 'ros2', 'launch', *DEMO], **quiet)
+        for line in launch.stdout or ():
+            if 'Spawning turtle [turtle1]' in line:
+                break
+        begun = time.monotonic()
+        subprocess.run([sys.executable, '-c', 'import asyncio, tornado.web'], check=True)
+        bare = time.monotonic() - begun
+        begun = time.monotonic()
+        view = subprocess.Popen([*words, 'view', '--no-browser'], **quiet)
+        address = (view.stdout.readline() if view.stdout else '').split()[-1]
+        served = time.monotonic() - begun
+        page.goto(address)
+        page.locator('.worlds canvas').first.wait_for()
+        shown = time.monotonic() - begun
+        print(
+            f'first picture: {shown:.2f} s after the call, served after {served:.2f} s (a bare Python with tornado: {bare:.2f} s)'
+        )
+        for process in (view, launch):
+            process.terminate()
+            process.wait()
+
+
+def soak(page: Any, folder: Path, minutes: int) -> None:
+    """Memory of both sides while simulated hours pass as fast as they go, with the page told of each second."""
+    file = folder / 'soak.html'
+    script = recorded_page({'start': 0, 'now': 0}, 'soak', 'graph').replace('.load(film)', '.load(film, window)')
+    file.write_text(script, encoding='utf-8')
+    page.goto(file.as_uri())
+    page.wait_for_function('() => window.desk')
+    page.evaluate('() => { window.desk.store.grows = true; window.desk.live = window.desk.follow = true; }')
+    memory = page.context.new_cdp_session(page)
+    words = [sys.executable, __file__, '--machine', str(minutes)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as machine:
+        begun = time.monotonic()
+        for minute in range(1, minutes + 1):
+            for _ in range(60):
+                line = machine.stdout.readline() if machine.stdout else ''
+                page.evaluate('line => window.desk.hear({ piece: JSON.parse(line) })', line)
+            if minute % 10 == 0:
+                memory.send('HeapProfiler.collectGarbage')
+                heap = (memory.send('Runtime.getHeapUsage')['usedSize'] + page.evaluate(COLUMNS)) / 1e6
+                rss = int(Path(f'/proc/{machine.pid}/statm').read_text().split()[1]) * 4096 / 1e6
+                page.wait_for_timeout(100)
+                shown = page.evaluate('() => [window.desk.store.from, window.desk.store.now, window.desk.state.textContent]')
+                print(
+                    f'{minute} simulated minutes, {time.monotonic() - begun:.0f} s: python {rss:.0f} MB, page {heap:.0f} MB, '
+                    f'shown from {shown[0]:.0f} to {shown[1]:.0f} s, the page says {shown[2]!r}'
+                )
+
+
+def machine_of_the_soak(minutes: int) -> None:
+    """A machine that runs as fast as it goes, and prints a piece of film for each simulated second."""
+    with edulaunch.start(*DEMO) as machine:
+        told = Film(OfRecorder(machine.session.recorder))
+        for second in range(60 * minutes):
+            if second % 30 == 0:
+                machine.take({'op': 'drive', 'turtle': '/turtle1', 'linear': 2, 'angular': (-1) ** (second // 30)})
+            machine.session.run(1)
+            machine._forget()
+            print(json.dumps(told.piece(), separators=(',', ':')), flush=True)
+
+
 def main() -> None:
-    """Print the figures."""
+    """Print the figures; with a number behind it a soak of so many simulated minutes, too."""
+    if sys.argv[1:2] == ['--machine']:
+        machine_of_the_soak(int(sys.argv[2]))
+        return
     from playwright.sync_api import sync_playwright
 
     program = shutil.which('chromium') or shutil.which('chromium-browser')
     with sync_playwright() as playwright, tempfile.TemporaryDirectory() as folder:
         browser = playwright.chromium.launch(executable_path=program, args=ARGUMENTS)
         page = browser.new_page(viewport={'width': 1280, 'height': 860})
-        for title, piece in (
-            ('3 turtles, 12 frames, 60 s', film(3, 12, 60)),
-            ('100 turtles, 200 frames, 20 s', film(100, 200, 20)),
-            ('3 turtles, 12 frames, 10 minutes', film(3, 12, 600)),
-        ):
-            file = Path(folder) / 'film.html'
-            file.write_text(recorded_page(piece, title, 'frames').replace('.load(film)', '.load(film, window)'), encoding='utf-8')
-            page.goto(file.as_uri())
-            page.wait_for_function('() => window.desk && window.desk.worldViews')
-            bare = page.evaluate(COUNT, False)
-            page.evaluate('() => { window.desk.playing = true; window.desk.redraw(); }')
-            drawn = page.evaluate(COUNT, True)
-            page.evaluate('() => { window.desk.playing = false; }')
-            took = page.evaluate(SEEK)
-            print(f'{title}: {drawn:.0f} pictures a second (a bare loop {bare:.0f}), an instant shown in {took:.1f} ms')
+        pictures(page, Path(folder))
+        first_picture(browser.new_page())
+        if sys.argv[1:]:
+            soak(browser.new_page(), Path(folder), int(sys.argv[1]))
         browser.close()
+    python_side(10)
 
 
 if __name__ == '__main__':

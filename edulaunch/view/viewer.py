@@ -159,7 +159,7 @@ class Viewer:
     def _parameter(self, words: dict[str, Any]) -> None:
         value = str(words['value'])
         words_of_line = ['ros2', 'param', 'set', _name(words, 'node'), str(words['name']), '--', value]
-        self._start(words_of_line, 'ros2', self._panes[0].tell)
+        self._start(words_of_line, 'ros2', lambda stream, text: self._say({'said': text.strip()}))
 
     def _line(self, words: dict[str, Any]) -> None:
         """A line typed in one of the page's terminals."""

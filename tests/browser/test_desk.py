@@ -298,3 +298,20 @@ def test_a_kernel_that_dies_leaves_the_page_with_what_it_has_seen(lab: Lab, cour
         assert desk.pose('turtle1') == (5.54, 5.54)
         desk.open('log')
         desk.until('.log td', 'Spawning turtle [turtle1]')
+
+
+def test_a_slider_of_a_lesson_changes_the_colour_of_the_window(lab: Lab, course: Path, shots: Path) -> None:
+    code = f"import edulaunch\nmachine = edulaunch.start{DEMO!r}\nmachine.run(0.1)\ndisplay(machine.slider('/sim', 'background_r'))\nmachine.view()"
+    cell = {'cell_type': 'code', 'id': 'desk', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (course / 'lessons' / 'slider.ipynb').write_text(json.dumps(notebook))
+    with lab.open('slider') as page:
+        desk = Desk(page.page)
+        page.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        desk.until_js("root.querySelector('.worlds canvas')")
+        handle = page.page.locator('.widget-slider .noUi-handle')
+        handle.focus()
+        page.page.keyboard.press('End')
+        desk.until_js("root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] === 255")
+        page.page.screenshot(path=shots / 'lab-slider.png')

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import socket
+import sys
 from collections.abc import Awaitable, Callable
 from typing import Any
 from urllib.parse import urlsplit
@@ -91,3 +93,26 @@ def test_words_and_film_cross_in_both_directions() -> None:
         page.close()
 
     with_server(body)
+
+
+GUESS = """
+import os, sys, urllib.error, urllib.request
+os.setgid(65534); os.setuid(65534)
+for path in ('', 'x' * 32 + '/', '../'):
+    try:
+        print(urllib.request.urlopen(sys.argv[1] + path, timeout=10).status)
+    except urllib.error.HTTPError as error:
+        print(error.code)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, 'geteuid') or os.geteuid() != 0, reason='only root can become another user')
+def test_another_user_of_this_computer_gets_nothing_without_the_token() -> None:
+    async def body(address: str, machine: socket.socket) -> str:
+        base = address[: address.index('/', 8) + 1]
+        words = [sys.executable, '-c', GUESS, base]
+        guess = await asyncio.create_subprocess_exec(*words, stdout=asyncio.subprocess.PIPE)
+        said, _ = await guess.communicate()
+        return said.decode()
+
+    assert with_server(body).split() == ['404', '404', '404']

@@ -90,7 +90,7 @@ def test_driving_is_a_message_of_a_node_and_moves_the_turtle(desk: Desk) -> None
 def test_a_parameter_is_set_as_ros2_param_set_does(desk: Desk) -> None:
     desk.ask('param', node='/turtlesim1/turtlesim', name='background_r', value='200')
     desk.go(2)
-    assert 'Set parameter successful' in desk.text()
+    assert {'said': 'Set parameter successful'} in desk.said
     assert desk.session.recording().parameters('/turtlesim1/turtlesim')['background_r'].value == 200
 
 

@@ -113,10 +113,18 @@ class PlotView {
       topic.fields.filter(([, how]) => how !== 'text').map(([path]) => `${topic.name} ${path}`));
     this.choice.replaceChildren(make('option', { value: '' }, fields.length ? 'add a field …' : 'no topic has numbers yet'), ...fields.map(value => make('option', { value }, value)));
   }
+  /* What most people want to see first, once: where somebody is. */
+  offer() {
+    const topic = [...this.desk.store.topics.values()].find(found => found.place.has('theta') || found.place.has('pose.pose.position.x'));
+    if (!topic || this.offered) return;
+    this.offered = true;
+    if (!this.lines.length) for (const path of ['x', 'y', 'pose.pose.position.x', 'pose.pose.position.y']) if (topic.place.has(path)) this.add(topic.name, path);
+  }
   draw(time) {
     this.choices();
     const { colours, store } = this.desk, width = this.box.clientWidth - 4, height = Math.min(360, Math.max(200, width * 0.5));
     const pen = sized(this.canvas, width, height), span = Number(this.span.value), to = span ? time : Math.max(store.now, 0.1), from = span ? Math.max(0, to - span) : 0;
+    this.offer();
     if (!this.lines.length) { note(pen, 'choose a field above, or drop one here from the graph', width, height, colours.soft); return; }
     let low = Infinity, high = -Infinity;
     for (const { topic, column } of this.lines) {

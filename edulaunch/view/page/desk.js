@@ -71,7 +71,7 @@ class Desk {
   bar() {
     this.play = button('', 'play or pause (space bar)', () => this.toggle());
     this.what = make('select', { 'aria-label': 'what one step is' }, ...[['tick', 'one tick'], ['message', 'one message'], ...(this.live ? [['callback', 'one callback']] : [])].map(([value, text]) => make('option', { value }, text)));
-    this.pace = make('select', { 'aria-label': 'speed' }, ...SPEEDS.map(value => make('option', { value }, value ? `${value}×` : 'as fast as possible')));
+    this.pace = make('select', { 'aria-label': 'speed' }, ...SPEEDS.map(value => make('option', { value }, value ? `${value}×` : 'fastest')));
     this.pace.value = 1;
     this.pace.addEventListener('change', () => { this.speed = Number(this.pace.value); if (this.live) this.send({ op: 'speed', speed: this.speed }); });
     this.slider = make('input', { type: 'range', min: 0, max: 1000000, step: 1, value: 0, 'aria-label': 'time in the run' });

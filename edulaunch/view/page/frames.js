@@ -1,12 +1,12 @@
 /* tf frames: from above or in 3D, as seen from a chosen frame; the tf tree; and a lookup made by hand. */
 
-const MOST_NAMES = 60, FEW = 16;
+const MOST_NAMES = 60, FEW = 16, GLYPH_PX = 16;
 
 class FramesView {
   constructor(desk) {
     this.desk = desk;
     this.turn = { yaw: -0.6, pitch: 0.55 };
-    this.above = false;
+    this.glyphs = new Map();
     this.box = make('div', { class: 'pane' });
     this.fixed = make('select', { 'aria-label': 'fixed frame: as seen from' });
     this.mode = make('select', { 'aria-label': 'how frames are drawn' });
@@ -123,17 +123,25 @@ class FramesView {
   }
   /* A letter at each tip: colours alone do not tell the axes apart. */
   letters(pen, poses, axis, colour) {
-    pen.font = 'bold 10px system-ui, sans-serif';
+    const letter = this.glyph('xyz'[axis.indexOf(1)], colour), half = GLYPH_PX / 2;
     for (const pose of poses) {
       const [x, y] = this.at(turned(pose.q, axis).map((value, i) => pose.p[i] + value * this.length * 1.25)), [px, py] = this.at(pose.p);
-      if (Math.hypot(x - px, y - py) < 9) continue;
-      pen.lineWidth = 3;
-      pen.strokeStyle = this.desk.colours.field;
-      pen.fillStyle = colour;
-      const letter = 'xyz'[axis.indexOf(1)];
-      pen.strokeText(letter, x - 3, y + 3);
-      pen.fillText(letter, x - 3, y + 3);
+      if (Math.hypot(x - px, y - py) > 9) pen.drawImage(letter, x - half, y - half, GLYPH_PX, GLYPH_PX);
     }
+  }
+  /* A letter with a rim, drawn once: text with a rim is dear. */
+  glyph(letter, colour) {
+    const key = letter + colour + this.desk.colours.field;
+    if (!this.glyphs.has(key)) {
+      const canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
+      canvas.width = canvas.height = GLYPH_PX * 2;
+      pen.scale(2, 2);
+      Object.assign(pen, { font: 'bold 11px system-ui, sans-serif', textAlign: 'center', textBaseline: 'middle', lineWidth: 3, strokeStyle: this.desk.colours.field, fillStyle: colour });
+      pen.strokeText(letter, GLYPH_PX / 2, GLYPH_PX / 2);
+      pen.fillText(letter, GLYPH_PX / 2, GLYPH_PX / 2);
+      this.glyphs.set(key, canvas);
+    }
+    return this.glyphs.get(key);
   }
   label(pen, text, [x, y], taken, width, height) {
     pen.font = '12px system-ui, sans-serif';

@@ -43,8 +43,8 @@ class GraphView {
     }
     for (const box of ends.values()) {
       if (box.kind === 'topic' && !(box.from.size && box.to.size) && !this.unused.checked && !sayingsOf(store, 'topic', box.name, time).length) continue;
-      if (box.kind === 'service' && !box.from.size) continue;
-      box.mark = box.kind === 'service' ? (box.to.size ? '' : 'no server')
+      if (box.kind !== 'topic' && !box.from.size) continue;
+      box.mark = box.kind !== 'topic' ? (box.to.size ? '' : 'no server')
         : box.name === '/tf_static' && !(box.from.size && box.to.size) ? ''  /* every tf listener hears it; without static frames nobody speaks */
           : !box.from.size ? 'no publisher' : !box.to.size ? 'no subscriber' : this.misfit(box, time);
       boxes.set(box.id, box);
@@ -114,13 +114,19 @@ class GraphView {
     }
     let left = 10, tall = 0;
     for (const column of used) {
-      const wide = Math.max(...column.map(box => Math.max(box.name.length, (box.mark || '').length) * 7.3 + 26));
-      column.forEach((box, i) => Object.assign(box, { x: left + wide / 2, w: Math.max(box.name.length, (box.mark || '').length) * 7.3 + 22, h: box.mark ? 38 : 26, i }));
-      left += wide + 34;
+      for (const box of column) {  /* the namespace small above the name: a chain of nodes has to fit into a column */
+        const cut = box.name.lastIndexOf('/');
+        [box.space, box.base] = cut > 0 ? [box.name.slice(0, cut), box.name.slice(cut)] : ['', box.name];
+        box.w = Math.max(box.base.length * 7.3, box.space.length * 6.1, (box.mark || '').length * 6.7 + 14) + 20;
+        box.h = 26 + (box.space ? 12 : 0) + (box.mark ? 13 : 0);
+      }
+      const wide = Math.max(...column.map(box => box.w));
+      column.forEach((box, i) => Object.assign(box, { x: left + wide / 2, i }));
+      left += wide + 30;
       tall = Math.max(tall, column.length);
     }
-    const height = Math.max(tall * 52 + 10, 60);
-    for (const column of used) column.forEach(box => { box.y = height / 2 + (box.i - (column.length - 1) / 2) * 52; });
+    const height = Math.max(tall * 62 + 10, 70);
+    for (const column of used) column.forEach(box => { box.y = height / 2 + (box.i - (column.length - 1) / 2) * 62; });
     this.paint(boxes, edges, left - 24, height);
   }
   paint(boxes, edges, width, height) {
@@ -147,16 +153,14 @@ class GraphView {
     this.sheet.style.minWidth = `${width * 0.72}px`;
   }
   one(box) {
-    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}`, tabindex: 0, role: 'button', transform: `translate(${box.x} ${box.y})` });
+    const group = drawing('g', { class: `${box.kind} ${box.mark ? 'marked' : ''}`, tabindex: 0, role: 'button', 'aria-label': `${box.name}${box.mark ? `, ${box.mark}` : ''}`, transform: `translate(${box.x} ${box.y})` });
     group.append(drawing('rect', { x: -box.w / 2, y: -box.h / 2, width: box.w, height: box.h, rx: box.kind === 'node' ? box.h / 2 : 3 }));
-    const text = drawing('text', { y: box.mark ? -3 : 4, 'text-anchor': 'middle' });
-    text.textContent = box.name;
-    group.append(text);
-    if (box.mark) {
-      const mark = drawing('text', { y: 12, 'text-anchor': 'middle', class: 'mark' });
-      mark.textContent = '⚠ ' + box.mark;
-      group.append(mark);
-    }
+    const lines = [...(box.space ? [[box.space, 'space']] : []), [box.base, ''], ...(box.mark ? [['⚠ ' + box.mark, 'mark']] : [])];
+    lines.forEach(([said, look], i) => {
+      const text = drawing('text', { y: 4 + (i - (lines.length - 1) / 2) * 12.5, 'text-anchor': 'middle', class: look });
+      text.textContent = said;
+      group.append(text);
+    });
     const choose = () => { this.chosen = box; this.tell(this.desk.time, true); };
     group.addEventListener('click', choose);
     group.addEventListener('keydown', event => { if (event.key === 'Enter') choose(); });

@@ -49,7 +49,7 @@ class ParameterView {
   constructor(desk) {
     this.desk = desk;
     this.box = make('div', { class: 'pane scroll' });
-    this.table = make('table', { class: 'small' });
+    this.table = make('table', { class: 'small params' });
     this.every = make('input', { type: 'checkbox' });
     this.box.append(make('div', { class: 'tools' }, make('label', {}, this.every, ' all of them'), make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.table);
     this.every.addEventListener('change', () => { this.key = null; desk.redraw(); });
