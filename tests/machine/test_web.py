@@ -97,6 +97,7 @@ def test_words_and_film_cross_in_both_directions() -> None:
 
 GUESS = """
 import os, sys, urllib.error, urllib.request
+'x'.encode('idna')  # what cannot be loaded later: Python itself may lie in a folder of root
 os.setgid(65534); os.setuid(65534)
 for path in ('', 'x' * 32 + '/', '../'):
     try:
