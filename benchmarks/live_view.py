@@ -38,7 +38,8 @@ SEEK = """() => { const desk = window.desk, found = [];
 
 COLUMNS = """() => { const { topics, tracks } = window.desk.store;
   const of = [...topics.values()].flatMap(topic => [topic.t, ...topic.columns]);
-  return of.concat([...tracks.values()].flatMap(track => track.c)).reduce((sum, column) => sum + (column.a?.byteLength || 0), 0); }"""
+  const all = of.concat([...tracks.values()].flatMap(track => track.c));
+  return all.reduce((sum, column) => sum + (column.a?.byteLength || 0), 0); }"""
 """Bytes of the columns, which the heap of scripts does not count."""
 
 
