@@ -128,6 +128,7 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
     ),
     lesson='13_large_project',
     level='error',
+    hides=('messages.not-taken', 'programs.callback-goes-on'),
 )
 def no_server(recording: Recording) -> Iterator[Finding]:
     """A client that lived a second, of what nobody ever offered; of our own nodes only those that ask."""

@@ -53,7 +53,7 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
     """A frame that was asked for and never came, in the whole run. A frame that only came late is none."""
     known = frame_names(recording)
     for fact in _lookups(recording):
-        for name in fact.data['unknown']:
+        for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
             if name and name.removeprefix('/') not in known:
                 yield _found(recording, fact, name, near=nearest(name.removeprefix('/'), known), frames=sorted(known)[:8])
 
