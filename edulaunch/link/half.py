@@ -13,7 +13,6 @@ from edulaunch.link.codec import HEADER, LONGEST_FRAME, Kind, Violation, dump, l
 FLUSH_BYTES = 1 << 17
 CHUNK_BYTES = 1 << 18
 LAST_NUMBER = 1 << 62
-DEEPEST_CALL = 40
 TIME = Struct('<q')
 NUMBER = Struct('<Q')
 TOKEN = Struct('<QQqBQ')  # number, then a key
@@ -44,7 +43,6 @@ class Half:
         self._at = 0
         self._told_ns = sim.now_ns
         self._grant_ns = sim.now_ns
-        self._depth = 0
         sim.pass_token = self._pass_token
 
     def fatal(self, error: Exception) -> NoReturn:
@@ -70,14 +68,9 @@ class Half:
 
     def call(self, kind: Kind, value: Any) -> Any:
         """Let the other half do something now, and give what it answers."""
-        self._depth += 1
-        if self._depth > DEEPEST_CALL:
-            self.fatal(Violation('calls within calls without end'))
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
-        value = self._take_until(Kind.RETURN)
-        self._depth -= 1
-        return value
+        return self._take_until(Kind.RETURN)
 
     def _answer(self, kind: int, payload: memoryview) -> None:
         self._continue(payload)

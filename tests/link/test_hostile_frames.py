@@ -105,6 +105,10 @@ def fake_stock() -> Iterator[tuple[str, bytes]]:
         'a stock name for another program',
         spawn(1001, ['/x/lib/demo_nodes_cpp/talker'], 'demo_nodes_cpp', 'talker', spec([SIM], 'turtlesim', 'turtlesim_node')),
     )
+    yield (
+        'a stock command line for another program',
+        spawn(1001, [SIM], 'demo_nodes_cpp', 'talker', spec([SIM], 'turtlesim', 'turtlesim_node')),
+    )
     yield 'other words than its command line', spawn(1001, [SIM, '-r', 'a:=b'], 'turtlesim', 'turtlesim_node', spec([SIM]))
     yield 'a program that evaluates texts', spawn(1001, ['/x/lib/xacro/xacro'], 'xacro', 'xacro')
     yield 'no program', spawn(1001, ['/bin/sh'], 'bin', 'sh')
@@ -186,7 +190,7 @@ def numbers() -> tuple[int, int, int]:
 def test_nothing_is_done_in_the_name_of_a_stock_node(numbers: tuple[int, int, int]) -> None:
     sim, pose, free = numbers
     fakes = {
-        'publish': frame(Kind.PUBLISH, NUMBERED.pack(pose) + b'\x02[1,1,1,1,1]'),
+        'publish': frame(Kind.PUBLISH, NUMBERED.pack(pose) + b'\x02[1.0,1.0,1.0,1.0,1.0]'),
         'a publisher': end('publisher', free, sim, '/turtle1/pose'),
         'a parameter': frame(Kind.PARAMETER, dump([sim, 'background_r', 1, 'mine'])),
         'its end': frame(Kind.NODE_GONE, NUMBERED.pack(sim)),
@@ -203,6 +207,21 @@ def test_nothing_is_done_in_the_name_of_a_stock_node(numbers: tuple[int, int, in
         assert not isinstance(error, Gone), name
         assert trusted.recorder.endpoints == honest.endpoints, name
         assert trusted.recorder.output_lines == honest.output_lines, name
+
+
+def test_what_reaches_a_stock_node_has_come_by_its_topic_and_service(numbers: tuple[int, int, int]) -> None:
+    honest, free = meet(WITH_SIM)[0].recorder, numbers[2]
+    heard = next(row[4] for row in honest.endpoints if row[:2] == ['subscription', '/turtle1/cmd_vel'])
+    served = next(row[4] for row in honest.endpoints if row[:2] == ['service', '/turtle1/teleport_absolute'])
+    mine = node(free) + end('publisher', free + 1, free, '/mine', 'geometry_msgs/msg/Twist')
+    mine += end('client', free + 2, free, '/mine', 'turtlesim/srv/TeleportAbsolute')
+    twist = frame(Kind.PUBLISH, NUMBERED.pack(free + 1) + b'\x02[1.0,0.0,0.0,0.0,0.0,0.0]')
+    asked = frame(Kind.ASKED, dump([free + 2, 1, True, b'\x02[1.0,1.0,0.0]']))
+    for fake in (
+        twist + frame(Kind.READY, ENDS.pack(heard, free + 1) + b'\x00'),
+        asked + call(Kind.REQUEST, [served, free + 2, 1, b'\x02[1.0,1.0,0.0]'], 1 << 35),
+    ):
+        assert isinstance(after_the_sim(mine + fake)[1], Violation)
 
 
 def test_a_topic_of_a_world_has_the_world_among_its_publishers_and_says_who_else_is(numbers: tuple[int, int, int]) -> None:
@@ -225,11 +244,6 @@ def test_too_many_bytes_are_too_many() -> None:
 
 def test_half_a_frame_and_silence_is_an_end() -> None:
     assert isinstance(meet(token()[:-3])[1], Gone)
-
-
-def test_calls_without_end_are_ended() -> None:
-    asking = MINE + end('service', 2, 1, '/s', 'turtlesim/srv/Spawn') + call(Kind.SIGNAL, [1001, 2]) * 200
-    assert isinstance(meet(asking)[1], (Violation, Gone))
 
 
 PARTS = [MINE, WITH_SIM, token(EPOCH_NS, 7), node(3), end('publisher', 4, 1, '/a'), frame(Kind.ADVANCE, TIME.pack(EPOCH_NS))]
