@@ -66,6 +66,7 @@ attached.PLACES.update(
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
     replay=('edulaunch.view.replay', 'Replay'),
     help_below=('edulaunch.advice.below', 'help_below'),
+    help_of=('edulaunch.advice.below', 'help_of'),
     ros2=('edulaunch.cli.inside', 'main'),
     completions=('edulaunch.cli.candidates', 'ros2_words'),
 )

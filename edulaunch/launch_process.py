@@ -6,10 +6,10 @@ import signal
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from edulaunch.advice.below import help_of
 from edulaunch.errors import LaunchFileError
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
-from edulaunch.processes.origin import Origin
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recorder
@@ -24,12 +24,11 @@ _STOPPED = {
 
 
 class Explanation(NamedTuple):
-    """An error in words: ROS 2's text with the place in the student's file, and what to try."""
+    """An error in words: ROS 2's text with the place in the student's file, and what to try; and what is known, as data."""
 
     text: str
     help: str | None
-    file: str | None
-    line: int | None
+    data: dict[str, Any]
 
 
 class LaunchRun:
@@ -113,13 +112,11 @@ class LaunchRun:
 
 def explain(error: BaseException, index: Index) -> Explanation:
     """An exception from a launch file as a message for people; places are in the student's own files."""
-    from launch._help import launch_help, launch_origin
+    from launch._failure import failure_data
 
-    place = launch_origin(error)
-    if place is not None:
-        place = Origin(index.source_path(place.file), place.line)
-    text = str(error) or type(error).__name__
-    return Explanation(text if place is None else f'{text}\n  at {place}', launch_help(error), *(place or (None, None)))
+    data = failure_data(error, index)
+    text, place = str(error) or type(error).__name__, data['place']
+    return Explanation(text if place is None else f'{text}\n  at {place}', help_of(data), data)
 
 
 def describe(launch: LaunchRun) -> dict[str, Any]:
@@ -127,6 +124,7 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
     state = launch.process.state
     declared = [_declared(argument) for argument in state.get('launch.declared', ())]
     told = None if (error := launch.error) is None else explain(error, launch.process.index)
+    file, line = (told.data['place'] if told else None) or (None, None)
     unread = [*_unknown_arguments(launch, [row[0] for row in declared]), *_undeclared_there(launch)]
     return {
         'file': launch.path,
@@ -135,9 +133,13 @@ def describe(launch: LaunchRun) -> dict[str, Any]:
         'includes': list(state.get('launch.includes', ())),
         'returncode': launch.process.returncode,
         'error': told.text if told else None,
-        'error_file': told.file if told else None,
-        'error_line': told.line if told else None,
-        'help': told.help if told else None,
+        'error_file': file,
+        'error_line': line,
+        **(
+            {'error_type': told.data['type'], 'error_cause': told.data['message'], 'error_facts': told.data['facts']}
+            if told
+            else {}
+        ),
         **({'unread': unread} if unread else {}),
     }
 

@@ -62,17 +62,20 @@ def _existing_file(path: str) -> str:
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:
-    from edulaunch.workspace.hints import launch_file_hint, package_hint
+    from edulaunch.advice.below import help_of_facts
+    from edulaunch.workspace.missing import missing_launch_file, missing_package
 
     if package not in index.packages():
         path = os.path.join(package, file or '')
-        return f'write the path as one word: {path}' if file and os.path.isfile(path) else package_hint(index, package)
+        if file and os.path.isfile(path):
+            return f'write the path as one word: {path}'
+        return help_of_facts(missing_package(index, package))
     names = launch_files_of(index, package)
     if file is None and names:
         return f'name a launch file of {package}: {", ".join(names)}'
-    not_installed = launch_file_hint(index, package, file)
-    if not_installed is not None:
-        return not_installed
+    not_installed = missing_launch_file(index, package, file)
+    if not_installed:
+        return help_of_facts(not_installed)
     near = None if file is None else nearest(file, names)
     listed = f'launch files of {package}: {", ".join(names)}' if names else f'{package} has no launch files'
     return f'did you mean {near!r}?' if near else listed

@@ -28,6 +28,17 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
     return where if words is None else f'{where}: {words}'
 
 
+def help_of(error: dict[str, Any]) -> str | None:
+    """What is wrong and what to do, in one line, about an error as data, in the language of who started this program."""
+    file, line = error.get('place') or (None, None)
+    return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
+
+
+def help_of_facts(facts: dict[str, Any]) -> str:
+    """What is wrong and what to do, in one line, by facts alone; '' when there are none."""
+    return help_text(Failure('', '', facts=facts)) or ''
+
+
 def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
     """What is wrong and what to do, in one line; None when no rule knows the error."""
     found = judge_failure(failure)

@@ -84,7 +84,11 @@ def judge_workspace(workspace: Workspace) -> list[Finding]:
 
 
 def failures(recording: Recording) -> Iterator[Failure]:
-    """The errors that ended programs of a run, in order of the programs."""
+    """The error that ended the launch, and those that ended programs, in order of the programs."""
+    launch = recording.launch
+    if launch.error is not None:
+        type_, cause = launch.error_type or '', launch.error_cause or ''
+        yield Failure(type_, cause, launch.error_file, launch.error_line, facts=launch.error_facts)
     for process in recording.processes:
         error = process.exception
         if error:

@@ -45,7 +45,7 @@ def launch_files(rehearsal: Rehearsal) -> list[str]:
 
 def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
     """The student's own Python launch files with their syntax trees; nothing of them is executed."""
-    from launch._help import is_students
+    from launch._failure import is_students
 
     from edulaunch.workspace.sources import parsed
 

@@ -8,6 +8,7 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.attached import attached
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
@@ -127,7 +128,7 @@ class Planner:
     def _run(self, process: Process) -> int:
         """The body of the process in which launch runs; what breaks here is our own mistake."""
         try:
-            process.state['launch.show_help'] = self._failed
+            process.state['launch.on_error'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
             process.state['launch.change_state'] = ImaginedLifecycles().change
             self.read = process.state.setdefault('launch.read', {})
@@ -200,14 +201,14 @@ class Planner:
         self._setters.executed(branch)
 
     def _failed(self, error: BaseException) -> None:
-        from launch._help import launch_help, launch_origin
+        from launch._failure import failure_data, launch_origin
 
         if self._error is None:
             origin = launch_origin(error)
             self._error = {
                 'type': type(error).__name__,
                 'text': str(error),
-                'help': launch_help(error),
+                'help': attached('help_of')(failure_data(error)),
                 'origin': None if origin is None else str(origin),
                 'stage': 'visit' if self._items else 'load',
             }

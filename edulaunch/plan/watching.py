@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from launch._help import is_students
+from launch._failure import is_students
 from launch.action import Action
 from launch.event_handler import BaseEventHandler
 from launch.event_handlers.on_action_event_base import OnActionEventBase

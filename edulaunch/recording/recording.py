@@ -117,7 +117,8 @@ class Recording:
     def launch(self) -> LaunchRecord:
         """What was launched, its declared arguments, and launch's return code."""
         fields = {**self._content['launch']}
-        fields.pop('warnings', None)  # of recordings of old: they are found anew
+        for words in ('warnings', 'help'):  # of recordings of old: they are found anew
+            fields.pop(words, None)
         fields['declared'] = [DeclaredArgument(*row) for row in fields.get('declared', ())]
         fields['unread'] = [UnreadArgument(*row) for row in fields.get('unread', ())]
         return LaunchRecord(**fields)

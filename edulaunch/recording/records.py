@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from edulaunch.attached import attached
+
 
 class DeclaredArgument(NamedTuple):
     """A launch argument as the launch files declare it; `default` as `ros2 launch -s` shows it, None when it is required."""
@@ -30,7 +32,9 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """What was launched and how that went. `error` is launch's own text when a description failed, with its place."""
+    """What was launched and how that went. `error` is launch's own text when a description failed, with its place;
+    `error_type`, `error_cause` and `error_facts` are what is behind it, as data.
+    """
 
     file: str = ''
     arguments: dict[str, str] = {}
@@ -40,8 +44,20 @@ class LaunchRecord(NamedTuple):
     error: str | None = None
     error_file: str | None = None
     error_line: int | None = None
-    help: str | None = None
+    error_type: str | None = None
+    error_cause: str | None = None
+    error_facts: dict[str, Any] = {}
     unread: list[UnreadArgument] = []
+
+    @property
+    def help(self) -> str | None:
+        """What to do about the error, in the reader's language."""
+        if self.error is None:
+            return None
+        place = None if self.error_file is None else (self.error_file, self.error_line)
+        facts = {'type': self.error_type or '', 'message': self.error_cause or '', 'place': place, 'facts': self.error_facts}
+        words: str | None = attached('help_of')(facts)
+        return words
 
 
 class ProcessRecord(NamedTuple):

@@ -30,18 +30,6 @@ def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
     }
 
 
-def install_help(package: SourcePackage, path: str) -> str:
-    """The same in words, for an error."""
-    facts = install_facts(package, path)
-    if facts['beside']:
-        return f'move it into the folder {facts["beside"]}, as the files that are installed'
-    move = f'move it into the folder {facts["move"]}, and ' if facts['move'] else ''
-    if facts['pattern']:
-        pair = f"(os.path.join('share', package_name, {facts['folder']!r}), glob({facts['pattern']!r}))"
-        return f'{move}add {pair} to data_files of setup.py'
-    return f'{move}add install(DIRECTORY {facts["top"]} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt'
-
-
 def _pattern(package: SourcePackage, path: str, name: str) -> str:
     """What glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
     if not package.is_launch_file(path):

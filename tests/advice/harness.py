@@ -21,8 +21,11 @@ from edulaunch.advice.registry import KINDS, all_rules, rules_over
 from edulaunch.session import Session
 
 EXAMPLES = Path(__file__).parent / 'examples'
-WITHOUT = {'packages.build-output-committed', 'packages.package-is-repository', 'programs.rule-failed'}
-"""Nothing that a student writes, or that a repository can hold, makes these speak."""
+WITHOUT = {
+    *('packages.build-output-committed', 'packages.package-is-repository', 'programs.rule-failed'),
+    *('packages.built-before', 'packages.not-searched'),
+}
+"""Nothing that a student writes, or that a repository can hold, makes these speak; or it depends on the current folder."""
 ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.py', '')
 
 

@@ -15,6 +15,7 @@ from ament_index_python.packages import (
 )
 
 from edulaunch import Session
+from edulaunch.facts import facts_of
 
 
 def test_the_first_prefix_with_the_package_wins(ask: Any, two_prefixes: tuple[str, str]) -> None:
@@ -31,7 +32,7 @@ def test_a_missing_package_gives_the_text_of_ros_and_help_beside_it(ask: Any, tw
     assert isinstance(error, PackageNotFoundError)
     assert isinstance(error, KeyError)
     assert str(error) == f"\"package 'gama_robot' not found, searching: ['{over}', '{under}']\""
-    assert error.edulaunch_hint == "did you mean the package 'gamma_robot'?"
+    assert (facts_of(error)['about'], facts_of(error)['near']) == ('packages.unknown', 'gamma_robot')
 
 
 @pytest.mark.parametrize('name', ['bad/name', '', 'x', '-ab'])

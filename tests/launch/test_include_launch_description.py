@@ -143,7 +143,9 @@ def test_a_file_without_a_description_is_reported_as_in_ros(launch_it: Any, writ
     (tmp_path / 'none.launch.py').write_text('def generate_launch_description():\n    pass\n')
     code, lines = launch_it(IncludeLaunchDescription(f'{tmp_path}/none.launch.py'))
     assert "'NoneType' object has no attribute 'get_launch_arguments_with_include_launch_description_actions'" in lines[0]
-    assert lines[1].endswith('generate_launch_description() returned nothing: end it with "return LaunchDescription([...])"')
+    assert lines[1].endswith(
+        'generate_launch_description() returned nothing, not a launch description; end it with: return LaunchDescription([...])'
+    )
 
 
 def test_a_deprecated_file_warns_with_its_path(launch_it: Any, tmp_path: Path) -> None:

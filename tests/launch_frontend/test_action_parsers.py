@@ -5,6 +5,8 @@ from launch import LaunchContext
 from launch.frontend.expose import action_parse_methods
 from launch.utilities import perform_substitutions
 
+from edulaunch.facts import facts_of
+
 
 def text_of(substitutions, **configurations):
     context = LaunchContext()
@@ -214,7 +216,7 @@ def test_seconds_are_neither_negative_nor_substitutions(failure_of, name):
     assert str(error) == f'Attribute {name} of Entity node expected to be a non-negative value but got `-1.0`'
     error = failure_of(f'<launch><executable cmd="ls" {name}="$(var d)"/></launch>', raises=TypeError)
     assert str(error) == "'<' not supported between instances of 'str' and 'float'"
-    assert f"'{name}' is a number in ROS 2; a $(...) is not evaluated here" in error.edulaunch_help
+    assert (facts_of(error)['about'], facts_of(error)['attribute']) == ('launch.number-only', name)
 
 
 @pytest.mark.parametrize(

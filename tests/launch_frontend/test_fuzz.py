@@ -10,6 +10,8 @@ from launch.frontend import InvalidFrontendLaunchFileError, Parser
 from launch.frontend.expose import action_parse_methods
 from launch.frontend.substitution_errors import SubstitutionSyntaxError
 
+from edulaunch.facts import facts_of
+
 ERRORS = (InvalidFrontendLaunchFileError, SubstitutionSyntaxError, RuntimeError, ValueError, TypeError, AttributeError)
 quickly = settings(max_examples=80, deadline=None, suppress_health_check=list(HealthCheck))
 
@@ -85,7 +87,7 @@ def parses_or_explains(text, name):
         root, parser = Parser.load(stream)
         description = parser.parse_description(root)
     except ERRORS as error:
-        assert isinstance(error.edulaunch_help, str) and error.edulaunch_help.startswith(name)
+        assert facts_of(error)['about'] and error.edulaunch_file == name
     else:
         assert isinstance(description, LaunchDescription)
 
@@ -116,4 +118,4 @@ def test_any_bytes(tmp_path, name, content):
         root, parser = Parser.load(str(path))
         parser.parse_description(root)
     except ERRORS as error:
-        assert error.edulaunch_help.startswith(str(path))
+        assert error.edulaunch_file == str(path)

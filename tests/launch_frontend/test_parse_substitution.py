@@ -6,6 +6,8 @@ from launch.frontend.parse_substitution import parse_if_substitutions, parse_sub
 from launch.frontend.substitution_errors import SubstitutionSyntaxError, VisitError
 from launch.substitutions import TextSubstitution
 
+from edulaunch.facts import facts_of
+
 
 def described(text):
     return [substitution.describe() for substitution in parse_substitution(text)]
@@ -84,16 +86,16 @@ def test_a_nested_error_is_wrapped_once():
 
 
 @pytest.mark.parametrize(
-    ('text', 'hint'),
+    ('text', 'call', 'near', 'is_known'),
     [
-        ('$(arg x)', 'write $(var ...) instead of $(arg ...)'),
-        ('$(find p)', 'write $(find-pkg-share ...) instead of $(find ...)'),
-        ('$(find_pkg_share p)', '$(find_pkg_share ...) is no substitution; did you mean $(find-pkg-share ...)?'),
-        ('$(qqqqqq p)', '$(qqqqqq ...) is no substitution'),
+        ('$(var)', 'var', 'var', True),
+        ('$(find_pkg_share p)', 'find_pkg_share', 'find-pkg-share', False),
+        ('$(qqqqqq p)', 'qqqqqq', None, False),
     ],
 )
-def test_a_wrong_name_comes_with_what_was_meant(text, hint):
-    assert visit_error(text).edulaunch_hint == hint
+def test_a_wrong_name_comes_with_what_was_meant(text, call, near, is_known):
+    found = facts_of(visit_error(text))
+    assert found == {'about': 'launch.call', 'call': call, 'near': near, 'is_known': is_known}
 
 
 def test_equal_texts_share_built_in_substitutions_in_lists_of_their_own():

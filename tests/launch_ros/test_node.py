@@ -13,6 +13,7 @@ from launch_ros.actions import Node, PushRosNamespace
 from launch_ros.utilities import to_parameters_list
 
 from edulaunch import Session
+from edulaunch.facts import facts_of
 
 
 def drive(**arguments: Any) -> Node:
@@ -191,4 +192,4 @@ def test_an_empty_file_of_a_composable_node_is_an_error(tmp_path: Path) -> None:
     path.write_text('')
     with pytest.raises(AttributeError, match="^'NoneType' object has no attribute 'items'$") as caught:
         to_parameters_list(LaunchContext(), 'n', '', (path,))
-    assert 'has nothing in it' in caught.value.edulaunch_help  # type: ignore[attr-defined]
+    assert facts_of(caught.value)['about'] == 'launch.empty-parameter-file'

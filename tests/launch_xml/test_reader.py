@@ -7,6 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from launch_xml.reader import MAX_DEPTH, read
 
+from edulaunch.facts import facts_of
+
 BOMB = '<!DOCTYPE l [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]><launch>&b;</launch>'
 
 
@@ -70,7 +72,7 @@ def test_nesting_has_a_limit():
 def test_what_is_not_closed_is_named():
     with pytest.raises(ET.ParseError) as caught:
         read('<launch>\n<group>\n<node/>\n</launch>')
-    assert caught.value.edulaunch_hint == '<group> of line 2 is not closed'
+    assert facts_of(caught.value) == {'about': 'launch.not-closed', 'tag': 'group', 'opened': 2}
 
 
 def test_namespaces_are_written_as_the_standard_library_writes_them():

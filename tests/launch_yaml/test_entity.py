@@ -5,6 +5,8 @@ from launch.frontend import Entity as BaseEntity
 from launch.utilities.yaml_reader import read
 from launch_yaml import Entity
 
+from edulaunch.facts import facts_of
+
 
 def entity(text, type_name='x'):
     return Entity(read(text), type_name)
@@ -77,7 +79,7 @@ def test_an_element_must_have_something_even_if_it_is_empty():
     entity('{}', 'shutdown').assert_entity_completely_parsed()
     with pytest.raises(TypeError, match="^argument of type 'NoneType' is not iterable$") as caught:
         entity('null', 'shutdown').assert_entity_completely_parsed()
-    assert caught.value.edulaunch_hint == 'write shutdown: {} when it has no keys'
+    assert facts_of(caught.value)['about'] == 'launch.yaml-nothing'
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from launch.utilities.yaml_reader import MAX_DEPTH, SAFE_DEPTH, _possible_depth, read, read_file
 
+from edulaunch.facts import facts_of
+
 BOMB = 'a: &a [x, x, x, x, x, x, x, x, x, x]\n' + ''.join(
     f'{name}: &{name} [{", ".join(["*" + before] * 10)}]\n' for before, name in zip('abcdefgh', 'bcdefghi', strict=True)
 )
@@ -148,4 +150,4 @@ def test_only_short_files_are_read_again_for_a_better_error():
 def test_a_tab_is_told_in_words():
     with pytest.raises(yaml.YAMLError) as caught:
         read_file('launch:\n\t- log: {}\n', 'a')
-    assert caught.value.edulaunch_hint == 'a tab stands in the indentation; YAML wants spaces'
+    assert facts_of(caught.value)['about'] == 'launch.yaml-tab'

@@ -48,7 +48,7 @@ def test_a_typo_in_an_executable_names_the_right_one(walk: Begin) -> None:
     with pytest.raises(edulaunch.LaunchFileError) as failed:
         edulaunch.run(student.folder / 'my_launch' / 'oops.launch.py')
     assert 'oops.launch.py:7' in str(failed.value)
-    assert failed.value.help == "did you mean 'turtlesim_node'?"
+    assert failed.value.help == "turtlesim has no executable turtlesim_nod; write 'turtlesim_node'"
 
 
 def test_a_typo_in_a_frame_is_logged_once_a_second_and_nothing_dies(walk: Begin) -> None:
@@ -64,7 +64,7 @@ def test_a_forgotten_entry_point_is_named(walk: Begin) -> None:
     student.edit(PACKAGE + 'setup.py', "    'turtle_tf2_listener',\n", '')
     with pytest.raises(edulaunch.LaunchFileError) as failed:
         launched(student)
-    assert 'setup.py has no entry point for it' in str(failed.value)
+    assert 'setup.py does not install it as a program' in str(failed.value)
 
 
 def test_a_typo_in_a_callback_ends_that_node_alone_and_says_where(walk: Begin) -> None:

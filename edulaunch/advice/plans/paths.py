@@ -61,7 +61,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
 )
 def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
     """A path below a home folder that is written out."""
-    from launch._help import is_students
+    from launch._failure import is_students
 
     from edulaunch.workspace.sources import read_text
 

@@ -7,7 +7,6 @@ import signal
 from typing import Any
 
 from edulaunch.cli.ros2.output import say, with_help
-from edulaunch.nearest import did_you_mean
 from edulaunch.packages import Index
 from edulaunch.processes.children import inherit_terminal
 from edulaunch.processes.current import current_process
@@ -73,18 +72,12 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
 
 
 def _not_found(index: Index, package: str, executable: str) -> str:
-    from edulaunch.workspace.hints import executable_hint, package_hint
+    from edulaunch.advice.below import help_of_facts
+    from edulaunch.workspace.missing import missing_executable, missing_package
 
     if package not in index.packages():
-        near = did_you_mean(package, index.packages())
-        return with_help(f"Package '{package}' not found", near or package_hint(index, package))
+        return with_help(f"Package '{package}' not found", help_of_facts(missing_package(index, package)))
     native = index.native_executables(package)
     if executable in native:
         return with_help('No executable found', f'{executable} is made from C++ ({native[executable]}), which cannot run here')
-    known = index.executables(package)
-    return with_help(
-        'No executable found',
-        executable_hint(index, package, executable)
-        or did_you_mean(executable, known)
-        or f'{package} has: {", ".join(known) or "no executables"}',
-    )
+    return with_help('No executable found', help_of_facts(missing_executable(index, package, executable)))

@@ -6,6 +6,7 @@ import os
 import pathlib as real_pathlib
 import re
 
+from edulaunch.facts import with_facts
 from edulaunch.processes import current_process
 
 from ._index import index_in_force
@@ -15,12 +16,7 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 
 
 class PackageNotFoundError(KeyError):
-    """No prefix of the search path holds a package of that name.
-
-    `edulaunch_hint` is one line with the nearest known name, or None. (edulaunch only.)
-    """
-
-    edulaunch_hint: str | None = None
+    """No prefix of the search path holds a package of that name."""
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -79,8 +75,7 @@ def _left_out_by_launch(package_name: str) -> str | None:
 
 
 def _not_found(package_name: str) -> PackageNotFoundError:
-    from edulaunch.workspace.hints import package_hint
+    from edulaunch.workspace.missing import missing_package
 
     error = PackageNotFoundError(f"package '{package_name}' not found, searching: {get_search_paths()}")
-    error.edulaunch_hint = package_hint(index_in_force(), package_name)
-    return error
+    return with_facts(error, **missing_package(index_in_force(), package_name))

@@ -4,24 +4,26 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from typing import Any
 
 from ._engine import absent_package, running_process
 
 
 def is_left_out(path: str) -> bool:
     """Whether a launch file to be included belongs to such a package. If it does, that is told."""
-    sentence = absent_file(path)
-    if sentence is not None:
+    known = absent_file(path)
+    if known:
+        sentence = f'the package {known["package"]!r} ({known["belongs_to"]}) is not here'
         _tell(f'{path[len(_share()) :]} is not included: {sentence}; the rest of the launch goes on without it')
-    return sentence is not None
+    return bool(known)
 
 
-def absent_file(path: str) -> str | None:
-    """Why a file is not there, when it would belong to such a package."""
+def absent_file(path: str) -> dict[str, Any]:
+    """What is known of a file that is not there, when it would belong to such a package."""
     share = _share()
     package = path[len(share) :].partition(os.sep)[0] if path.startswith(share) else ''
     kind = absent_package(package)
-    return None if kind is None else f'the package {package!r} ({kind}) is not here'
+    return {} if kind is None else {'about': 'packages.absent-file', 'package': package, 'belongs_to': kind}
 
 
 def _share() -> str:

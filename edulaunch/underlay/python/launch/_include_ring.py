@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from edulaunch.facts import with_facts
+
 if TYPE_CHECKING:
     from edulaunch.processes import Origin
 
@@ -45,15 +47,14 @@ def enter_include(context: LaunchContext, file: str, origin: Origin | None) -> N
 
 def _ring_error(ring: list[Include]) -> RecursionError:
     steps = [f'{_shown(include)} includes {os.path.basename(inner.file)}' for include, inner in zip(ring, ring[1:], strict=False)]
-    error: Any = RecursionError(
+    error = RecursionError(
         f"launch file '{ring[0].file}' includes itself without end: "
         + ', '.join(
             f'{step} (line {inner.origin.line})' if inner.origin is not None else step
             for step, inner in zip(steps, ring[1:], strict=True)
         )
     )
-    error.edulaunch_hint = 'take one of these includes out, or give it a condition that is false in the end'
-    return error  # type: ignore[no-any-return]
+    return with_facts(error, 'launch.include-ring', ring=[_shown(include) for include in ring])
 
 
 def _shown(include: Include) -> str:

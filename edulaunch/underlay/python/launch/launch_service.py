@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from ._argument_search import looking
 from ._beside import Company, run_beside_tasks, run_beside_threads
 from ._engine import new_event_loop, running_process
-from ._help import show_help
+from ._failure import note_failure
 from ._origin import note_origin
 from .event import Event
 from .event_handler import BaseEventHandler
@@ -298,8 +298,8 @@ class LaunchService:
 
         message = f'Caught exception in launch (see debug for traceback): {error}'
         self.__logger.debug(traceback.format_exc())
+        note_failure(error, message)
         self.__logger.error(message)
-        show_help(error)
         self.__return_code = 1
         self.__context.starts_are_abandoned = True
         self.__shut_down(message)

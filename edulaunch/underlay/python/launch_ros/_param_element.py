@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch.frontend import hints
+from launch.frontend import places
 from launch.frontend.entity import Entities, Entity, Pair
 from launch.utilities.type_utils import ListTypesTuple, ScalarTypesTuple
 
@@ -42,8 +42,7 @@ def parameters_in(entity: Entity, parser: Parser, tag: str) -> list[Any]:
         elif 'name' in given:
             parameters.append(_dictionary([param], parser))
         else:
-            hint = "give it name and value, or from='a file'"
-            raise hints.at(ValueError('param Entity should have name or from attribute'), param, hint)
+            raise places.at(ValueError('param Entity should have name or from attribute'), param, 'launch.param-element')
     return parameters
 
 
@@ -85,7 +84,7 @@ def _value(param: Entity, parser: Parser) -> Any:
         return _dictionary(param.get_attr('param', data_type=Entities), parser)
     if 'value' not in given:
         error = RuntimeError('either a value attribute or nested params are needed')
-        raise hints.at(error, param, f"{param.shown} needs 'value' beside its name")
+        raise places.at(error, param, 'launch.missing-attribute', needed='value', given_names=[])
     value = parser.parse_if_substitutions(param.get_attr('value', data_type=data_type))
     param.assert_entity_completely_parsed()
     return _made(param.line, value, data_type)
@@ -95,9 +94,9 @@ def _data_type(param: Entity) -> Any:
     name = param.get_attr('type')
     if name not in _TYPES:
         error = ValueError(f'Got invalid type identifier {name!r}')
-        raise hints.at(error, param, f'the types are {", ".join(_TYPES)}')
+        raise places.at(error, param, 'launch.only-value', attribute='type', allowed=list(_TYPES))
     return _TYPES[name]
 
 
 def _wrong(param: Entity, message: str) -> RuntimeError:
-    return hints.at(RuntimeError(message), param, None)
+    return places.at(RuntimeError(message), param)

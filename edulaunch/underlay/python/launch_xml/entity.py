@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
-from launch.frontend import hints
+from launch.frontend import places
 from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.type_utils import check_is_list_entity
@@ -120,7 +120,7 @@ class Entity(BaseEntity):
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "
                 f'`{text}` can not be converted to one of those types'
             )
-            raise hints.at(error, self, None) from None
+            raise places.at(error, self) from None
 
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError for child elements, then for attributes, that nobody asked for."""
@@ -128,9 +128,9 @@ class Entity(BaseEntity):
         if self._element and not self._children_asked:
             tags = list(dict.fromkeys([child.tag for child in self._element if child.tag not in asked_tags]))
             if tags:
-                instead = f'is an attribute of {self.shown}' if tags[0] in asked else None
+                instead = 'attribute' if tags[0] in asked else None
                 raise self._unexpected('nested tag(s)', tags, instead)
         if not asked.issuperset(self._attributes):
             names = [name for name in self._attributes if name not in asked]
-            instead = f'is an element inside {self.shown}' if names[0] in asked_tags else None
+            instead = 'element' if names[0] in asked_tags else None
             raise self._unexpected('attribute(s)', names, instead)

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
+
 from .element import Element
 
 if TYPE_CHECKING:
@@ -82,9 +84,9 @@ class _Reading:
         error.position = line, column
         error.edulaunch_line = line
         if len(self.open) > 1 and ('mismatched' in message or 'no element' in message):
-            error.edulaunch_hint = f'<{self.open[-1].tag}> of line {self.open[-1].line} is not closed'
+            with_facts(error, 'launch.not-closed', tag=self.open[-1].tag, opened=self.open[-1].line)
         elif 'no element' in message:
-            error.edulaunch_hint = 'the file has no element: begin it with <launch> and end it with </launch>'
+            with_facts(error, 'launch.empty-file', at_margin=[])
         return error  # type: ignore[no-any-return]
 
 

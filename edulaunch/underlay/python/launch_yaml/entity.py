@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
-from launch.frontend import hints
+from launch.frontend import places
 from launch.frontend.entity import Entities, Pair
 from launch.frontend.entity import Entity as BaseEntity
 from launch.frontend.registry import action_parse_methods
@@ -62,23 +62,14 @@ class Entity(BaseEntity):
                     f'Expected entity `{self._type_name}` to have children entities. '
                     'That can be a list of subentities or a dictionary with a `children` list element'
                 )
-                raise hints.at(error, self, self._hint_of_children(children))
+                inside = next((key for key in children if key in action_parse_methods), None)
+                raise places.at(error, self, 'launch.yaml-children', first_element=inside)
             self.asked.add('children')
             children = children['children']
         if not isinstance(children, list):
-            raise hints.at(
-                TypeError(f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'"),
-                self,
-                f"put a list below '{self._type_name}', each item with a dash: - node: ...",
-            )
+            no_list = TypeError(f"Expected a list of child entities in '{self._type_name}', got '{_type_of(children)}'")
+            raise places.at(no_list, self, 'launch.yaml-list')
         return children
-
-    def _hint_of_children(self, element: dict[Any, Any]) -> str:
-        """For keys of which none is `children`: elements without their dash, or other keys."""
-        elements = [key for key in element if key in action_parse_methods]
-        if elements:
-            return f"begin each element in '{self._type_name}' with a dash: - {elements[0]}: ..."
-        return f"put the actions of '{self._type_name}' into a list below 'children:'"
 
     def _child(self, item: Any) -> Entity:
         if not isinstance(item, dict) or len(item) != 1:
@@ -90,12 +81,8 @@ class Entity(BaseEntity):
         """For an item of the list of children that is not one element."""
         error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
         if not isinstance(item, dict) or not item:
-            return hints.at(
-                error, self, f"each item of '{self._type_name}' is an element's name with a colon and what it has: - node: ..."
-            )
-        hints.at(
-            error, self, f'{", ".join(map(repr, item))} stand in one item: a dash for each element, its keys two columns further'
-        )
+            return places.at(error, self, 'launch.yaml-item')
+        places.at(error, self, 'launch.yaml-item', several=[str(key) for key in item])
         error.edulaunch_line = getattr(item, 'line', self.line)  # type: ignore[attr-defined]
         return error
 
@@ -108,9 +95,9 @@ class Entity(BaseEntity):
                 return None
             missing = AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'")
             if isinstance(element, list):
-                raise hints.at(missing, self, f"the keys of '{self._type_name}' have no dashes: {name}: ...")
+                raise places.at(missing, self, 'launch.yaml-dashes', key=name)
             if isinstance(element, (str, int, float)):
-                raise hints.at(missing, self, f"write {self._type_name}: {{{name}: '{element}'}}")
+                raise places.at(missing, self, 'launch.yaml-bare', key=name, value=str(element))
             raise self._missing(missing, f"the key '{name}'")
         value = element[name]
         if type(value) is data_type or (data_type is None and type(value) in _SCALARS):
@@ -121,7 +108,7 @@ class Entity(BaseEntity):
             error = TypeError(
                 f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', got '{_type_of(value)}'"
             )
-            raise hints.at(error, self, _about_type(name, value, data_type))
+            raise places.at(error, self, 'launch.yaml-type', key=name, write=_as_wanted(value, data_type))
         return value
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
@@ -154,7 +141,7 @@ class Entity(BaseEntity):
     def _entities(self, name: str, value: Any) -> list[Entity]:
         if not isinstance(value, list) or not value or not all(isinstance(item, dict) for item in value):
             error = TypeError(f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries.")
-            raise hints.at(error, self, f"begin each '{name}' with a dash: - {{...}}")
+            raise places.at(error, self, 'launch.yaml-list-of', key=name)
         line = self._line
         return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]
 
@@ -165,8 +152,7 @@ class Entity(BaseEntity):
         """
         element = self._element
         if element is None:
-            hint = f'write {self._type_name}: {{}} when it has no keys'
-            raise hints.at(TypeError("argument of type 'NoneType' is not iterable"), self, hint)
+            raise places.at(TypeError("argument of type 'NoneType' is not iterable"), self, 'launch.yaml-nothing')
         if isinstance(element, dict):
             keys = [key for key in element if key not in self.asked]
             if keys:
@@ -175,17 +161,15 @@ class Entity(BaseEntity):
             raise ValueError(f'Unexpected nested entity(ies) found in `{self._type_name}`: {element}')
 
 
-def _about_type(name: str, value: Any, data_type: Any) -> str | None:
-    """For a value that is not of the type."""
+def _as_wanted(value: Any, data_type: Any) -> str | None:
+    """How a value is written that is of the type; None when nobody can say."""
     if data_type is str and isinstance(value, (int, float)):
-        return f"write the value of '{name}' in quotes"
+        return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):
-        return f"write '{name}' as one text: {name}: '{' '.join(value)}'"
+        return f"'{' '.join(value)}'"
     if data_type is float and type(value) is int:
-        return f'write {name}: {value}.0'
-    if data_type is bool:
-        return f'write {name}: true, or {name}: false'
-    return None
+        return f'{value}.0'
+    return 'true' if data_type is bool else None
 
 
 def _type_of(value: Any) -> type:

@@ -6,8 +6,9 @@ import os
 from typing import Any, TextIO
 
 from launch.frontend.entity import Entity as BaseEntity
-from launch.frontend.hints import hinted
 from launch.frontend.parser import Parser as BaseParser
+
+from edulaunch.facts import with_facts
 
 from .entity import Entity
 from .plain_reader import NotPlain, read_plain
@@ -34,7 +35,8 @@ class Parser(BaseParser):
                 raise RuntimeError('Expected only one root')
             (type_name,) = tree.keys()
         except (TypeError, AttributeError, RuntimeError) as error:
-            hinted(error, _about_root(tree))
+            at_margin = [str(key) for key in tree] if isinstance(tree, dict) else []
+            with_facts(error, 'launch.yaml-root' if tree else 'launch.empty-file', at_margin=at_margin)
             raise
         return Entity(tree[type_name], type_name, line=tree.line)
 
@@ -51,13 +53,3 @@ def _read(text: str, name: str) -> Any:
         from launch.utilities.yaml_reader import read_file
 
         return read_file(text, name)
-
-
-def _about_root(tree: Any) -> str:
-    """For a document that is no mapping with one key."""
-    if not tree:
-        return "the file is empty: begin it with 'launch:' and a list of actions below"
-    if isinstance(tree, dict):
-        names = ', '.join(f"'{key}'" for key in tree)
-        return f"only 'launch' may stand at the left margin, not {names}"
-    return "begin the file with 'launch:' and put everything else below it"

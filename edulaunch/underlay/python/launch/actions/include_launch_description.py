@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._absent_packages import is_left_out
-from .._help import is_students
+from .._failure import is_students
 from .._include_ring import enter_include
 from .._read_only import ReadOnly
 from .._run_notes import note_declared, note_include, note_undeclared

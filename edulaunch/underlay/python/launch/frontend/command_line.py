@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from edulaunch.facts import with_facts
+
 from ..substitution import Substitution
 from ..substitutions.text_substitution import TextSubstitution
-from . import hints
 
 Word = list[Substitution]
 
@@ -54,5 +55,4 @@ def _split(text: str) -> list[str]:
     try:
         return split(text)
     except ValueError as error:
-        hint = f'in {text!r} a quote is not closed; close it before a $(...) begins'
-        raise hints.hinted(error, hint) from None
+        raise with_facts(error, 'launch.open-quote', text=text) from None

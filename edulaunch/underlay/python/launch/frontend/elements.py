@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from . import hints
+from . import places
 from .command_line import words_of
 from .element import Attributes, Element, Substitutions, as_given, literal, mapping, pairs, text, typed
 from .entity import Entities, Entity
@@ -39,7 +39,7 @@ def _on_exit(entity: Entity, parser: Parser, name: str) -> list[Any]:
         error = ValueError(
             f'Attribute {name} of Entity node expected to be shutdown but got `{value}`Other on_exit actions not yet supported'
         )
-        raise hints.at(error, entity, f"{name} can only be 'shutdown'")
+        raise places.at(error, entity, 'launch.only-value', attribute=name, allowed=['shutdown'])
     return [Shutdown()]
 
 
@@ -48,7 +48,7 @@ def _seconds(entity: Entity, parser: Parser, name: str) -> float:
     value: Any = entity.get_attr(name, data_type=float)
     if isinstance(value, str):
         error = TypeError("'<' not supported between instances of 'str' and 'float'")
-        raise hints.at(error, entity, f"'{name}' is a number in ROS 2; a $(...) is not evaluated here")
+        raise places.at(error, entity, 'launch.number-only', attribute=name)
     if value < 0.0:
         raise ValueError(f'Attribute {name} of Entity node expected to be a non-negative value but got `{value}`')
     return float(value)

@@ -7,7 +7,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Collection
 from typing import Any
 
-from . import hints
+from edulaunch.nearest import nearest
+
+from . import places
 
 Pair = tuple[str, Any, int]
 """Two attributes of an element, and its line."""
@@ -87,20 +89,21 @@ class Entity(ABC):
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
 
-    def _unexpected(self, what: str, names: list[str], instead: str | None = None) -> ValueError:
+    def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
         """The error for names nobody asked for; formatted as Python writes a set, but in order.
 
-        :param instead: what the first of them is, if the element knows it in another way.
+        :param kind: 'attribute' or 'element', if the element knows the first of them as that.
         """
         listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
         error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
-        return hints.at(error, self, f"'{names[0]}' {instead}" if instead else hints.about_name(names[0], self, self._known))
+        name = str(names[0])
+        return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
         """The error for a name that is needed, with what the element has instead."""
         kind, _, wanted = name.rpartition(' ')
-        near = hints.nearest_given(wanted.strip("'"), self, [one for one in self._names if one not in self.asked])
-        return hints.at(error, self, f'{self.shown} needs {kind} {wanted}' + (f"; is '{near}' meant for it?" if near else ''))
+        given = [str(one) for one in self._names if one not in self.asked]
+        return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=given)
 
     @property
     def _known(self) -> Collection[str]:

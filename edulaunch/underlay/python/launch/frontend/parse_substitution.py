@@ -6,9 +6,11 @@ import re
 from functools import lru_cache
 from typing import Any
 
+from edulaunch.facts import with_facts
+from edulaunch.nearest import nearest
+
 from ..substitution import Substitution
 from ..substitutions.text_substitution import TextSubstitution
-from . import hints
 from .expose import substitution_parse_methods
 from .extensions import load_launch_extensions
 from .registry import ParseMethod
@@ -24,7 +26,7 @@ def parse_substitution(string: str) -> list[Substitution]:
 
     Built-in substitutions never change, so equal texts share them; those of extensions are made anew.
 
-    :raises SubstitutionSyntaxError: see its subclasses; `edulaunch_hint` on the error says what to try.
+    :raises SubstitutionSyntaxError: see its subclasses; facts of the error say what was expected.
     """
     if '$(' not in string and '\\' not in string:
         return [_literal(string)]
@@ -92,7 +94,9 @@ def _piece(piece: str | Call) -> Substitution:
         substitution: Substitution = made_by(**kwargs)
     except Exception as error:
         # Like lark, of which upstream's users see the outer error only.
-        raise hints.hinted(VisitError('substitution', error), hints.about_call(name)) from error
+        near = nearest(name, substitution_parse_methods)
+        known = name in substitution_parse_methods
+        raise with_facts(VisitError('substitution', error), 'launch.call', call=name, near=near, is_known=known) from error
     return substitution
 
 

@@ -7,8 +7,10 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, TextIO
 
+from edulaunch.nearest import nearest
+
 from .._origin import MAKERS
-from . import hints
+from . import places
 from .collector_pause import collector_paused
 from .entity import Entity
 from .expose import action_parse_methods
@@ -60,14 +62,14 @@ class Parser:
 
         if entity.type_name != 'launch':
             error = RuntimeError("Expected 'launch' as root tag")
-            hints.at(error, entity, f"the outermost element is {entity.shown}, not 'launch'")
-            hints.complete(error, self.file, entity)
+            places.at(error, entity, 'launch.root')
+            places.complete(error, self.file, entity)
             raise error
         try:
             deprecated = entity.get_attr('deprecated', optional=True)
             actions = [self.parse_action(child) for child in entity.children]
         except Exception as error:
-            hints.complete(error, self.file, entity)
+            places.complete(error, self.file, entity)
             raise
         return LaunchDescription(actions, deprecated_reason=deprecated)
 
@@ -83,7 +85,7 @@ class Parser:
             entity.assert_entity_completely_parsed()
             action: Action = action_type(**kwargs)
         except Exception as error:
-            hints.complete(error, self.file, entity)
+            places.complete(error, self.file, entity)
             raise
         if self.file and hasattr(action, 'set_origin'):
             action.set_origin(self.file, entity.line)
@@ -94,7 +96,8 @@ class Parser:
         parse = action_parse_methods.get(entity.type_name)
         if parse is None:
             error = RuntimeError(f'Unrecognized entity of the type: {entity.type_name}')
-            raise hints.at(error, entity, hints.about_element(entity))
+            near = nearest(str(entity.type_name), action_parse_methods)
+            raise places.at(error, entity, 'launch.unknown-element', near=near)
         return parse
 
     MAKERS[id(parse_action.__code__)] = parse_action.__code__
@@ -134,7 +137,7 @@ class Parser:
             with collector_paused():
                 return root_of(file.read()), parser
         except Exception as error:
-            hints.complete_unreadable(error, parser.file)
+            places.complete_unreadable(error, parser.file)
             raise
 
     @classmethod

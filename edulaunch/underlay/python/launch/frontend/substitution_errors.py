@@ -5,6 +5,8 @@ Upstream parses with lark, so these errors carry the names and first lines of la
 
 from __future__ import annotations
 
+from edulaunch.facts import with_facts
+
 CONTEXT_WIDTH = 40
 LONGEST_SHOWN = 60
 
@@ -20,7 +22,6 @@ class UnexpectedInput(SubstitutionSyntaxError):
     :param expected: what would have been allowed there, in words.
     :ivar line: line of that character within the text, from 1.
     :ivar column: its column, from 1.
-    :ivar edulaunch_hint: one line of help.
     """
 
     def __init__(self, text: str, position: int, expected: str) -> None:
@@ -28,7 +29,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
         self.line = text.count('\n', 0, position) + 1
         self.column = position - text.rfind('\n', 0, position)
         shown = text if len(text) <= LONGEST_SHOWN else f'{text[:LONGEST_SHOWN]}...'
-        self.edulaunch_hint = f'expected {expected} at column {self.column} of {shown!r}'
+        with_facts(self, 'launch.call-syntax', expected_there=expected, column=self.column, text=shown)
         super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
 
     def first_line(self, text: str) -> str:

@@ -44,6 +44,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
 
 def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
     """The error, with the line of a function whose name is nearly right."""
+    from edulaunch.facts import with_facts
     from edulaunch.nearest import nearest
 
     error: Any = InvalidPythonLaunchFileError(f"launch file at '{path}' does not contain the required function '{GENERATE}()'")
@@ -52,5 +53,5 @@ def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
     if near is not None:
         code = functions[near].__code__
         error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno
-        error.edulaunch_near = near
+        with_facts(error, 'launch.no-generate', near=near)
     return error  # type: ignore[no-any-return]

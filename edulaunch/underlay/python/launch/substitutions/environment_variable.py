@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from edulaunch.facts import with_facts
+from edulaunch.nearest import nearest
+
 from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -40,5 +43,6 @@ class EnvironmentVariable(Substitution):
         if value is not None:
             return value
         if self.__default_value is None:
-            raise SubstitutionFailure(f"environment variable '{name}' does not exist")
+            error = SubstitutionFailure(f"environment variable '{name}' does not exist")
+            raise with_facts(error, 'launch.no-variable', near=nearest(name, context.environment))
         return perform_substitutions(context, self.__default_value)

@@ -6,6 +6,10 @@ import collections.abc
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
+from edulaunch.nearest import nearest
+
+from .._engine import running_process
 from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
@@ -47,8 +51,15 @@ class LaunchConfiguration(Substitution):
             value: str = configurations[name]
             return value
         if self.__default is None:
-            raise SubstitutionFailure(f"launch configuration '{name}' does not exist")
+            raise with_facts(SubstitutionFailure(f"launch configuration '{name}' does not exist"), **_facts(name, configurations))
         return perform_substitutions(context, self.__default)
+
+
+def _facts(name: str, configurations: dict[str, str]) -> dict[str, Any]:
+    near = nearest(name, configurations)
+    declared = any(argument.name == name for argument in running_process().state.get('launch.declared', ()))
+    scoped = name if near is None and declared else None
+    return {'about': 'launch.no-configuration', 'configuration': name, 'near': near, 'scoped': scoped}
 
 
 def _normalize_default(default: Any) -> list[Substitution]:

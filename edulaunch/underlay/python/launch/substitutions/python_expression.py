@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
+
 from .._engine import import_for_expression
 from .._read_only import ReadOnly
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -46,4 +48,9 @@ class PythonExpression(Substitution):
             if module.__name__ == 'math':
                 names.update(vars(module))
             names[module.__name__] = module
-        return str(eval(perform_substitutions(context, self.__expression), {}, names))
+        expression = perform_substitutions(context, self.__expression)
+        try:
+            return str(eval(expression, {}, names))
+        except (NameError, SyntaxError, TypeError) as error:
+            with_facts(error, 'launch.expression', expression=expression)
+            raise

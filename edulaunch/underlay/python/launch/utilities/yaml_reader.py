@@ -10,6 +10,8 @@ from typing import Any
 
 import yaml
 
+from edulaunch.facts import with_facts
+
 from .yaml_mapping import Mapping
 
 MAX_DEPTH = 100
@@ -66,7 +68,7 @@ def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
         yaml.safe_load(stream)
     except yaml.YAMLError as error:
         if r"character '\t'" in str(error):
-            error.edulaunch_hint = 'a tab stands in the indentation; YAML wants spaces'  # type: ignore[attr-defined]
+            with_facts(error, 'launch.yaml-tab')
         return error
     except (RecursionError, ValueError):
         return None

@@ -13,6 +13,8 @@ from launch.utilities._plain_text import plain_text
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
+from edulaunch.facts import with_facts
+
 from .find_package import FindPackagePrefix
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 class ExecutableInPackage(FindPackagePrefix):
     """`<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, when there is none; its `edulaunch_hint` says what to try.
+    :raises SubstitutionFailure: on evaluation, when there is none; its facts say what there is.
     """
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
@@ -74,23 +76,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
-    """ROS's own error, with one line of help in `edulaunch_hint`."""
-    from edulaunch.nearest import nearest
-    from edulaunch.workspace.hints import executable_hint
+    """ROS's own error, with what is known of such an executable."""
+    from edulaunch.workspace.missing import missing_executable
 
-    error: Any = SubstitutionFailure(message)
-    names = [*index.executables(package), *index.native_executables(package)]
-    close = nearest(executable, names)
-    not_installed = executable_hint(index, package, executable)
-    if not_installed is not None:
-        error.edulaunch_hint = not_installed
-    elif close is not None:
-        error.edulaunch_hint = f'did you mean {close!r}?'
-    elif names:
-        error.edulaunch_hint = f'{package} has: {", ".join(names)}'
-    else:
-        error.edulaunch_hint = (
-            f'{package} installs no executable; see entry_points in its setup.py, or install(PROGRAMS ...) in its CMakeLists.txt'
-        )
-    failure: SubstitutionFailure = error
-    return failure
+    return with_facts(SubstitutionFailure(message), **missing_executable(index, package, executable))

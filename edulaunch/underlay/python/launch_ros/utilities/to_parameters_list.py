@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
+
 from ..parameter_descriptions import Parameter as ParameterDescription
 from ..parameters_type import EvaluatedParameters
 
@@ -46,11 +48,8 @@ def _from_file(path: Path, node_name: str, namespace: str) -> dict[str, Any]:
 
     content = read(path.read_text(encoding='utf-8'))
     if content is None:
-        error: Any = AttributeError("'NoneType' object has no attribute 'items'")
-        error.edulaunch_help = (
-            f'the parameter file {path} has nothing in it: write the name of the node, ros__parameters, and the parameters'
-        )
-        raise error
+        error = AttributeError("'NoneType' object has no attribute 'items'")
+        raise with_facts(error, 'launch.empty-parameter-file', parameter_file=str(path))
     if not _has_parameters(content):
         return _flat(content)
     full_name = f'{namespace.rstrip("/")}/{node_name}' if namespace else f'/{node_name}'

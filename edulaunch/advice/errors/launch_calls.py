@@ -1,0 +1,213 @@
+"""What is given to actions and substitutions in Python launch files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.failure import Failure
+from edulaunch.advice.finding import Finding
+from edulaunch.advice.launch_names import class_named, keywords_of
+from edulaunch.advice.rule import rule
+from edulaunch.nearest import nearest
+
+OLD_KEYWORDS = {
+    'node_name': 'name',
+    'node_executable': 'executable',
+    'node_namespace': 'namespace',
+    'pkg': 'package',
+    'exec': 'executable',
+    'args': 'arguments',
+    'params': 'parameters',
+    'remap': 'remappings',
+    'ns': 'namespace',
+    'default': 'default_value',
+    'message': 'msg',
+    'text': 'msg',
+    'delay': 'period',
+    'launch_args': 'launch_arguments',
+    'command': 'cmd',
+    'func': 'function',
+}
+"""Of ROS 1, of older ROS 2, and of XML."""
+
+
+@rule(
+    'launch.keyword',
+    what=('{action} has no argument {keyword}=', '{action} has no argument {keyword}=; it has: {known}'),
+    do=('write {near}=', 'choose one of these: {known}'),
+    level='error',
+    lesson='01_first_launch',
+)
+def keyword(failure: Failure) -> Iterator[Finding]:
+    """An argument that the constructor does not know."""
+    said = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
+    cls = class_named(said[1]) if said is not None else None
+    known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
+    if said is not None and known and failure.process is None:
+        old = OLD_KEYWORDS.get(said[2])
+        near = old if old in known else nearest(said[2], known)
+        action = failure.facts.get('class') or said[1]
+        yield speak(failure, action=action, keyword=said[2], near=near, known=[f'{name}=' for name in known])
+
+
+@rule(
+    'launch.positional',
+    what='{action} got its arguments without names',
+    do=('write the name: {action}({first}=...)', 'put them into one list: {action}([..., ...])'),
+    level='error',
+)
+def positional(failure: Failure) -> Iterator[Finding]:
+    """`LogInfo('hello')`, `LaunchDescription(node, node)`."""
+    said = re.match(r'(\w+)\.__init__\(\) takes .*positional arguments? but \d+ .*were given', failure.message)
+    cls = class_named(said[1]) if said is not None and failure.process is None else None
+    if said is None or cls is None:
+        return
+    code, lists = cls.__init__.__code__, {'actions', 'initial_entities'}
+    names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+    first = None if lists & set(names) else next(iter(names[code.co_argcount :] or names[1:]), None)
+    yield speak(failure, action=said[1], first=first)
+
+
+@rule(
+    'launch.missing-keyword',
+    what='{action} needs {needed}=',
+    do=('write {needed}= where you wrote {near}=', 'add {needed}=...'),
+    level='error',
+    lesson='01_first_launch',
+)
+def missing_keyword(failure: Failure) -> Iterator[Finding]:
+    """A misspelt one is taken for one of the many that an action passes on, so that only its absence is seen."""
+    said = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
+    cls = class_named(said[1]) if said is not None else None
+    if said is not None and cls is not None and failure.process is None:
+        known = keywords_of(cls)
+        given = [name for name in failure.facts.get('given_names') or () if name not in known]
+        yield speak(failure, action=said[1], needed=said[2], near=nearest(said[2], given))
+
+
+NOT_A_TEXT = about(
+    'launch.not-a-text',
+    what=(
+        '{keyword}={value} is of type {given}, and texts and substitutions are expected',
+        'a value of type {given} stands where a text is expected',
+    ),
+    do=(
+        "write {keyword}='{as_text}'",
+        "write '{as_text}'",
+        'write {keyword}=str(...), so that the path becomes a text',
+        'write {as_path}, so that the path becomes a text',
+        'take the inner brackets away: {nested}',
+        'write a text, or a substitution such as LaunchConfiguration(...)',
+    ),
+)
+
+
+@rule(
+    'launch.wrong-type',
+    what='{argument}= cannot be of type {given}',
+    do=(
+        'put it into a list: {as_list}=[...]',
+        'write it with its point: {argument}={as_float}',
+        "write each remapping as a pair in round brackets: ('{pair}', 'to')",
+        'give it one of these: {expected}',
+    ),
+    level='error',
+    lesson='01_first_launch',
+)
+def wrong_type(failure: Failure) -> Iterator[Finding]:
+    """launch's own check of types."""
+    said = re.search(
+        r"xpected '(\w+)' to be one of \[(.*)\], but got '(.*)' of type '<class '(.*)'>'", failure.message, re.DOTALL
+    )
+    if said is None or failure.process is not None:
+        return
+    argument, expected, value, given = said.groups()
+    is_list = expected in ("<class 'list'>", "<class 'collections.abc.Iterable'>")
+    yield speak(
+        failure,
+        argument=argument,
+        given=given,
+        as_list=argument if is_list else None,
+        as_float=f'{value}.0' if given == 'int' and 'float' in expected else None,
+        pair='from' if argument == 'remap_rule' else None,
+        expected=re.findall(r"<class '(?:[\w.]+\.)?(\w+)'>", expected),
+    )
+
+
+NO_PAIRS = about(
+    'launch.no-pairs',
+    what='launch_arguments takes (name, value) pairs, and got something else',
+    do="write {'name': 'value'}.items()".replace('{', '{{').replace('}', '}}'),
+)
+
+
+@rule(
+    'launch.not-a-list',
+    what='a list is expected where a {action} stands',
+    do='put it into square brackets: [{action}(...)]',
+    level='error',
+)
+def not_a_list(failure: Failure) -> Iterator[Finding]:
+    """One action where several can stand."""
+    said = re.match(r"'(\w+)' object is not iterable", failure.message)
+    cls = class_named(said[1]) if said is not None and failure.process is None else None
+    if said is not None and hasattr(cls, 'visit'):
+        yield speak(failure, action=said[1])
+
+
+@rule(
+    'launch.missing-comma',
+    what='Python takes {item} and the brackets behind it for one call',
+    do='put a comma behind {item}',
+    level='error',
+    confidence='asked',
+)
+def missing_comma(failure: Failure) -> Iterator[Finding]:
+    """Two items of a list, one after the other."""
+    said = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
+    if said is None or failure.process is not None:
+        return
+    cls = class_named(said[1])
+    if cls is not None or said[1] in ('dict', 'tuple', 'list', 'str'):
+        yield speak(failure, item='the item of the list' if cls is None else f'{said[1]}(...)')
+
+
+@rule(
+    'launch.not-an-action',
+    what='among the actions stands {given}',
+    do='give only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
+    level='error',
+)
+def not_an_action(failure: Failure) -> Iterator[Finding]:
+    """A text, a list or None in the list of a launch description."""
+    said = re.match(r"'(\w+)' object has no attribute '(visit|describe_sub_entities)'", failure.message)
+    if said is not None and failure.process is None:
+        yield speak(failure, given='None' if said[1] == 'NoneType' else f'a {said[1]}')
+
+
+@rule(
+    'launch.condition-object',
+    what='condition= is a {given}, and a condition is expected',
+    do='put IfCondition(...) or UnlessCondition(...) around it',
+    level='error',
+    lesson='01_first_launch',
+)
+def condition_object(failure: Failure) -> Iterator[Finding]:
+    """`condition=LaunchConfiguration('x')`."""
+    said = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
+    if said is not None and failure.process is None:
+        yield speak(failure, given=said[1])
+
+
+@rule(
+    'launch.no-event-actions',
+    what='what an event handler is to do is no action',
+    do='give it an action or a list of actions, such as on_exit=[Shutdown()]',
+    level='error',
+)
+def no_event_actions(failure: Failure) -> Iterator[Finding]:
+    """`on_exit='shutdown'` in Python."""
+    if failure.message.startswith("expected all items in 'on_event' iterable"):
+        yield speak(failure)

@@ -1,0 +1,69 @@
+"""Where the names that launch files import live, and what can be given to them."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+from edulaunch.errors import ForeignRosError
+from edulaunch.nearest import nearest
+from edulaunch.sourcing import source
+
+_PLACES = {
+    'launch': (
+        '. .actions .conditions .substitutions .event_handlers .events .events.process .launch_description_sources .descriptions'
+    ),
+    'launch_ros': '.actions .substitutions .descriptions .parameter_descriptions .event_handlers .events.lifecycle',
+    'ament_index_python': '.packages',
+}
+MODULES = tuple((package + place).rstrip('.') for package, places in _PLACES.items() for place in places.split())
+STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'random')
+
+
+@cache
+def names_in(module: str) -> list[str]:
+    """What a module exports; nothing when it is not here. Who only reads a report has not sourced ROS 2 yet."""
+    try:
+        source()
+        return list(getattr(import_module(module), '__all__', ()))
+    except (ImportError, ForeignRosError):
+        return []
+
+
+def home_of(name: str) -> str | None:
+    """The module that exports the name, or None."""
+    return next((one for one in MODULES if name in names_in(one) and f'{one}.{name}' not in MODULES), None)
+
+
+def class_named(name: str) -> Any:
+    """The exported class of this name, or None."""
+    home = home_of(name)
+    return getattr(import_module(home), name) if home is not None else None
+
+
+def import_line(name: str | None) -> str | None:
+    """The import statement for a name, or None when nothing exports it."""
+    if name in STANDARD:
+        return f'import {name}'
+    home = home_of(name) if name else None
+    return f'from {home} import {name}' if home is not None else None
+
+
+def nearest_anywhere(name: str) -> str | None:
+    """The exported name of any module that is nearest to `name`."""
+    return nearest(name, [known for module in MODULES for known in names_in(module)])
+
+
+def keywords_of(cls: type) -> list[str]:
+    """The keyword arguments that a constructor takes, inherited ones included while it passes `**kwargs` on."""
+    found: list[str] = []
+    for base in cls.__mro__:
+        code = getattr(base.__dict__.get('__init__'), '__code__', None)
+        if code is None:
+            continue
+        count = code.co_argcount + code.co_kwonlyargcount
+        found += [name for name in code.co_varnames[1:count] if name not in found]
+        if not code.co_flags & 0x08:  # without **kwargs nothing is passed on
+            break
+    return found

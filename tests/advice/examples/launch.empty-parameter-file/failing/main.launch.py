@@ -1,0 +1,8 @@
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+
+
+def generate_launch_description():
+    talker = ComposableNode(package='demo_nodes_cpp', plugin='demo_nodes_cpp::Talker', parameters=[__file__.replace('main.launch.py', 'talker.yaml')])
+    return LaunchDescription([ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', executable='component_container', composable_node_descriptions=[talker])])

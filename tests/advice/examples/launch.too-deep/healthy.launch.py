@@ -1,0 +1,10 @@
+from launch import LaunchDescription
+from launch.actions import LogInfo
+
+
+def nodes(count):
+    return nodes(count - 1) + [LogInfo(msg=str(count))] if count else []
+
+
+def generate_launch_description():
+    return LaunchDescription(nodes(3))

@@ -1,0 +1,13 @@
+from setuptools import setup
+
+setup(
+    name='robot',
+    version='0.1.0',
+    packages=['robot'],
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/robot']),
+        ('share/robot', ['package.xml']),
+        ('share/robot/config', ['config/arm.yaml']),
+    ],
+    entry_points={'console_scripts': ['arm = robot.arm:main']},
+)
