@@ -152,11 +152,7 @@ def test_an_error_says_where_and_what_was_meant(name, text, told):
             "at the left margin stand launch, node; only 'launch' may stand there; begin the file with 'launch:' "
             'and put everything else below it',
         ),
-        (
-            b'launch:\n- log: {message: \xff}',
-            2,
-            'this file is not saved as UTF-8, which ROS 2 reads; save it as UTF-8: in the editor, "Save with Encoding"',
-        ),
+        (b'launch:\n- log: {message: \xff}', 2, 'the file is not UTF-8 text; save the file again with the encoding UTF-8'),
     ],
 )
 def test_an_error_of_the_whole_text_has_a_line_too(tmp_path, content, line, told):

@@ -203,11 +203,6 @@ UNREADABLE = about(
     what='the file cannot be read: {problem}',
     do='look at that line and the one above it: brackets, quotes, indentation',
 )
-NOT_UTF_8 = about(
-    'launch.not-utf-8',
-    what=('this file is saved as {encoding}, and ROS 2 reads UTF-8', 'this file is not saved as UTF-8, which ROS 2 reads'),
-    do='save it as UTF-8: in the editor, "Save with Encoding"',
-)
 YAML_TAB = about('launch.yaml-tab', what='a tab stands in the indentation', do='indent with spaces: YAML takes no tabs')
 YAML_ROOT = about(
     'launch.yaml-root',

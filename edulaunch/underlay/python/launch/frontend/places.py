@@ -40,9 +40,7 @@ def complete_unreadable(error: Any, file: str) -> None:
     """For the error of a text that is not in its format: add the place and the problem."""
     mark = getattr(error, 'problem_mark', None)
     line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
-    if isinstance(error, UnicodeDecodeError):
-        with_facts(error, 'launch.not-utf-8', encoding='UTF-16' if error.object[:2] in (b'\xff\xfe', b'\xfe\xff') else None)
-    elif not facts_of(error):
+    if not facts_of(error) and not isinstance(error, UnicodeDecodeError):
         problem = getattr(error, 'problem', None) or str(error)
         with_facts(error, 'launch.unreadable', problem=problem.split('\n', 1)[0])
     _point_to(error, file, line)
