@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .scenario import Scenario
@@ -34,6 +34,10 @@ class Evidence(Mapping[str, 'Recording']):
 
     def __len__(self) -> int:
         return len(self._recordings)
+
+    def only(self, names: Sequence[str]) -> Evidence:
+        """The same for some of the scenarios."""
+        return Evidence(self._scenarios, {name: self[name] for name in self if name in names}, self.source)
 
     @property
     def first(self) -> Recording:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from .place import Place, is_shipped
 
-_GAP = re.compile(r'\s*#\s*TODO\b\s*(\d{0,9})')
+_GAP = re.compile(r'\s*(?:#|<!--)\s*TODO\b\s*(\d{0,9})')
 _FUNCTION = re.compile(r'\s*(async\s+)?def\s+generate_launch_description\b')
 _LIST = re.compile(r'.*\bLaunchDescription\s*\(')
 

@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 from .evidence import Evidence
-from .failure import Failure, Missing
+from .failure import Failure, Mismatch, Missing
 from .library.arguments import require_argument, require_default
 from .library.circle_fit import fit_circle
 from .library.close import require_close
@@ -16,7 +16,7 @@ from .library.following import require_near, require_pursuit
 from .library.frames import numbers, require_frame, transforms, yaw
 from .library.launched import find_processes, refuse_dead, require_process
 from .library.movement import Track, length, odometry_track, since, turtle_track
-from .library.node_graph import require_node, require_topic
+from .library.node_graph import require_listener, require_node, require_nodes, require_started, require_topic
 from .library.parameters import require_parameter
 
 ARGUMENT = re.compile(r'\$\(arg (\w+)\)')
@@ -37,7 +37,7 @@ class Wanted(dict[str, Any]):
         for key in ('tolerance', 'within', 'since', 'rate', 'near'):
             if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
-        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw'):
+        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at'):
             if key in self and not isinstance(self[key], (int, float)) and not ARGUMENT.fullmatch(str(self[key])):
                 raise ValueError(f'{key} is {self[key]!r}, and neither a number nor $(arg NAME)')
         if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
@@ -92,7 +92,39 @@ def _alive(run: Evidence, wanted: Wanted) -> None:
 
 
 def _node(run: Evidence, wanted: Wanted) -> None:
-    require_node(run, wanted['name'], wanted['package'], wanted.try_ or f'give the Node of {wanted["package"]} this name')
+    for scenario in run:
+        name = wanted.text('name', run, scenario)
+        require_node(
+            run.only([scenario]), name, wanted['package'], wanted.try_ or f'give the Node of {wanted["package"]} this name'
+        )
+
+
+def _nodes(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        require_nodes(run, scenario, [str(name) for name in wanted['are']], wanted.try_)
+
+
+def _hears(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        node, topic = (wanted.text(key, run, scenario) for key in ('node', 'topic'))
+        require_listener(run, scenario, node, topic, wanted.try_ or f"give the Node remappings=[(..., '{topic}')]")
+
+
+def _starts(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        node = require_started(run, scenario, wanted.text('node', run, scenario), wanted.try_)
+        since_s = require_started(run, scenario, wanted.text('after', run, scenario), wanted.try_) if 'after' in wanted else 0.0
+        what = f'the start of {wanted["node"]}' + (f' after that of {wanted["after"]}' if 'after' in wanted else '') + ' in s'
+        require_close(
+            run,
+            scenario,
+            what,
+            node - since_s,
+            wanted.number('at', run, scenario),
+            _tolerance(wanted, 0.3),
+            *_near(wanted),
+            try_=wanted.try_,
+        )
 
 
 def _topic(run: Evidence, wanted: Wanted) -> None:
@@ -117,6 +149,38 @@ def _parameter(run: Evidence, wanted: Wanted) -> None:
     values = {scenario: wanted.same_type('value', run, scenario) for scenario in run}
     advice = wanted.try_ or f"give the Node parameters=[{{'{wanted['name']}': ...}}]"
     require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
+
+
+def _node_parameter(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        node, name = wanted.text('node', run, scenario), wanted['name']
+        advice = wanted.try_ or f'ros2 param get {node} {name} shows the value; look in the launch file for what sets it'
+        require_node(run.only([scenario]), node, wanted['package'], advice)
+        found = run[scenario].parameters(node).get(name)
+        asked = wanted.same_type('value', run, scenario)
+        if found is None or found.value != asked or isinstance(found.value, bool) != isinstance(asked, bool):
+            seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
+            words = run.scenario(scenario).words
+            raise Mismatch(f'{name} of {node}, when launched with {words}', str(asked), seen, where=run.source.place, try_=advice)
+
+
+def _place(run: Evidence, wanted: Wanted) -> None:
+    for scenario in run:
+        track = turtle_track(run[scenario], f'/{wanted["turtle"].strip("/")}/pose')
+        if not track:
+            raise Missing(
+                f'the turtle {wanted["turtle"]}',
+                seen='no pose of it',
+                where=run.source.place,
+                try_=wanted.try_ or 'who spawns it?',
+            )
+        for axis, key in enumerate(('x', 'y'), 1):
+            if key in wanted:
+                asked = wanted.number(key, run, scenario)
+                what = f'{key} of {wanted["turtle"]} at the end in m'
+                require_close(
+                    run, scenario, what, track[-1][axis], asked, _tolerance(wanted, 0.05), *_near(wanted), try_=wanted.try_
+                )
 
 
 def _frame(run: Evidence, wanted: Wanted) -> None:
@@ -233,6 +297,9 @@ KINDS = {
     ),
     'alive': Kind(_alive, (), (), 'No node dies before the end'),
     'node': Kind(_node, ('name', 'package'), ('name', 'package'), 'There is a node {name} of the package {package}'),
+    'nodes': Kind(_nodes, ('are',), ('are',), 'These nodes run, and no others: {are}'),
+    'hears': Kind(_hears, ('node', 'topic'), ('node', 'topic'), '{node} hears what is published on {topic}'),
+    'starts': Kind(_starts, ('node', 'at', 'after', *_MEASURE), ('node', 'at'), '{node} starts when it should'),
     'topic': Kind(_topic, ('name', 'type', 'package', 'rate', *_MEASURE), ('name',), 'Somebody publishes on {name}'),
     'parameter': Kind(
         _parameter,
@@ -240,6 +307,13 @@ KINDS = {
         ('package', 'executable', 'name', 'value'),
         'The parameter {name} of {executable} has its value',
     ),
+    'node_parameter': Kind(
+        _node_parameter,
+        ('node', 'package', 'name', 'value'),
+        ('node', 'package', 'name', 'value'),
+        'The parameter {name} of {node} has its value',
+    ),
+    'place': Kind(_place, ('turtle', 'x', 'y', *_MEASURE), ('turtle',), '{turtle} stands in its place at the end'),
     'frame': Kind(
         _frame,
         ('child', 'parent', 'x', 'y', 'z', 'yaw', *_MEASURE),

@@ -14,7 +14,7 @@ from .scenario import Scenario
 from .yaml_checks import ARGUMENT, KINDS, Wanted
 
 Problem = Callable[[yaml.Node, str], RubricMistake]
-COMMON = ('points', 'say', 'name', 'needs', 'try')
+COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
@@ -39,9 +39,10 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
         raise problem(root, f'the rubric lacks {" and ".join(missing)}')
     runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')]
     _choose(runs, Random(0))  # a mistake is found now, and not when the first submission is graded
+    names = [scenario.name for scenario in _choose(runs, Random(0))]
     checks: dict[str, Check] = {}
     for node in _items(parts['checks'], problem, 'checks'):
-        check = _check(node, problem, checks)
+        check = _check(node, problem, checks, names)
         checks[check.name] = check
     _refuse_unknown_arguments(parts['checks'], runs, problem)
     title = _value(parts['title'], problem)
@@ -111,7 +112,7 @@ def _decimals(node: yaml.MappingNode, problem: Problem) -> int:
     return decimals
 
 
-def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check]) -> Check:
+def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: list[str]) -> Check:
     parts = _mapping(node, problem, 'a check', (*KINDS, *COMMON))
     kinds = [name for name in parts if name in KINDS]
     if len(kinds) != 1:
@@ -137,10 +138,13 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check]) -> Che
     strange = [each for each in names if each not in known]
     if strange:
         raise problem(parts['needs'], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
+    only = _value(parts['only'], problem) if 'only' in parts else runs
+    if not isinstance(only, list) or not only or any(each not in runs for each in only):
+        raise problem(parts['only'], f'only is a list of names of runs; there are {", ".join(runs)}')
     return Check(
         name,
         words.get('say') or kind.sentence.format_map(wanted),
-        lambda run: kind.function(run, wanted),
+        lambda run: kind.function(run.only(only), wanted),
         points,
         tuple(known[each] for each in names),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence
@@ -25,6 +26,42 @@ def require_node(run: Evidence, name: str, package: str, try_: str) -> None:
         names = [node.name for node in recording.nodes if is_of(recording, node.process, package)]
         if name not in names:
             raise Missing(f'the node {name}', name=name, among=names, where=run.source.place, try_=try_)
+
+
+def require_nodes(run: Evidence, scenario: str, names: Sequence[str], try_: str | None = None) -> None:
+    """Exactly these nodes run; those of the command line's tools do not count.
+
+    :raises Mismatch: naming both.
+    """
+    found = sorted(node.name for node in run[scenario].nodes if not node.name.rpartition('/')[2].startswith('_'))
+    if found != sorted(names):
+        seen = ', '.join(found) or 'none'
+        words = run.scenario(scenario).words
+        raise Mismatch(
+            f'the nodes, when launched with {words}', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
+        )
+
+
+def require_listener(run: Evidence, scenario: str, node: str, topic: str, try_: str | None = None) -> None:
+    """Messages come on a topic, and a node of this name listens there.
+
+    :raises Missing: naming who listens.
+    """
+    found = require_topic(run, scenario, topic, try_=try_)
+    if node not in found.subscriptions:
+        seen = f'listened to by {", ".join(found.subscriptions) or "nobody"}'
+        raise Missing(f'{node} among those who listen to {topic}', seen=seen, where=run.source.place, try_=try_)
+
+
+def require_started(run: Evidence, scenario: str, node: str, try_: str | None = None) -> float:
+    """When a node started, in simulated seconds.
+
+    :raises Missing: naming the nodes that are there.
+    """
+    started = {each.name: each.started_s for each in run[scenario].nodes}
+    if node not in started:
+        raise Missing(f'the node {node}', name=node, among=list(started), where=run.source.place, try_=try_)
+    return started[node]
 
 
 def require_topic(

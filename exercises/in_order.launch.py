@@ -1,0 +1,29 @@
+"""Three programs that must not start together.
+
+    ros2 launch in_order.launch.py delay:=3.0
+
+The simulator starts. When it has started, draw_square starts (name: driver). The launch argument delay says how many
+seconds after draw_square a second simulator, /late/sim, comes.
+
+Grade it: edugrade exercises/in_order.launch.py        A hint: edugrade exercises/in_order.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, RegisterEventHandler, TimerAction
+from launch.event_handlers import OnProcessStart
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    delay = LaunchConfiguration('delay')
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
+    driver = Node(package='turtlesim', executable='draw_square', name='driver')
+    late = Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace='late')
+    return LaunchDescription([
+        DeclareLaunchArgument('delay', default_value='2.0', description='Seconds from the driver to the late world.'),
+        # TODO 1: when sim has started, start driver
+
+        # TODO 2: when driver has started, wait for delay, then start late
+
+        sim,
+    ])

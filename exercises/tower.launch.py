@@ -1,0 +1,30 @@
+"""Frames, one on top of the other: floor, table, lamp.
+
+    ros2 launch tower.launch.py height:=0.75
+
+The frame table stands in floor at x = 1.0, as high as the launch argument height says; the frame lamp stands in table, 0.4 m
+above it, and is turned by a quarter to the left (yaw 1.5708).
+
+Grade it: edugrade exercises/tower.launch.py        A hint: edugrade exercises/tower.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def frame(parent, child, *arguments):
+    return Node(package='tf2_ros', executable='static_transform_publisher', name=f'{child}_frame',
+                arguments=[*arguments, '--frame-id', parent, '--child-frame-id', child])
+
+
+def generate_launch_description():
+    height = LaunchConfiguration('height')
+    return LaunchDescription([
+        DeclareLaunchArgument('height', default_value='0.75', description='Of the table, in metres.'),
+        frame('house', 'floor'),
+        # TODO 1: the table in the floor
+
+        # TODO 2: the lamp on the table
+
+    ])

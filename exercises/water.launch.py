@@ -1,0 +1,25 @@
+"""A simulator whose water takes its colour from three launch arguments.
+
+    ros2 launch water.launch.py red:=200 green:=0 blue:=40
+
+turtlesim_node has the whole numbers background_r, background_g and background_b, 0 to 255.
+
+Grade it: edugrade exercises/water.launch.py        A hint: edugrade exercises/water.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('red', default_value='69', description='0 to 255.'),
+        # TODO 1: declare green (default 86) and blue (default 255)
+
+        Node(
+            package='turtlesim', executable='turtlesim_node', name='sim',
+            # TODO 2: the three parameters, from the three arguments
+
+        ),
+    ])

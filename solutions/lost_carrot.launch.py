@@ -1,0 +1,31 @@
+"""turtle2 should go to a carrot, 2 m to the left of turtle1. Everything runs, and it goes nowhere.
+
+    ros2 launch lost_carrot.launch.py side:=2.0
+
+Two places are wrong. Find them with the tools (tf2_echo, view_frames, edulaunch doctor) before you read the file.
+
+Grade it: edugrade exercises/lost_carrot.launch.py        A hint: edugrade exercises/lost_carrot.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def broadcaster(turtle):
+    return Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name=f'broadcaster_{turtle}',
+                parameters=[{'turtlename': turtle}])
+
+
+def generate_launch_description():
+    side = LaunchConfiguration('side')
+    return LaunchDescription([
+        DeclareLaunchArgument('side', default_value='2.0', description='How far to the left, in metres.'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        broadcaster('turtle1'),
+        broadcaster('turtle2'),
+        Node(package='tf2_ros', executable='static_transform_publisher', name='carrot',
+             arguments=['--y', side, '--frame-id', 'turtle1', '--child-frame-id', 'carrot1']),
+        Node(package='turtle_tf2_py', executable='turtle_tf2_listener', name='listener',
+             parameters=[{'target_frame': 'carrot1'}]),
+    ])

@@ -1,0 +1,37 @@
+"""A cart with a mast, described in URDF, and a motor that turns the mast.
+
+    ros2 launch mast.launch.py angle:=0.5
+
+The mast stands 0.1 m in front of base_link and 0.2 m above it, and turns round z; the camera sits on it, 0.3 m higher. The
+node robot_state_publisher is there already; the motor speaks on /joint_states and says the angle.
+
+Grade it: edugrade exercises/mast.launch.py        A hint: edugrade exercises/mast.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+CART = """<robot name="cart">
+  <link name="base_link"/> <link name="mast"/>
+  <joint name="mast_joint" type="continuous">
+    <parent link="base_link"/> <child link="mast"/>
+    <origin xyz="0.1 0 0.2"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <link name="camera"/>
+  <joint name="camera_joint" type="fixed">
+    <parent link="mast"/> <child link="camera"/>
+    <origin xyz="0 0 0.3"/>
+  </joint>
+</robot>"""
+
+
+def generate_launch_description():
+    angle = LaunchConfiguration('angle')
+    motor = ['ros2', 'topic', 'pub', '-r', '10', '/joint_states', 'sensor_msgs/msg/JointState']
+    return LaunchDescription([
+        DeclareLaunchArgument('angle', default_value='0.5', description='Of the mast, in radians.'),
+        Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': CART}]),
+        ExecuteProcess(cmd=[*motor, ['{header: auto, name: [mast_joint], position: [', angle, ']}']]),
+    ])

@@ -1,0 +1,30 @@
+"""Two turtles come to visit, and one of them in the right place.
+
+    ros2 launch visitors.launch.py x:=3.0
+
+When the simulator has started, the service /spawn is called twice: for a turtle bert at (9, 9), and for a turtle carl whose x
+is the launch argument x, and whose y is 2. (A call is `ros2 service call NAME TYPE VALUES`.)
+
+Grade it: edugrade exercises/visitors.launch.py        A hint: edugrade exercises/visitors.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler
+from launch.event_handlers import OnProcessStart
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def spawn(*words):
+    return ExecuteProcess(cmd=['ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', list(words)])
+
+
+def generate_launch_description():
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
+    return LaunchDescription([
+        DeclareLaunchArgument('x', default_value='3.0', description='Where carl comes, in metres from the left.'),
+        RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[
+            spawn('{x: 9.0, y: 9.0, name: bert}'),
+            spawn('{x: ', LaunchConfiguration('x'), ', y: 2.0, name: carl}'),
+        ])),
+        sim,
+    ])

@@ -1,0 +1,57 @@
+"""The exercises whose rubric is YAML: solutions get all points, near misses fail in the check that is about them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from edugrade.grading import grade, plan_work
+from edugrade.submission import Submission
+
+SOLUTIONS = Path(__file__).resolve().parents[2] / 'solutions'
+MISSES = [
+    (
+        'two_rooms.launch.py',
+        "namespace='hall'),\n        Node(package='demo_nodes_py', executable='listener', namespace=room",
+        "namespace='hall'),\n        Node(package='demo_nodes_py', executable='listener', namespace='kitchen'",
+        'other',
+    ),
+    ('two_rooms.launch.py', "('chatter', '/hall/chatter')", "('/chatter', '/hall/chatter')", 'heard'),
+    ('silent_listener.launch.py', "name='radio', remappings=[('chatter',", "name='radio', remappings=[('/chattr',", 'radio'),
+    ('water.launch.py', 'LaunchConfiguration(colour)', "LaunchConfiguration('red')", 'green_water'),
+    ('water.launch.py', "default_value='86'", "default_value='87'", 'green'),
+    ('on_request.launch.py', 'condition=IfCondition(drive)', "condition=IfCondition('true')", 'quiet'),
+    ('on_request.launch.py', "EqualsSubstitution(worlds, '2')", "EqualsSubstitution(worlds, '1')", 'quiet'),
+    ('fence.launch.py', "SetParameter('background_b', blue)", "SetParameter('background_b', 40)", 'night'),
+    ('in_order.launch.py', 'period=delay', 'period=2.0', 'after_driver'),
+    ('rooms.launch.xml', '$(var room)', 'kitchen', 'lives'),
+    ('tower.launch.py', "'--yaw', '1.5708'", "'--yaw', '-1.5708'", 'lamp_place'),
+    ('mast.launch.py', 'xyz="0 0 0.3"', 'xyz="0 0.3 0"', 'camera_place'),
+    ('mast.launch.py', "position: [', angle", "position: [', '0.5'", 'angle'),
+    (
+        'visitors.launch.py',
+        "spawn('{x: ', LaunchConfiguration('x'), ', y: 2.0, name: carl}')",
+        "spawn('{x: 3.0, y: 2.0, name: carl}')",
+        'carl',
+    ),
+    ('lost_carrot.launch.py', "{'target_frame': 'carrot1'}", "{'target_frame': 'turtle1'}", 'asked'),
+]
+NAMES = sorted({name for name, *_ in MISSES})
+
+
+def failed(path: Path) -> list[str]:
+    (report,) = grade([plan_work(Submission(str(path)))])
+    return [result.name for result in report.results if result.status == 'failed']
+
+
+@pytest.mark.parametrize('name', NAMES)
+def test_the_solution_gets_all_points(name: str) -> None:
+    assert failed(SOLUTIONS / name) == []
+
+
+@pytest.mark.parametrize(('name', 'old', 'new', 'check'), MISSES)
+def test_a_near_miss_fails_where_it_misses(tmp_path: Path, name: str, old: str, new: str, check: str) -> None:
+    text = (SOLUTIONS / name).read_text()
+    assert text.count(old) == 1, name
+    (tmp_path / name).write_text(text.replace(old, new))
+    assert check in failed(tmp_path / name)
