@@ -8,6 +8,7 @@ from edulaunch.advice.errors.about import about, speak
 from edulaunch.advice.failure import Failure
 from edulaunch.advice.finding import Finding
 from edulaunch.advice.rule import rule
+from edulaunch.nearest import nearest
 
 
 @rule(
@@ -32,6 +33,24 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
             as_integer=value.partition('.')[0] if pair == ('DOUBLE', 'INTEGER') else None,
             as_text=value if pair[1] == 'STRING' and pair[0] in ('INTEGER', 'DOUBLE', 'BOOL') else None,
         )
+
+
+@rule(
+    'programs.parameter-undeclared',
+    what="the parameter '{parameter}' is used here, but was not declared",
+    why='a node knows only the parameters that it has declared, also those that a launch file sets',
+    do=(
+        "write '{near}', if that is the one you mean",
+        "declare it before: self.declare_parameter('{parameter}', ...), with a default value",
+    ),
+    lesson='05_large_project',
+    level='error',
+)
+def parameter_undeclared(failure: Failure) -> Iterator[Finding]:
+    """By get_parameter, set_parameters and the like."""
+    facts = failure.facts
+    if facts.get('about') == 'programs.parameter-undeclared':
+        yield speak(failure, near=nearest(str(facts.get('parameter')), map(str, facts.get('declared') or ())))
 
 
 PARAMETER_FILE = about(

@@ -48,6 +48,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     ),
     lesson=LESSON,
     level='error',
+    hides=('programs.died',),
 )
 def unknown_frame(recording: Recording) -> Iterator[Finding]:
     """A frame that was asked for and never came, in the whole run. A frame that only came late is none."""
@@ -65,6 +66,7 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
     do="write '{plain}'",
     lesson=LESSON,
     level='error',
+    hides=('programs.died',),
 )
 def leading_slash(recording: Recording) -> Iterator[Finding]:
     """The frame is there, under the name without the slash."""
@@ -85,6 +87,7 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
     ),
     lesson=LESSON,
     level='error',
+    hides=('programs.died',),
 )
 def empty_buffer(recording: Recording) -> Iterator[Finding]:
     """The frames are broadcast, but none of them has reached the buffer that is asked."""
@@ -113,7 +116,7 @@ def lookup_early(recording: Recording) -> Iterator[Finding]:
     for fact in _lookups(recording):
         name = next((name for name in reversed(fact.data['unknown']) if name in known), None)
         if name is not None and _is_early(recording, fact):
-            yield _found(recording, fact, name, process=fact.process)
+            yield _found(recording, fact, name)
 
 
 def _is_early(recording: Recording, fact: Fact) -> bool:
@@ -131,6 +134,7 @@ MOMENT_S = 0.05
     do="broadcast a transform that joins them, for instance one with the parent '{second}' and the child '{first}'",
     lesson=LESSON,
     level='error',
+    hides=('programs.died',),
 )
 def separate_trees(recording: Recording) -> Iterator[Finding]:
     """Both frames are there, and in the whole run nothing joins them."""
@@ -154,7 +158,7 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
     ),
     lesson=LESSON,
     level='error',
-    hides=('time.slow-callback',),
+    hides=('programs.died', 'time.slow-callback'),
 )
 def lookup_future(recording: Recording) -> Iterator[Finding]:
     """Each lookup was too early, up to the last one."""
@@ -169,6 +173,7 @@ def lookup_future(recording: Recording) -> Iterator[Finding]:
     do=('ask for a later time, wait until enough time has passed, or keep more: Buffer(cache_time=Duration(seconds=30))'),
     lesson=LESSON,
     level='error',
+    hides=('programs.died',),
 )
 def lookup_past(recording: Recording) -> Iterator[Finding]:
     """Each lookup was for a time before all that the buffer holds, up to the last one."""

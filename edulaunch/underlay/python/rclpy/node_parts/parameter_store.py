@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 from warnings import warn
 
+from edulaunch.facts import with_facts
 from edulaunch.graph.parameters import float_range_problem, integer_range_problem
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException, ParameterNotDeclaredException
 from rclpy.impl.student_place import student_level
@@ -47,7 +48,7 @@ class ParameterStore:
         if name in self.descriptors:
             return self.descriptors[name]
         if not self.allow_undeclared:
-            raise ParameterNotDeclaredException(name)
+            raise undeclared(name, self.values)
         from rcl_interfaces.msg import ParameterDescriptor
 
         return ParameterDescriptor()
@@ -85,14 +86,14 @@ class ParameterStore:
         :raises TypeError: when one is no Parameter.
         :raises ParameterNotDeclaredException: when there are any.
         """
-        undeclared = []
+        names = []
         for parameter in parameters:
             if not isinstance(parameter, Parameter):
                 raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
             if parameter.name not in self.values:
-                undeclared.append(parameter.name)
-        if undeclared and not self.allow_undeclared:
-            raise ParameterNotDeclaredException(undeclared[1:])
+                names.append(parameter.name)
+        if names and not self.allow_undeclared:
+            raise undeclared(names[0], self.values, names[1:])
 
     def _checked(
         self, parameters: list[Parameter], descriptors: dict[str, ParameterDescriptor], check_read_only: bool
@@ -153,6 +154,12 @@ class ParameterStore:
         self._on_change(new, changed, deleted)
         for callback in self.post_callbacks:
             callback(list(parameters))
+
+
+def undeclared(name: str, declared: Iterable[str], told: list[str] | None = None) -> ParameterNotDeclaredException:
+    """The error for a parameter that was not declared; `told` are the names in its text (default: its own)."""
+    error = ParameterNotDeclaredException(name if told is None else told)
+    return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
 
 def _result(problem: str | None) -> SetParametersResult:

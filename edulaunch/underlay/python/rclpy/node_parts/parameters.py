@@ -16,6 +16,7 @@ from rclpy.exceptions import (
 )
 from rclpy.impl.student_place import student_level
 from rclpy.node_parts.core import NodeCore
+from rclpy.node_parts.parameter_store import undeclared
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ class NodeParameters:
         if parameter is None:
             if store.allow_undeclared:
                 return Parameter(name, ParameterType.NOT_SET, None)
-            raise ParameterNotDeclaredException(name)
+            raise undeclared(name, store.values)
         if parameter.type_ is ParameterType.NOT_SET and not store.descriptors[name].dynamic_typing:
             raise ParameterUninitializedException(name)
         return parameter
@@ -133,7 +134,7 @@ class NodeParameters:
         if name in store.values:
             return int(store.values[name].type_.value)
         if not store.allow_undeclared:
-            raise ParameterNotDeclaredException(name)
+            raise undeclared(name, store.values)
         return ParameterType.NOT_SET
 
     def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
