@@ -137,7 +137,7 @@ def report(explanation: Explanation) -> int:
         print(f'missing packages, with placeholders instead: {", ".join(packages)}', file=sys.stderr)
     for other in others:
         print(f'missing: {other}', file=sys.stderr)
-    error = explanation.data['error']
+    error = explanation.plan['error']
     if error is None:
         return 0
     place = f'\n  at {error["origin"]}' if error.get('origin') else ''

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.explaining.declared import declared_parameters
@@ -22,7 +23,7 @@ class Tree:
     """A tree of entries that a notebook shows so that it can be opened, and anything else as lines."""
 
     title: str
-    entries: list[Entry]
+    entries: Any
     data: Any
 
     def __str__(self) -> str:
@@ -40,19 +41,25 @@ class Tree:
 
 
 class Explanation(Tree):
-    """What a launch file does: includes, arguments, conditions, nodes, and the origin of every value.
-
-    :ivar data: the same as plain data; see :mod:`edulaunch.plan.explanation`.
-    """
+    """What a launch file does: includes, arguments, conditions, nodes, and the origin of every value."""
 
     def __init__(self, rehearsal: Rehearsal, workspaces: Sequence[str]) -> None:
-        from edulaunch.plan.explanation import explanation_of
-
         self._rehearsal = rehearsal
         self._workspaces = workspaces
-        self.data = explanation_of(rehearsal)
-        self.title = self.data['file']
-        self.entries = self.data['tree']
+        self.title = rehearsal.plan['file']
+
+    @cached_property
+    def data(self) -> Entry:
+        """The same as plain data; see :mod:`edulaunch.plan.explanation`."""
+        from edulaunch.plan.explanation import explanation_of
+
+        return explanation_of(self._rehearsal)
+
+    @cached_property
+    def entries(self) -> list[Entry]:
+        """The tree."""
+        tree: list[Entry] = self.data['tree']
+        return tree
 
     def __str__(self) -> str:
         error = self.data['error']
