@@ -16,6 +16,14 @@ examples:
   edugrade my_try.launch.py --rubric circle            a file of another name
   edugrade exercises/circle.launch.py --hint 1         a hint instead of a report (levels 1 to 3)
   edugrade batch submissions/ --csv marks.csv          a class; --resume goes on where it was stopped
+  edugrade verify report.json                          make a mark again, and say whether it holds
+  edugrade sign report.json --key key.pem              sign a report
+  edugrade similar submissions.results                 who has code in common, side by side
+  edugrade export moodle submissions.results --out m.csv    marks for Moodle or Canvas
+  edugrade gradescope build circle                     an autograder for Gradescope
+  edugrade classroom circle                            autograding for GitHub Classroom
+  edugrade course                                      whether exercises, solutions and rubrics belong together
+  edugrade schema                                      the JSON schema of reports
   edugrade doctor                                      what a submission on this machine is kept from
 
 exit codes (the worst one, of several):
