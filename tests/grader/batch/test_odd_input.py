@@ -17,7 +17,9 @@ SLOW_TEXT = (
     'class Slow(Exception):\n    def __str__(self):\n        while True:\n            pass\n\n\n'
     'def generate_launch_description():\n    raise Slow()\n'
 )
-SLEEPER = f'import subprocess, sys\nsubprocess.Popen([sys.executable, "-c", "import time; time.sleep({os.getpid()}600)"])\n' + SOLUTION
+SLEEPER = (
+    f'import subprocess, sys\nsubprocess.Popen([sys.executable, "-c", "import time; time.sleep({os.getpid()}600)"])\n' + SOLUTION
+)
 
 
 def a_socket(folder: Path) -> None:
