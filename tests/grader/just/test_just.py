@@ -12,6 +12,8 @@ from edugrade.submission import Submission
 from near_misses import WRONG, WRONG_PACKAGES
 from right import RIGHT, RIGHT_PACKAGES
 
+pytestmark = pytest.mark.whole  # ninety submissions that are run
+
 ALL_RIGHT = [*RIGHT, *RIGHT_PACKAGES]
 ALL_WRONG = {**{name: case[1] for name, case in WRONG.items()}, **{name: case[0] for name, case in WRONG_PACKAGES.items()}}
 
