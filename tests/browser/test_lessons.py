@@ -23,6 +23,8 @@ def test_a_lesson_runs_from_top_to_bottom(lab: Lab, name: str) -> None:
         failed = [ident for ident, cell in cells.items() if any(output['output_type'] == 'error' for output in cell['outputs'])]
         assert failed == [cell.id for cell in stored.code if 'raises-exception' in cell.tags]
         assert page.requests == []
+        texts = page.page.locator('.jp-OutputArea img').evaluate_all('images => images.map(image => image.alt)')
+        assert all(len(text) > 10 for text in texts), texts
         for number, cell in enumerate(cell for cell in stored.cells if cell.kind == 'markdown'):
             if cell.source.startswith('## ') or number == 0:
                 page.show(cell.id, f'{number:02}-{cell.id}')
