@@ -84,6 +84,12 @@ def _imported_name(process: Process, error: ImportError) -> Found:
     name = f'{error.name}.{said[1]}'
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
+    from edulaunch.interfaces import current_registry
+    from edulaunch.interfaces.modules import homes_of
+
+    homes = [home for home in homes_of(current_registry(), said[1]) if home.startswith(f'{error.name}.')]
+    if homes:  # `from geometry_msgs import Twist`
+        return {'about': 'messages.no-interface', 'interface': said[1], 'module': error.name, 'homes': homes}
     module = process.loader.modules.get(error.name or '')
     names = [] if module is None else [name for name in vars(module) if not name.startswith('__')]
     return {

@@ -35,6 +35,7 @@ def facts(world: Any, text: str) -> dict[str, Any]:
         ('import rclpy\nwith rclpy.init():\n    pass', {'about': 'programs.with-init'}),
         ('from geometry_msgs.msg import Twist\nTwist().linaer', {'about': 'messages.field', 'type': 'Twist', 'near': 'linear'}),
         ('import ctypes\nctypes.CDLL("libnothing.so.1")', {'about': 'programs.library', 'library': 'libnothing.so.1'}),
+        ('from geometry_msgs import Twist', {'about': 'messages.no-interface', 'homes': ['geometry_msgs.msg']}),
         ('1 / 0', {}),
     ],
 )

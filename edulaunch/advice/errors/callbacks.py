@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from edulaunch.advice.errors.about import about
+import re
+from collections.abc import Iterator
+
+from edulaunch.advice.errors.about import about, speak
+from edulaunch.advice.failure import Failure
+from edulaunch.advice.finding import Finding
+from edulaunch.advice.rule import rule
 
 CALLBACK_NONE = about(
     'programs.callback-none',
@@ -51,3 +57,16 @@ TIMEOUT_NO_DURATION = about(
     what='the timeout is a Duration here, not a {given}',
     do='write Duration(seconds=1.0), after: from rclpy.duration import Duration',
 )
+
+
+@rule(
+    'programs.forgotten-self',
+    what='the method {method}() has no argument self, and Python always hands it the object',
+    do='write it as: def {method}(self)',
+    level='error',
+)
+def forgotten_self(failure: Failure) -> Iterator[Finding]:
+    """A method of a class without any argument. Python before 3.10 does not name the class."""
+    said = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
+    if said is not None and failure.type == 'TypeError':
+        yield speak(failure, method=said[1])
