@@ -145,7 +145,7 @@ def _forget(record: Record) -> None:
 
 
 def spec_as_data(spec: ProcessSpec) -> list[Any]:
-    """A spec as plain data; `trusted.spec_from_data` takes it."""
+    """A spec as plain data; `trusted_host.spec_from_data` takes it."""
     values = spec._asdict()
     values['origin'] = None if spec.origin is None else list(spec.origin)
     values['env'] = None if spec.env is None else dict(spec.env)

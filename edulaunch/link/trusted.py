@@ -4,15 +4,11 @@ others, and reads nothing of the student's but frames.
 
 from __future__ import annotations
 
-import shlex
 import socket
-from collections.abc import Callable, Sequence
-from types import MappingProxyType
+from collections.abc import Callable
 from typing import Any
 
-from edulaunch.facts import with_facts
 from edulaunch.graph.graph import Graph, NodeEntry
-from edulaunch.graph.parameter_files import Entry, ParameterFileError
 from edulaunch.graph.qos import TRANSIENT_LOCAL
 from edulaunch.graph.services import ServiceClient
 from edulaunch.graph.topics import WatchedPublisher
@@ -23,18 +19,14 @@ from edulaunch.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.link.half import Half
 from edulaunch.link.hosted import hosted_program, shipped_path
 from edulaunch.link.replica import Replica
+from edulaunch.link.trusted_host import TrustedHost, spec_from_data, text_of
 from edulaunch.packages import Index
-from edulaunch.processes.host import Host
-from edulaunch.processes.origin import Origin
-from edulaunch.processes.process import Process
-from edulaunch.processes.programs import run_program
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording.recorder import Recorder
 from edulaunch.sourcing import source
 from edulaunch.underlay_place import underlay_prefix
 
-MOST_PROGRAMS = 2000
 STREAMS = ('stdout', 'stderr')
 
 
@@ -103,122 +95,6 @@ class TrustedRecorder(Recorder):
         return self.texts
 
 
-class TrustedHost(Host):
-    """Hosts what came with edulaunch. It starts no program of the system, and looks for none among the student's files."""
-
-    half: Half
-
-    def spawn(self, payload: memoryview) -> None:
-        """Start a program that the confined half asks for."""
-        pid, argv, package, executable, data = load(bytes(payload))
-        spec = spec_from_data(data)
-        program = hosted_program(_text(package), _text(executable))
-        _check_words(spec, argv)
-        is_called_so = spec.argv[:1] == (shipped_path(spec.package, spec.executable),)
-        if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
-            raise Violation('no program that is hosted here')
-        process = Process(self, spec, self.their_pid(pid), argv, lambda process: run_program(process, program))
-        process.on_output = lambda stream, text: self.half.call(Kind.OUTPUT, [pid, stream, text])
-        process.on_exit = lambda code: self.half.call(Kind.EXIT, [pid, code, process.exception])
-        self.adopt(process)
-
-    def their_pid(self, pid: Any) -> int:
-        """The next number, which the confined half has to name."""
-        if pid != self.next_pid() or pid >= 1000 + MOST_PROGRAMS:
-            raise Violation('programs are numbered as they come')
-        return int(pid)
-
-    def hosted(self, pid: Any) -> Process | None:
-        """The hosted program of that pid; None when it has ended."""
-        return next((each for each in self.processes if each.pid == pid), None)
-
-    def send_signal(self, payload: memoryview) -> None:
-        """Deliver a signal to a hosted program."""
-        pid, signum = load(bytes(payload))
-        process = self.hosted(pid)
-        if process is not None and 0 < signum < 65:
-            process.send_signal(signum)
-
-    def hear(self, payload: memoryview) -> None:
-        """Set whether the output of a hosted program is recorded."""
-        pid, is_heard = load(bytes(payload))
-        process = self.hosted(pid)
-        if process is not None:
-            process.is_heard = is_heard is True
-
-    def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """As `Host.parameter_entries`: the confined half reads the file."""
-        program = self.program_here()
-        told = self.half.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
-        if isinstance(told, list):
-            return [_entry(row) for row in told]
-        raise _reading_error(told)
-
-
-def _entry(row: Any) -> Entry:
-    pattern, name, value, line = row
-    if not (isinstance(pattern, str) and isinstance(name, str) and isinstance(line, int) and _is_value(value)):
-        raise Violation('no parameter')
-    return Entry(pattern, name, value, line)
-
-
-def _is_value(value: Any) -> bool:
-    if isinstance(value, list):
-        return all(isinstance(each, (bool, int, float, str)) for each in value)
-    return value is None or isinstance(value, (bool, int, float, str))
-
-
-def _reading_error(told: Any) -> Exception:
-    if 'reason' in told:
-        error = ParameterFileError(_text(told['reason']))
-        return with_facts(error, _text(told['facts'].pop('about')), **told['facts']) if told['facts'] else error
-    if 'coding' in told:
-        encoding, wrong, start, end, reason = told['coding']
-        if not (0 <= start < end < 1 << 26 and isinstance(wrong, bytes)):
-            raise Violation('no place in a file')
-        return UnicodeDecodeError(_text(encoding), bytes(start) + wrong, start, end, _text(reason))
-    number, text, file = told['system']
-    return OSError(int(number), _text(text), _text(file))
-
-
-def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise Violation('no text')
-    return value
-
-
-def _check_words(spec: ProcessSpec, argv: Any) -> None:
-    """What a program is told to be started with is the end of the command line that the record shows."""
-    words = shlex.split(' '.join(spec.argv)) if spec.shell else list(spec.argv)
-    if not isinstance(argv, list) or not argv or words[-len(argv) :] != argv:
-        raise Violation('a program is what its command line says')
-
-
-def spec_from_data(data: Any) -> ProcessSpec:
-    """The spec that `confined.spec_as_data` made.
-
-    :raises Violation: when it is none.
-    """
-    argv, name, cwd, env, shell, origin, package, executable, origins, emulate_tty, has_pipe = data
-    texts = [*argv, name, *(env or {}).values(), *origins.values()]
-    maybe = [cwd, package, executable]
-    if not (all(isinstance(text, str) for text in texts) and all(text is None or isinstance(text, str) for text in maybe)):
-        raise Violation('no command')
-    return ProcessSpec(
-        argv=tuple(argv),
-        name=name,
-        cwd=cwd,
-        env=MappingProxyType(dict(env or {})),
-        shell=shell is True,
-        origin=None if origin is None else Origin(_text(origin[0]), int(origin[1])),
-        package=package,
-        executable=executable,
-        parameter_origins=dict(origins),
-        emulate_tty=emulate_tty is True,
-        has_pipe=has_pipe is True,
-    )
-
-
 class Trusted:
     """The trusted half of one run.
 
@@ -274,8 +150,8 @@ class Trusted:
         files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
         told = self.half.call(Kind.FINISH, [sorted(types), sorted(files)])
         recorder.launch, recorder.roots, recorder.texts = told['launch'], told['roots'], told['interfaces']
-        self._seen.update({index: [(_text(kind), dict(data)) for kind, data in seen] for index, seen in told['seen']})
-        recorder.use_sources(lambda path: _text(told['sources'].get(path, path)))
+        self._seen.update({index: [(text_of(kind), dict(data)) for kind, data in seen] for index, seen in told['seen']})
+        recorder.use_sources(lambda path: text_of(told['sources'].get(path, path)))
 
     def _program(self, pid: Any) -> ConfinedProgram:
         return self._programs[pid]
@@ -300,24 +176,24 @@ class Trusted:
         pid, stream, text = load(bytes(payload))
         if stream not in STREAMS:
             raise Violation('no stream')
-        self.recorder.output(self._programs[pid], stream, _text(text))  # type: ignore[arg-type]
+        self.recorder.output(self._programs[pid], stream, text_of(text))  # type: ignore[arg-type]
 
     def _log(self, payload: memoryview) -> None:
         pid, level, logger, message = load(bytes(payload))
-        self.recorder.log(self._programs[pid], int(level), _text(logger), _text(message))  # type: ignore[arg-type]
+        self.recorder.log(self._programs[pid], int(level), text_of(logger), text_of(message))  # type: ignore[arg-type]
 
     def _note(self, payload: memoryview) -> None:
         pid, kind, text = load(bytes(payload))
         program: Any = None if pid is None else self._programs[pid]
-        self.recorder.note(program, _text(kind), _text(text))
+        self.recorder.note(program, text_of(kind), text_of(text))
 
     def _fact(self, payload: memoryview) -> None:
         pid, kind, key, data = load(bytes(payload))
-        self.recorder.fact(self._programs[pid], _text(kind), tuples(key), dict(data))  # type: ignore[arg-type]
+        self.recorder.fact(self._programs[pid], text_of(kind), tuples(key), dict(data))  # type: ignore[arg-type]
 
     def _fact_over(self, payload: memoryview) -> None:
         pid, kind, key = load(bytes(payload))
-        self.recorder.fact_over(self._programs[pid], _text(kind), tuples(key))  # type: ignore[arg-type]
+        self.recorder.fact_over(self._programs[pid], text_of(kind), tuples(key))  # type: ignore[arg-type]
 
     def _watch(self, payload: memoryview) -> None:
         node = self.replica.their(load(bytes(payload)), NodeEntry)
@@ -325,12 +201,12 @@ class Trusted:
 
     def _parameter(self, payload: memoryview) -> None:
         index, name, value, origin = load(bytes(payload))
-        self.recorder.parameter(self.replica.their(index, NodeEntry), _text(name), value, _text(origin))
+        self.recorder.parameter(self.replica.their(index, NodeEntry), text_of(name), value, text_of(origin))
 
     def _descriptor(self, payload: memoryview) -> None:
         index, name, description, read_only, limits = load(bytes(payload))
         node = self.replica.their(index, NodeEntry)
-        self.recorder.descriptor(node, _text(name), _text(description), read_only is True, limits)
+        self.recorder.descriptor(node, text_of(name), text_of(description), read_only is True, limits)
 
     def _asked(self, payload: memoryview) -> None:
         index, sequence, served, data = load(bytes(payload))
