@@ -99,8 +99,9 @@ class TrustedHalf:
         self._stopped('recording' if isinstance(error, TooMuch) else 'protocol', f'{type(error).__name__}: {error}')
 
     def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
-        """The other half has ended. It never does so by itself before this one lets it."""
-        self._end_like_it()
+        """The other half has ended; what it has started may hold its end of the link. What was sent is read, and no more."""
+        with suppress(OSError):
+            self._link.shutdown(socket.SHUT_RDWR)
 
     def _end_like_it(self) -> NoReturn:
         """The other half is gone: pass its last words on, or end as it did."""
