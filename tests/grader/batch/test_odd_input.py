@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from edugrade.cli import main
+from edugrade.sandbox.remove_tree import remove_tree
 
 SOLUTION = (Path(__file__).parents[3] / 'solutions' / 'static_frame.launch.py').read_text()
 NAME = 'static_frame.launch.py'
@@ -77,17 +78,25 @@ ODD: dict[str, Callable[[Path], object]] = {
 }
 
 
-@pytest.mark.filterwarnings('ignore::ResourceWarning')
-def test_everybody_has_a_verdict_and_the_last_one_a_mark(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / 'private').mkdir()
-    monkeypatch.setenv('TMPDIR', str(tmp_path / 'private'))
+@pytest.fixture
+def group(tmp_path: Path) -> Iterator[Path]:
+    """A class of odd things; removed here, for it is deeper than others can remove."""
     for name, make in ODD.items():
         (tmp_path / 'class' / name).mkdir(parents=True)
         make(tmp_path / 'class' / name)
     (tmp_path / 'class' / 'zoe').mkdir()
     (tmp_path / 'class' / 'zoe' / NAME).write_text(SOLUTION)
+    yield tmp_path / 'class'
+    remove_tree(str(tmp_path / 'class'))
+    assert not (tmp_path / 'class').exists()
+
+
+@pytest.mark.filterwarnings('ignore::ResourceWarning')
+def test_everybody_has_a_verdict_and_the_last_one_a_mark(group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / 'private').mkdir()
+    monkeypatch.setenv('TMPDIR', str(tmp_path / 'private'))
     words = ['--csv', str(tmp_path / 'marks.csv'), '--html', str(tmp_path / 'pages'), '--junit', str(tmp_path / 'junit.xml')]
-    assert main(['batch', str(tmp_path / 'class'), '--limit', '5', *words]) == 0
+    assert main(['batch', str(group), '--limit', '5', *words]) == 0
     found = {}
     for path in (tmp_path / 'class.results').rglob('*.json'):
         result = json.loads(path.read_text())
