@@ -28,7 +28,13 @@ recordings have no sentences in them, and are the same in every language.
 
 This page is made from the rules and their examples, which are tests (`tests/advice/examples`): `python -m tests.advice.page`.
 """
-KINDS = {'errors': 'an error', 'plans': 'a launch file', 'recordings': 'a run', 'sources': "a package's files"}
+KINDS = {
+    'workspaces': 'a workspace',
+    'errors': 'an error',
+    'plans': 'a launch file',
+    'recordings': 'a run',
+    'sources': "a package's files",
+}
 LANGUAGES = {'.py': 'python', '.xml': 'xml', '.yaml': 'yaml', '.txt': 'cmake', '.md': 'text'}
 
 
@@ -52,7 +58,7 @@ def page() -> str:
 def _section(rule: Rule, kind: str) -> Iterator[str]:
     yield f'### {rule.name}'
     yield ''
-    lesson = f', lesson [{rule.lesson}](../lessons/{rule.lesson}.ipynb)' if rule.lesson else ''
+    lesson = f', lesson `lessons/{rule.lesson}.ipynb`' if rule.lesson else ''
     yield f'Looks at {KINDS[kind]}; {rule.level}, {rule.confidence}{lesson}.'
     if rule.name in WITHOUT:
         yield ''
@@ -66,20 +72,30 @@ def _section(rule: Rule, kind: str) -> Iterator[str]:
 
 
 def _example(path: Path) -> Iterator[str]:
-    """The files of an example; those of a folder by their names, and of what does not help to see the mistake only the name."""
-    files = (
-        [path]
-        if path.is_file()
-        else sorted(file for file in path.rglob('*') if file.is_file() and '__pycache__' not in file.parts)
-    )
+    """The file of an example; of a folder those that differ from the healthy one, and the names of the others."""
+    if path.is_file():
+        yield from _shown(path, path.name)
+        return
+    healthy = path.with_name('healthy')
+    files = [file for file in sorted(path.rglob('*')) if file.is_file() and '__pycache__' not in file.parts]
+    names = {file: file.relative_to(path).as_posix() for file in files}
+    same = [file for file in files if (twin := healthy / names[file]).is_file() and twin.read_bytes() == file.read_bytes()]
     for file in files:
-        yield ''
-        name = file.name if path.is_file() else file.relative_to(path).as_posix()
-        text = _text(file)
-        if not text.strip():
-            yield f'`{name}`' + ('' if text is None else ' (empty)')
-            continue
-        yield f'`{name}`'
+        if file not in same:
+            yield from _shown(file, names[file])
+    gone = [twin.relative_to(healthy).as_posix() for twin in sorted(healthy.rglob('*')) if twin.is_file()]
+    missing = [name for name in gone if name not in names.values() and '__pycache__' not in name]
+    for heading, others in (('Beside it', [names[file] for file in same]), ('The healthy one has', missing)):
+        if others:
+            yield ''
+            yield f'{heading}: {", ".join(f"`{name}`" for name in others)}.'
+
+
+def _shown(file: Path, name: str) -> Iterator[str]:
+    text = _text(file)
+    yield ''
+    yield f'`{name}`' + ('' if text.strip() else ' (empty)')
+    if text.strip():
         yield ''
         yield f'```{LANGUAGES.get(file.suffix, "text")}'
         yield text.rstrip()
