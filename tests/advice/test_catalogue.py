@@ -1,0 +1,69 @@
+"""Every language has every sentence, and gettext reads what people wrote."""
+
+from __future__ import annotations
+
+import re
+from gettext import GNUTranslations
+
+import pytest
+
+from edulaunch.advice.catalogue import languages, messages, path_of
+from edulaunch.advice.reader import Reader
+from edulaunch.advice.retelling import fields_of
+
+pytest.importorskip('babel', reason='Babel is only there for those who develop edulaunch')
+from edulaunch.advice.catalogue import read  # noqa: E402
+
+LANGUAGES = languages()
+
+
+def of_people(language: str) -> dict[str, str]:
+    return {str(message.id): str(message.string) for message in read(language) if message.id and not message.fuzzy}
+
+
+def of_gettext(language: str) -> dict[str, str]:
+    with open(path_of(language, 'mo'), 'rb') as file:
+        found: dict[str, str] = vars(GNUTranslations(file))['_catalog']
+    return {english: other for english, other in found.items() if english}
+
+
+def test_german_is_there() -> None:
+    assert 'de' in LANGUAGES
+
+
+@pytest.mark.parametrize('language', LANGUAGES)
+def test_the_sentences_are_those_of_today(language: str) -> None:
+    assert sorted(of_people(language)) == sorted(messages()), 'python -m edulaunch.advice.catalogue, then translate'
+
+
+@pytest.mark.parametrize('language', LANGUAGES)
+def test_gettext_reads_what_people_wrote(language: str) -> None:
+    assert of_gettext(language) == {english: other for english, other in of_people(language).items() if other}
+
+
+def test_german_is_complete() -> None:
+    assert [english for english, german in of_people('de').items() if not german] == []
+
+
+@pytest.mark.parametrize('language', LANGUAGES)
+def test_a_translation_has_the_facts_of_the_sentence(language: str) -> None:
+    wrong = [
+        english
+        for english, other in of_people(language).items()
+        if other and not set(fields_of(other)) <= set(fields_of(english))
+    ]
+    assert wrong == []
+
+
+def test_code_stays_as_it_is() -> None:
+    """What is to be typed is the same in every language."""
+    typed = re.compile(r'--[a-z][\w-]+|\b\w+\(\)')
+    wrong = [
+        english for english, german in of_people('de').items() if not set(typed.findall(english)) <= set(typed.findall(german))
+    ]
+    assert wrong == []
+
+
+def test_a_language_without_a_catalogue_is_told_in_english() -> None:
+    assert Reader('tlh').says('and {count} more') == 'and {count} more'
+    assert Reader('de_AT').says('and {count} more') == Reader('de').says('and {count} more') != 'and {count} more'
