@@ -27,3 +27,12 @@ def test_frames_belong_to_all_nodes() -> None:
     cause = found('frame', 'turtle1', node='/broadcaster')._replace(rule='tf.zero-rotation')
     empty = found('frame', 'turtle1', node='/listener')._replace(rule='tf.empty-buffer')
     assert [one.rule for one in in_order([empty, cause])] == ['tf.zero-rotation']
+
+
+def test_a_death_is_explained_for_the_same_program_only() -> None:
+    early = found('frame', 'camera', node='/where', process='where-1')._replace(rule='tf.lookup-early')
+    deaths = [found('process', name)._replace(rule='programs.died') for name in ('where-1', 'other-2')]
+    assert [(one.rule, one.name) for one in in_order([early, *deaths])] == [
+        ('programs.died', 'other-2'),
+        ('tf.lookup-early', 'camera'),
+    ]

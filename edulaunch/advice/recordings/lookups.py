@@ -32,7 +32,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
         'target': fact.data['target'],
         'source': fact.data['source'],
         'node': node_of(recording, fact.process),
-        'times': fact.times,
+        'process': fact.process,
     }
     return found('frame', frame, file=file, line=line, time_s=fact.time_s, **pair, **facts)
 
