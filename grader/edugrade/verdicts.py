@@ -70,7 +70,17 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
         return _memory(run)
     if reason == 'recording':
         return _too_large(run)
+    if reason == 'broken':
+        return _broken(run, report.get('said'))
     return _garbage(run)._replace(detail=_text(report, 'detail'))
+
+
+def _broken(run: ChildRun, said: Any) -> Outcome:
+    """edulaunch broke in the process of the submission. It may have been made to: no mark for that."""
+    words = said if isinstance(said, dict) else {}
+    text = f'edulaunch broke in the process that runs this file: {_text(words, "text") or "it does not say how"}'
+    advice = "leave edulaunch's own objects alone; if the file does, this is not your mistake: show this report to your teacher"
+    return _stopped(run, text, advice)._replace(detail=_text(words, 'trace'))
 
 
 def _memory(run: ChildRun) -> Outcome:

@@ -116,4 +116,4 @@ def test_a_trick_earns_nothing(tmp_path: Path, trick: str) -> None:
     report = graded(tmp_path, LAZY + trick)
     broke = any(result.status == GRADER_BROKE for result in report.results)
     assert (report.earned or 0) <= HONEST
-    assert not broke or 'says that edulaunch broke' in [name for name, text in ATTACKS.items() if text == trick]
+    assert not broke

@@ -9,8 +9,9 @@ letter content
 C      JSON: which layers of confinement hold; then one of
 R      what this half recorded: a line of JSON (which nodes and parameters are its own), then the recording's bytes
 U      JSON: the launch file cannot be run (the student's mistake, in ROS 2's words)
-S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other half sent nonsense)
-B      JSON: edulaunch itself broke
+S      JSON: the run was stopped: 'timeout', 'memory', 'recording' (too large), 'protocol' (the other half sent nonsense),
+       'broken' (it says that edulaunch broke in it)
+B      JSON: edulaunch itself broke, here
 ====== ===========================================================================
 """
 
@@ -30,7 +31,7 @@ HEADER_BYTES = 9
 LONGEST_WORDS = 64_000
 LATER_S = 0.4  # than the confined half's own alarm, which knows where the program was
 PATIENCE_S = 0.5  # with a half that has closed its end, until it has ended
-ITS_WORDS = b'USB'
+ITS_WORDS = b'US'
 
 
 class TrustedHalf:
@@ -106,6 +107,9 @@ class TrustedHalf:
     def _end_like_it(self) -> NoReturn:
         """The other half is gone: pass its last words on, or end as it did."""
         words = read_words(self._words)
+        if words[:1] == b'B':  # a file can break what it shares a process with, or say that it broke: that is worth no mark
+            self._answer(b'S', b'{"reason": "broken", "said": %s}' % (words[HEADER_BYTES:] or b'null'))
+            os._exit(0)
         if words[:1] and words[:1] in ITS_WORDS:
             self._answer(words[:1], words[HEADER_BYTES:])
             os._exit(0)
