@@ -49,22 +49,15 @@ def test_the_exercise_is_found_by_the_files_name(name: str) -> None:
 
 
 def test_every_rubric_of_the_course_can_be_loaded() -> None:
-    assert [find_rubric(name)[0] for name in exercises()] == [
-        'broken_follow',
-        'carrot',
-        'circle',
-        'follow',
-        'large_project',
-        'static_frame',
-    ]
+    names = exercises()
+    assert [find_rubric(name)[0] for name in names] == names
+    assert {'circle', 'carrot', 'follow', 'large_project', 'water'} <= set(names)
 
 
 def test_an_unknown_exercise_names_the_nearest() -> None:
     with pytest.raises(UnusableInput) as error:
         find_rubric('cirlce')
-    assert error.value.message == (
-        'there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, follow, large_project, static_frame'
-    )
+    assert error.value.message.startswith('there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, ')
     assert error.value.help is not None
     assert error.value.help.startswith('did you mean circle?')
 
