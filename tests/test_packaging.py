@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 import re
+import sys
 
 from tests.house import ROOT, every_import, modules
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
 TESTS = (
@@ -35,3 +41,10 @@ def test_only_rooms_for_pytest_and_notebooks_need_what_the_light_install_lacks()
 def test_both_packages_say_that_they_have_types() -> None:
     for package in ('edulaunch', 'edugrade'):
         assert (modules()[package].parent / 'py.typed').is_file()  # .ci/run looks for them in the wheel
+
+
+def test_the_wheel_brings_the_course_as_students_get_it() -> None:
+    wheel = tomllib.loads((ROOT / 'pyproject.toml').read_text('utf-8'))['tool']['hatch']['build']['targets']['wheel']
+    for folder in ('lessons', 'exercises'):
+        assert folder in wheel['only-include'] and wheel['sources'][folder] == f'edulaunch/course/ours/{folder}'
+    assert '/lessons/.outputs' in wheel['exclude'] and 'solutions' not in wheel['only-include']

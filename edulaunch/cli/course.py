@@ -1,19 +1,143 @@
-"""`edulaunch course`: what authors and students do with a whole course."""
+"""`edulaunch course`: what authors, teachers and students do with a whole course."""
 
 from __future__ import annotations
 
 import argparse
+import os
+import sys
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs of `edulaunch course`."""
     verbs = parser.add_subparsers(dest='what', metavar='VERB', required=True)
+    new = verbs.add_parser('new', help='Make a course of your own: one lesson and one exercise to begin with')
+    new.add_argument('folder', metavar='DIR')
+    copy = verbs.add_parser('copy', help='Put the course into a folder, as students get it')
+    copy.add_argument('folder', metavar='DIR')
+    copy.add_argument('--update', action='store_true', help='leave the files that you changed, copy what is new')
+    copy.add_argument(
+        '--course', metavar='COURSE', help='the folder of another course (default: the one that comes with edulaunch)'
+    )
+    lint = verbs.add_parser('lint', help='Check that lessons, exercises, solutions and rubrics belong together')
+    lint.add_argument('folder', nargs='?', default='.', metavar='DIR')
+    lint.add_argument('--quick', action='store_true', help='launch nothing')
+    listed = verbs.add_parser('list', help='Name the lessons and exercises of the course around this folder, or of ours')
+    listed.add_argument('folder', nargs='?', metavar='DIR')
+    verbs.add_parser('status', help='Say how far you are, and what to repeat')
+    opened = verbs.add_parser('open', help='Open the lessons in JupyterLab')
+    opened.add_argument('folder', nargs='?', default='.', metavar='DIR')
+    release = verbs.add_parser('release', help='Make what students get of your course: a folder, or a zip file')
+    release.add_argument('folder', metavar='DIR')
+    release.add_argument('out', metavar='OUT', help='a folder, or the name of a file that ends in .zip')
+    release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
     store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
 
 
 def main(arguments: argparse.Namespace) -> int:
     """Returns the exit code."""
+    code: int = globals()[f'_{arguments.what}'](arguments)
+    return code
+
+
+def _new(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.new_course import new_course
+
+    for name in new_course(arguments.folder):
+        print(f'  {name}')
+    print(f'{arguments.folder} is a course. Check it: edulaunch course lint {arguments.folder}')
+    return 0
+
+
+def _copy(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.copying import copy_files
+    from edulaunch.course.place import given_course, our_course
+    from edulaunch.course.student_files import student_files
+
+    course = given_course(arguments.course or our_course())
+    _not_into_itself(course, arguments.folder)
+    done = copy_files(student_files(course), arguments.folder, update=arguments.update)
+    for name in done.left_alone:
+        print(f'left alone, for you changed it: {name}')
+    print(f'{arguments.folder}: {len(done.written)} files copied. Begin: edulaunch course open {arguments.folder}')
+    return 0
+
+
+def _lint(arguments: argparse.Namespace) -> int:
+    from edugrade.course_check import main as check
+
+    from edulaunch.course.lesson_form import lesson_problems
+    from edulaunch.course.place import given_course
+
+    problems = list(lesson_problems(given_course(arguments.folder)))
+    for problem in problems:
+        print(f'course: {problem}')
+    sys.stdout.flush()  # edugrade's processes write too
+    return 1 if check([arguments.folder, *(['--quick'] if arguments.quick else [])]) or problems else 0
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.contents import contents
+    from edulaunch.course.place import course_around, given_course
+
+    print(contents(given_course(arguments.folder) if arguments.folder else course_around('.')))
+    return 0
+
+
+def _status(arguments: argparse.Namespace) -> int:
+    from edulaunch.course import progress
+
+    print(progress())
+    return 0
+
+
+def _open(arguments: argparse.Namespace) -> int:
+    from importlib.util import find_spec
+    from subprocess import call
+
+    from edulaunch.course.place import LESSONS, given_course
+    from edulaunch.errors import UnusableInput
+
+    folder = given_course(arguments.folder)
+    if find_spec('jupyterlab') is None:
+        raise UnusableInput('JupyterLab is not installed', help="pip install 'edulaunch[notebook]' installs it; then try again")
+    lessons = [f'--LabApp.default_url=/lab/tree/{LESSONS}'] if os.path.isdir(os.path.join(folder, LESSONS)) else []
+    try:
+        return call([sys.executable, '-m', 'jupyterlab', *lessons], cwd=folder)
+    except KeyboardInterrupt:
+        return 130
+
+
+def _release(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.copying import copy_files, write_zip
+    from edulaunch.course.place import given_course
+    from edulaunch.course.student_files import student_files
+    from edulaunch.errors import UnusableInput
+
+    course, out = given_course(arguments.folder), arguments.out
+    files = student_files(course, rubrics=arguments.with_rubrics)
+    if out.endswith('.zip'):
+        write_zip(files, out)
+    else:
+        _not_into_itself(course, out)
+        if os.path.isdir(out) and os.listdir(out):
+            raise UnusableInput(
+                f'{out} is not empty: what lies there would be released too', help='give a folder that is not there yet'
+            )
+        copy_files(files, out)
+    kept_back = 'solutions and outputs' if arguments.with_rubrics else 'solutions, outputs and rubrics'
+    print(f'{out}: {len(files)} files, without {kept_back}')
+    return 0
+
+
+def _not_into_itself(course: str, target: str) -> None:
+    from edulaunch.errors import UnusableInput
+
+    if os.path.realpath(course) == os.path.realpath(target):
+        raise UnusableInput(f'{target} is the course itself', help='give another folder')
+
+
+def _store(arguments: argparse.Namespace) -> int:
     from edulaunch.course.stored import store_outputs
 
     for notebook in arguments.notebooks:

@@ -14,7 +14,7 @@ from edulaunch.version import __version__
 VERBS = {
     'colcon': 'Say what of building is not needed here',
     'completion': 'Print the script that completes commands with the Tab key',
-    'course': 'Keep the outputs of lessons',
+    'course': 'Copy the course, see how far you are, or make a course of your own',
     'doctor': 'Say what is wrong with a launch file, a package or a run, and what to do',
     'env': 'Print where rclpy, launch and the others are, for editors, type checkers and shells',
     'explain': 'Show what a launch file would start, and where every value comes from, without starting anything',

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 from edugrade.course import find_course, read_course
 from edugrade.markup import element, joined
-from edugrade.progress_file import ProgressFile
+from edugrade.progress_file import NAME, ProgressFile
 
 from edulaunch.errors import UnusableInput
 
-from .kept import kept
 from .lessons import Lesson, lessons_folder, read_lessons
 from .predictions import Words
 from .questions import Question, find_questions
@@ -56,11 +56,14 @@ class ProgressPage:
 
 
 def progress() -> ProgressPage | Words:
-    """The lessons with what was predicted, answered and solved of each, from the file ``my_progress.toml`` of this folder."""
+    """The lessons with what was predicted, answered and solved of each, from the file ``my_progress.toml`` of this folder, or of
+    the folder with the lessons when there is none here.
+    """
     folder = lessons_folder()
     if folder is None:
         return Words('There are no lessons here: open a notebook in the folder of the lessons, and ask there.')
-    file, questions = kept(), list(find_questions().values())
+    file = ProgressFile(os.getcwd() if os.path.isfile(NAME) else folder)
+    questions = list(find_questions().values())
     rows = [_row(lesson, file, questions) for lesson in read_lessons(folder)]
     return ProgressPage(rows, _to_repeat(file, questions))
 

@@ -67,12 +67,17 @@ def strip(notebook: str) -> None:
     """Take outputs, counts and what an editor left out of a notebook."""
     with open(notebook, encoding='utf-8') as file:
         raw = json.load(file)
+    _write(notebook, without_outputs(raw))
+
+
+def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
+    """A notebook's content, changed in place: no outputs, no counts, of the metadata kernel and tags alone."""
     for cell in _code(raw):
         cell['outputs'], cell['execution_count'] = [], None
     for cell in raw['cells']:
         cell['metadata'] = {key: value for key, value in cell['metadata'].items() if key == 'tags'}
     raw['metadata'] = {'kernelspec': raw['metadata'].get('kernelspec', {}), 'language_info': {'name': 'python'}}
-    _write(notebook, raw)
+    return raw
 
 
 def pytest_itemcollected(item: Any) -> None:
@@ -120,4 +125,9 @@ def _kept(cell: dict[str, Any], folder: str) -> Iterator[dict[str, Any]]:
 def _write(path: str, content: object) -> None:
     os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
     with open(path, 'w', encoding='utf-8') as file:
-        file.write(json.dumps(content, indent=1, ensure_ascii=False) + '\n')
+        file.write(as_text(content))
+
+
+def as_text(content: object) -> str:
+    """A notebook, or its outputs, as Jupyter writes them."""
+    return json.dumps(content, indent=1, ensure_ascii=False) + '\n'

@@ -13,7 +13,8 @@ from .submission import exercise_of
 LEVELS = 3
 MANIFEST = 'course.toml'
 HIGHEST = 6  # folders above a submission in which the manifest is looked for
-_HERE = os.path.dirname(os.path.abspath(__file__))
+_BESIDE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+_OURS = (os.path.join(_BESIDE, 'edulaunch', 'course', 'ours', 'exercises'), os.path.join(os.path.dirname(_BESIDE), 'exercises'))
 
 
 class Exercise(NamedTuple):
@@ -71,7 +72,7 @@ def read_course(path: str) -> list[Exercise]:
 
 
 def find_course(folder: str) -> str:
-    """The manifest: in this folder or above it, else the one that came with edugrade.
+    """The manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
 
     :raises UnusableInput: when there is none.
     """
@@ -80,7 +81,7 @@ def find_course(folder: str) -> str:
     for _ in range(HIGHEST):
         places += [above, os.path.join(above, 'exercises')]
         above = os.path.dirname(above)
-    for place in (*places, _HERE, os.path.join(_HERE, '..', '..', 'exercises')):
+    for place in (*places, *_OURS):
         path = os.path.join(place, MANIFEST)
         if os.path.isfile(path):
             return path

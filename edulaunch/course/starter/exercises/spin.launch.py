@@ -1,0 +1,15 @@
+"""turtle1 drives a circle. The launch argument speed says how fast, in m/s; it turns by 1 rad/s."""
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument('speed', default_value='1.0'),
+            Node(package='turtlesim', executable='turtlesim_node'),
+            # TODO 1: publish on /turtle1/cmd_vel, ten times a second
+        ]
+    )
