@@ -16,7 +16,7 @@ from .library.following import require_near, require_pursuit
 from .library.frames import numbers, require_frame, transforms, yaw
 from .library.launched import find_processes, refuse_dead, require_process
 from .library.movement import Track, length, odometry_track, since, turtle_track
-from .library.node_graph import require_listener, require_node, require_nodes, require_started, require_topic
+from .library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from .library.parameters import require_parameter
 
 ARGUMENT = re.compile(r'\$\(arg (\w+)\)')
@@ -111,20 +111,21 @@ def _hears(run: Evidence, wanted: Wanted) -> None:
 
 
 def _starts(run: Evidence, wanted: Wanted) -> None:
+    _happens(run, wanted, 'start', require_started)
+
+
+def _ends(run: Evidence, wanted: Wanted) -> None:
+    _happens(run, wanted, 'end', require_ended)
+
+
+def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[[Evidence, str, str, str | None], float]) -> None:
+    """A node starts or ends at a time, or so long after the start of another node."""
     for scenario in run:
-        node = require_started(run, scenario, wanted.text('node', run, scenario), wanted.try_)
+        time_s = require(run, scenario, wanted.text('node', run, scenario), wanted.try_)
         since_s = require_started(run, scenario, wanted.text('after', run, scenario), wanted.try_) if 'after' in wanted else 0.0
-        what = f'the start of {wanted["node"]}' + (f' after that of {wanted["after"]}' if 'after' in wanted else '') + ' in s'
-        require_close(
-            run,
-            scenario,
-            what,
-            node - since_s,
-            wanted.number('at', run, scenario),
-            _tolerance(wanted, 0.3),
-            *_near(wanted),
-            try_=wanted.try_,
-        )
+        words = f'the {what} of {wanted["node"]}' + (f' after the start of {wanted["after"]}' if 'after' in wanted else '')
+        asked, tolerance = wanted.number('at', run, scenario), _tolerance(wanted, 0.3)
+        require_close(run, scenario, f'{words} in s', time_s - since_s, asked, tolerance, *_near(wanted), try_=wanted.try_)
 
 
 def _topic(run: Evidence, wanted: Wanted) -> None:
@@ -300,6 +301,7 @@ KINDS = {
     'nodes': Kind(_nodes, ('are',), ('are',), 'These nodes run, and no others: {are}'),
     'hears': Kind(_hears, ('node', 'topic'), ('node', 'topic'), '{node} hears what is published on {topic}'),
     'starts': Kind(_starts, ('node', 'at', 'after', *_MEASURE), ('node', 'at'), '{node} starts when it should'),
+    'ends': Kind(_ends, ('node', 'at', 'after', *_MEASURE), ('node', 'at'), '{node} ends when it should'),
     'topic': Kind(_topic, ('name', 'type', 'package', 'rate', *_MEASURE), ('name',), 'Somebody publishes on {name}'),
     'parameter': Kind(
         _parameter,

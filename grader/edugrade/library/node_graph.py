@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence
-from ..failure import Mismatch, Missing
+from ..failure import Failure, Mismatch, Missing
 from .launched import find_processes
 from .stock import is_of, refuse_strangers
 
@@ -62,6 +62,26 @@ def require_started(run: Evidence, scenario: str, node: str, try_: str | None = 
     if node not in started:
         raise Missing(f'the node {node}', name=node, among=list(started), where=run.source.place, try_=try_)
     return started[node]
+
+
+def require_ended(run: Evidence, scenario: str, node: str, try_: str | None = None) -> float:
+    """When a node ended before the run was over, in simulated seconds.
+
+    :raises Missing: when it never started, naming the nodes that are there.
+    :raises Failure: when it ran until the run was over.
+    """
+    require_started(run, scenario, node, try_)
+    recording = run[scenario]
+    ended_s = next(each.ended_s for each in recording.nodes if each.name == node)
+    if ended_s is None:
+        raise Failure(
+            f'{node} does not end, when launched with {run.scenario(scenario).words}',
+            expected='it ends before the run is over',
+            seen=f'it still runs after {recording.duration_s:.1f} s',
+            where=run.source.place,
+            try_=try_,
+        )
+    return ended_s
 
 
 def require_topic(

@@ -1,0 +1,28 @@
+"""A driver in a world of its own, and a recorder that is there before it: nothing of the drive is lost.
+
+    ros2 launch black_box.launch.py robot:=red
+
+The recorder writes the two topics cmd_vel and pose of the turtle into the bag my_drive. The driver starts when the recorder
+has started, not before.
+
+Grade it: edugrade exercises/black_box.launch.py        A hint: edugrade exercises/black_box.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler
+from launch.event_handlers import OnProcessStart
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    robot = LaunchConfiguration('robot')
+    drive = Node(package='turtlesim', executable='draw_square', namespace=robot)
+    # TODO 1: these two are in the bag, but empty: make the names of the topics of the world robot, as lists of texts
+    topics = ['/turtle1/cmd_vel', '/turtle1/pose']
+    recorder = ExecuteProcess(cmd=['ros2', 'bag', 'record', '-o', 'my_drive', *topics])
+    return LaunchDescription([
+        DeclareLaunchArgument('robot', default_value='red', description='The namespace of the world.'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim', namespace=robot),
+        # TODO 2: when the recorder has started, start drive
+        recorder,
+    ])

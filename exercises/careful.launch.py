@@ -1,0 +1,28 @@
+"""A driver that waits for the word, and an end for everything.
+
+    ros2 launch careful.launch.py end:=5.0
+
+The echo hears one word of the talker, and ends: that is the sign for the driver, who starts then and not before. After end
+seconds the launch is shut down, and everything ends.
+
+Grade it: edugrade exercises/careful.launch.py        A hint: edugrade exercises/careful.launch.py --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, RegisterEventHandler, Shutdown, TimerAction
+from launch.event_handlers import OnProcessExit
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    end = LaunchConfiguration('end')
+    echo = ExecuteProcess(cmd=['ros2', 'topic', 'echo', '/chatter', '--once'])
+    driver = Node(package='turtlesim', executable='draw_square', name='driver')
+    return LaunchDescription([
+        DeclareLaunchArgument('end', default_value='5.0', description='Seconds until everything ends.'),
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        Node(package='demo_nodes_py', executable='talker'),
+        # TODO 1: when echo has ended, start driver
+        # TODO 2: after end seconds, shut everything down
+        echo,
+    ])
