@@ -50,9 +50,9 @@ def _files(folder: str, lessons: bool) -> Iterator[str]:
 
 def _is_handed_out(name: str, beside_notebooks: bool) -> bool:
     """Not what is kept back, what is hidden (.outputs, .ipynb_checkpoints), nor, beside the notebooks, what running them left
-    (my_launch, my_ws) and what serves nbval. An exercise may be called my_package.
+    (my_launch, my_ws) and what serves our tests. An exercise may be called my_package.
     """
-    if beside_notebooks and (name.startswith('my_') or name == 'conftest.py'):
+    if beside_notebooks and (name.startswith('my_') or name in ('conftest.py', 'coverage.toml')):
         return False
     return name not in KEPT_BACK and not name.startswith('.') and not name.endswith(('.pyc', '.results'))
 

@@ -63,7 +63,9 @@ def test_our_course_for_students_gives_nothing_away(tmp_path: Path) -> None:
     assert stubs.returncode != 0 or [name for name in found if name.startswith('exercises/')] == sorted(stubs.stdout.split())
     assert {'lessons/questions.toml', 'lessons/checkpoints/after_lesson_9/setup.py'} <= set(found)
     assert not [
-        name for name in found if any(word in name for word in ('solutions', 'rubrics', '.outputs', 'conftest', 'checks'))
+        name
+        for name in found
+        if any(word in name for word in ('solutions', 'rubrics', '.outputs', 'conftest', 'coverage', 'checks'))
     ]
     assert {name.split('/')[0] for name in found} == {'.edulaunch_course.json', 'exercises', 'lessons'}
 
