@@ -13,6 +13,7 @@ from .receipt import receipt
 from .results import CheckResult, Refusal, Report
 from .short_paths import ShortPaths
 from .similar.graph import launch_graph
+from .worker import Exceeded, in_worker
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
@@ -24,6 +25,7 @@ LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
 def document(report: Report) -> dict[str, Any]:
     """A report as plain data. Paths in the submission's folder are relative, so that copies report alike."""
     paths = ShortPaths(report.folder, package=report.package)
+    digests, graph = _looked_at(report.outcomes)
     return {
         'format': FORMAT,
         **({'student': report.student} if report.student else {}),
@@ -35,11 +37,20 @@ def document(report: Report) -> dict[str, Any]:
         'exit_code': report.exit_code,
         'points': {'earned': report.earned, 'possible': report.possible},
         'sandbox': report.sandbox,
-        'scenarios': [_scenario(outcome, paths) for outcome in report.outcomes],
+        'scenarios': [_scenario(*each, paths) for each in zip(report.outcomes, digests, strict=True)],
         'checks': [_check(paths.result(result), paths) for result in report.results],
-        'graph': launch_graph(report.outcomes[0].recording),
+        'graph': graph,
         'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
+
+
+def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
+    """The digest of each run, and the launch graph of the first: by a worker, for they look at all of a recording."""
+    try:
+        digests, graph = in_worker(lambda: [[digest_of(each) for each in outcomes], launch_graph(outcomes[0].recording)])
+    except Exceeded:
+        return [None] * len(outcomes), []
+    return digests, graph
 
 
 def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit_code: int) -> dict[str, Any]:
@@ -57,14 +68,14 @@ def json_text(data: dict[str, Any]) -> str:
     return json.dumps(data, indent=2, ensure_ascii=False) + '\n'
 
 
-def _scenario(outcome: Outcome, paths: ShortPaths) -> dict[str, Any]:
+def _scenario(outcome: Outcome, digest: str | None, paths: ShortPaths) -> dict[str, Any]:
     scenario = outcome.scenario
     return {
         'name': scenario.name,
         'arguments': dict(scenario.arguments),
         'duration_s': scenario.duration_s,
         'seed': scenario.seed,
-        'digest': digest_of(outcome),
+        'digest': digest,
         'outcome': outcome.kind,
         'text': paths.text(outcome.text) or None,
         'detail': paths.text(outcome.detail) or None,

@@ -80,7 +80,7 @@ def grade(
     """
     with Runner(limits, on_outcome, processors) as runner:
         tickets = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
-        from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
+        from . import judged, judging, results  # noqa: F401  (loaded while the first runs are under way)
 
         tickets.reverse()
         for item in work:
@@ -88,14 +88,18 @@ def grade(
 
 
 def _report(work: Work, runner: Runner, ticket: Ticket, workspaces: Sequence[str]) -> Report:
-    from .judging import broken, judge
+    from .judged import judged
+    from .judging import broken, judge, too_much
     from .results import Report
+    from .worker import Exceeded
 
     outcomes = runner.wait(ticket)
     submission = work.submission
     try:
-        results = judge(work.rubric.checks, outcomes, submission.source)
+        results = judged(lambda: judge(work.rubric.checks, outcomes, submission.source))
         results[1:1] = _repeated(work, outcomes, runner, workspaces)
+    except Exceeded as error:
+        results = too_much(work.rubric.checks, str(error), submission.source)
     except Exception as error:  # a fault of ours with one submission, which costs no other its report
         results = [broken(error)]
     return Report(
@@ -118,11 +122,12 @@ def _report(work: Work, runner: Runner, ticket: Ticket, workspaces: Sequence[str
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner, workspaces: Sequence[str]) -> list[CheckResult]:
     """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
+    from .judged import judged
     from .repeated import difference, has_own_programs, result
 
     own = [outcome for outcome in outcomes if outcome.recording is not None and has_own_programs(outcome.recording)]
     if not own:
         return []
     again = runner.wait(runner.add(work.submission, [outcome.scenario for outcome in own], workspaces, is_next=True))
-    differences = [(one.scenario, difference(one, two)) for one, two in zip(own, again, strict=True)]
-    return [result(differences, work.submission.source)]
+    pairs = list(zip(own, again, strict=True))
+    return judged(lambda: [result([(one.scenario, difference(one, two)) for one, two in pairs], work.submission.source)])

@@ -53,6 +53,21 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
+def too_much(checks: Sequence[Check], why: str, source: Source) -> list[CheckResult]:
+    """The results of a submission whose runs could not be judged within the limits of a worker."""
+    first = _unseen(CheckResult(LAUNCHES, LAUNCHES_SENTENCE, FAILED), why, source)
+    return [first, *(_not_run(check, first, {LAUNCHES: first}) for check in checks)]
+
+
+def _unseen(result: CheckResult, why: str, source: Source) -> CheckResult:
+    return replace(
+        result,
+        reason=f'the run left so much behind that it cannot be looked at: {why}',
+        where=source.place,
+        try_='look for a node that publishes without pause, or for very many nodes',
+    )
+
+
 def broken(error: Exception) -> CheckResult:
     """The only result of a submission on which the grader itself broke."""
     reason = f'the grader broke on it: {type(error).__name__}: {error}'
@@ -84,12 +99,9 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
         with cpu_limit(LONGEST_CHECK_S):
             check(evidence)
     except TooLong as error:
-        return replace(
-            _plain(check, FAILED),
-            reason=f'the run left so much behind that it cannot be looked at: {error}',
-            where=evidence.source.place,
-            try_='look for a node that publishes without pause, or for very many nodes',
-        )
+        return _unseen(_plain(check, FAILED), str(error), evidence.source)
+    except MemoryError:
+        return _unseen(_plain(check, FAILED), 'memory has run out', evidence.source)
     except Failure as failure:
         return replace(
             _plain(check, FAILED),

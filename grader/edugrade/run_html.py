@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from .cpu_limit import cpu_limit
-from .markup import Markup, element
+from .markup import Markup, element, joined
 from .outcome import Outcome
+from .worker import Exceeded, Lost, in_worker
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -20,9 +21,17 @@ def run_html(outcome: Outcome, is_open: bool) -> Markup:
     """One run under a heading that unfolds: how it was launched, and what could be seen."""
     scenario = outcome.scenario
     heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
-    inside = [element('p', outcome.text)] if outcome.recording is None else list(_seen(outcome.recording))
+    inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording)
     attributes = {'open': ''} if is_open else {}
-    return element('details', element('summary', heading), *inside, **attributes)
+    return element('details', element('summary', heading), inside, **attributes)
+
+
+def _drawn(recording: Recording) -> Markup:
+    """What can be seen, drawn by a worker: a run that cannot be drawn costs nobody the page."""
+    try:
+        return Markup(in_worker(lambda: joined(*_seen(recording))))
+    except (Exceeded, Lost, RuntimeError) as error:
+        return _not_drawn('picture', error)
 
 
 def _seen(recording: Recording) -> Iterator[Markup]:

@@ -18,6 +18,7 @@ from .scenario import Scenario
 from .starter_link import StarterLink
 from .submission import Submission
 from .verdicts import verdict
+from .worker import attended
 
 LONGEST_NAP_S = 0.05
 MOST_STARTS = 20  # of a run before which the starter was killed: nothing of a submission had been read
@@ -59,11 +60,14 @@ class Runner:
         self._listened_at = monotonic()
         self._selector = selectors.DefaultSelector()
         self._starter: StarterLink | None = None
+        self._attended = attended(self._attend)
 
     def __enter__(self) -> Runner:
+        self._attended.__enter__()
         return self
 
     def __exit__(self, *raised: object) -> None:
+        self._attended.__exit__(None, None, None)
         for run in self._running:
             run.end()
         if self._starter is not None:
@@ -92,20 +96,34 @@ class Runner:
     def wait(self, ticket: Ticket) -> list[Outcome]:
         """The outcomes of a submission's runs, in the rubric's order; other runs go on meanwhile."""
         while not ticket.is_done:
-            for key, _ in self._listen():
-                if not key.data():
-                    self._forget(key.fileobj)
-            for child in list(self._running):
-                child.watch()
-                if child.finished:
-                    self._finish(child)
+            self._turn(LONGEST_NAP_S)
         return [ticket.outcomes[scenario.name] for scenario in ticket.scenarios]
 
-    def _listen(self) -> list[tuple[selectors.SelectorKey, int]]:
+    def _attend(self, end: int, seconds: float) -> bool:
+        """Go on with the runs until this end can be read, or these seconds are over: a worker judges. Whether it can be read."""
+        self._selector.register(end, selectors.EVENT_READ, lambda: True)
+        try:
+            return end in self._turn(seconds)
+        finally:
+            self._forget(end)
+
+    def _turn(self, seconds: float) -> list[Any]:
+        """Take in what can be read. Gives the ends of it."""
+        ready = self._listen(seconds)
+        for key, _ in ready:
+            if not key.data():
+                self._forget(key.fileobj)
+        for child in list(self._running):
+            child.watch()
+            if child.finished:
+                self._finish(child)
+        return [key.fileobj for key, _ in ready]
+
+    def _listen(self, seconds: float) -> list[tuple[selectors.SelectorKey, int]]:
         """What can be read. The time since the last look, when the grader judged another submission, is no run's own."""
         for run in self._running:
             run.deadline += monotonic() - self._listened_at
-        ready = self._selector.select(LONGEST_NAP_S)
+        ready = self._selector.select(seconds)
         self._listened_at = monotonic()
         return ready
 

@@ -211,12 +211,12 @@ def test_a_fault_of_ours_with_one_is_no_zero_and_costs_nobody_else(
 ) -> None:
     from edugrade import grading, judging
 
-    judge, calls = judging.judge, itertools.count()
+    judge = judging.judge
 
-    def breaks_once(*words: Any) -> Any:
-        if next(calls) == 0:
+    def breaks_once(checks: Any, outcomes: Any, source: Any) -> Any:
+        if 'anna' in source.place.file:
             raise KeyError('ours')
-        return judge(*words)
+        return judge(checks, outcomes, source)
 
     monkeypatch.setattr(judging, 'judge', breaks_once)
     assert grading is not None and main(['batch', str(group), '--csv', str(tmp_path / 'c')]) == 3

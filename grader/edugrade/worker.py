@@ -1,0 +1,185 @@
+"""Judges and draws in a process of its own that may use so much and no more: whatever becomes of it costs one submission only.
+
+The worker is a fork of the grader: it needs nothing sent, and answers with JSON. While it works the runs of others go on.
+"""
+
+from __future__ import annotations
+
+import gc
+import json
+import os
+import select
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from importlib import import_module
+from time import monotonic
+from typing import Any, NoReturn
+
+from .limits import MEBI
+
+LONGEST_CPU_S = 12  # of processor time; usual: a tenth of a second
+LONGEST_S = 300.0  # of real time: somebody else may keep the machine busy, so that this is no verdict
+MOST_MEMORY_MIB = 1024  # more than the grader had
+TRIES = 3
+LOOK_S = 0.05
+CHUNK_BYTES = 1 << 18
+MOST_DESCRIPTORS = 4096
+SHORT_OF_MEMORY, BROKE = 3, 4  # exit codes
+
+Attend = Callable[[int, float], bool]
+
+_attending: list[Attend] = []
+
+
+class Exceeded(Exception):
+    """The work needed more than it may have."""
+
+
+class Lost(Exception):
+    """The worker was killed each time that it was begun (by somebody else: its limits end it in other ways), or is too late."""
+
+
+@contextmanager
+def attended(attend: Attend) -> Iterator[None]:
+    """While a worker works inside, wait for it with this: given a descriptor and seconds, it says whether that can be read."""
+    _attending.append(attend)
+    try:
+        yield
+    finally:
+        _attending.remove(attend)
+
+
+def in_worker(work: Callable[[], Any]) -> Any:
+    """What `work` returns, as JSON keeps it; the work is done in a worker.
+
+    A process with threads (a notebook's) cannot be forked safely: it does the work itself, and the limits of processor time hold.
+
+    :raises Exceeded: when it used too much processor time or memory.
+    :raises Lost: when it was killed, or is not ready after LONGEST_S.
+    :raises RuntimeError: with what was raised in it.
+    """
+    if not hasattr(os, 'fork') or threading.active_count() > 1:
+        return json.loads(_text(work))
+    for _ in range(TRIES):
+        code, answer = _once(work)
+        if code == 0:
+            return json.loads(answer)
+        if code == -signal.SIGXCPU:
+            raise Exceeded(f'it took longer than {LONGEST_CPU_S} s of processor time')
+        if code == SHORT_OF_MEMORY:
+            raise Exceeded(f'it needed more than {MOST_MEMORY_MIB} MiB of memory')
+        if code == BROKE:
+            raise RuntimeError(answer.decode('utf-8', 'replace'))
+    raise Lost('the process that judges was killed from outside')
+
+
+def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
+    """The exit code of a worker (below zero: the signal that ended it), and what it answered."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.flush()  # or both processes would write what is kept back
+    answer, end = os.pipe()
+    parent = os.getpid()
+    pid = os.fork()
+    if pid == 0:
+        _be_the_worker(work, end, parent)
+    os.close(end)
+    try:
+        content = _all_of(answer)
+    finally:
+        os.close(answer)
+        with suppress(OSError):
+            os.kill(pid, signal.SIGKILL)  # it has answered, or has had its time
+        status = os.waitpid(pid, 0)[1]  # nothing of it is left, also when the grader is stopped
+    if not content:
+        return os.waitstatus_to_exitcode(status), b''
+    header, loaded, body = content.split(b'\n', 2)
+    _load(loaded.decode().split())
+    return int(header), body
+
+
+def _load(names: Sequence[str]) -> None:
+    """Load what the worker had to load, so that the next one has it."""
+    for name in names:
+        with suppress(Exception):  # the next one meets the same
+            import_module(name)
+
+
+def _all_of(end: int) -> bytes:
+    """All that the worker writes; nothing when that is not whole."""
+    deadline = monotonic() + LONGEST_S
+    parts: list[bytes] = []
+    attend = _attending[-1] if _attending else _wait
+    while monotonic() < deadline:
+        if attend(end, LOOK_S):
+            data = os.read(end, CHUNK_BYTES)
+            if not data:
+                whole = b''.join(parts)
+                return whole[:-1] if whole.endswith(b'\n') else b''
+            parts.append(data)
+    raise Lost(f'the process that judges was not ready after {LONGEST_S:g} s')
+
+
+def _wait(end: int, seconds: float) -> bool:
+    return bool(select.select([end], [], [], seconds)[0])
+
+
+def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
+    """Answer with a line of an exit code, a line of the modules that had to be loaded, the answer, and a line end."""
+    code, answer, known = SHORT_OF_MEMORY, b'', set(sys.modules)
+    gc.freeze()  # a collection would copy all pages that it shares with the grader
+    try:
+        _limit(end, parent)
+        code, answer = 0, _text(work).encode()
+    except MemoryError:
+        pass
+    except BaseException as error:
+        code, answer = BROKE, f'{type(error).__name__}: {error}'.encode('utf-8', 'replace')
+    with suppress(BaseException):
+        sys.stdout.flush()
+    try:
+        view = memoryview(b'%d\n%b\n%b\n' % (code, ' '.join(_own(known)).encode(), answer))
+        while view:
+            view = view[os.write(end, view) :]
+    finally:
+        os._exit(code)
+
+
+def _own(known: set[str]) -> list[str]:
+    """The modules of edulaunch and edugrade that were loaded since, in their order."""
+    return [name for name in sys.modules if name not in known and name.split('.')[0] in ('edulaunch', 'edugrade')]
+
+
+def _text(work: Callable[[], Any]) -> str:
+    return json.dumps(work(), default=str)
+
+
+def _limit(end: int, parent: int) -> None:
+    """Take on the limits, hold nothing of the grader's open (its lock, its runs), and end when it does."""
+    import resource
+
+    from .sandbox.system import PR_SET_PDEATHSIG, prctl
+
+    with suppress(OSError):
+        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(0)
+    os.closerange(3, end)
+    os.closerange(end + 1, MOST_DESCRIPTORS)
+    for kind, value in (
+        (resource.RLIMIT_CPU, LONGEST_CPU_S),
+        (resource.RLIMIT_AS, _address_space() + MOST_MEMORY_MIB * MEBI),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        hard = resource.getrlimit(kind)[1]
+        with suppress(ValueError, OSError):  # a system that lacks a limit goes without it
+            resource.setrlimit(kind, (value if hard == resource.RLIM_INFINITY else min(value, hard), hard))
+
+
+def _address_space() -> int:
+    """Bytes of it that this process has; 0 where the system does not tell."""
+    with suppress(OSError, ValueError), open('/proc/self/statm') as file:
+        return int(file.read().split()[0]) * os.sysconf('SC_PAGE_SIZE')
+    return 0

@@ -1,0 +1,128 @@
+"""What becomes of judging and drawing costs one submission only."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from edugrade.cli import main
+
+LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='turtlesim', executable='turtlesim_node')])  # {word}
+"""
+RUBRIC = """
+import os, re, signal, time
+from pathlib import Path
+from edugrade import Rubric, Scenario, check
+
+@check(points=2)
+def looks(run):
+    'It can be looked at'
+
+@check(points=3)
+def strains(run):
+    'It can be looked at for long'
+    word = Path(run.source.place.file).read_text().split('# ')[1].strip()
+    if word == 'loop':
+        re.match('(a+)+$', 'a' * 60 + 'b')
+    if word == 'memory':
+        rows = []
+        while True:
+            rows.append(bytearray(1 << 24))
+    if word == 'killed':
+        os.kill(os.getpid(), signal.SIGKILL)
+    if word == 'once' and not os.path.exists('once'):
+        Path('once').touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+
+RUBRIC = Rubric(title='Strain', scenarios=lambda random: [Scenario('one', {}, 0.5)], checks=[looks, strains])
+"""
+GRADE = (
+    'import sys, edugrade.worker\nedugrade.worker.LONGEST_CPU_S = 1\nfrom edugrade.cli import main\nsys.exit(main(sys.argv[1:]))'
+)
+
+
+def test_judging_that_loops_eats_or_dies_costs_only_its_own_submission(tmp_path: Path) -> None:
+    (tmp_path / 'strain.py').write_text(RUBRIC)
+    for word in ('bare', 'killed', 'loop', 'memory', 'once', 'right'):
+        (tmp_path / 'class' / word).mkdir(parents=True)
+        (tmp_path / 'class' / word / 'a.launch.py').write_text(LAUNCH.format(word=word))
+    words = ['batch', 'class', '--rubric', 'strain.py', '--out', 'out', '--html', 'html']
+    done = subprocess.run([sys.executable, '-c', GRADE, *words], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (3, '')
+    found = {path.parent.name: json.loads(path.read_text()) for path in (tmp_path / 'out').rglob('*.json')}
+    assert {name: result['points']['earned'] for name, result in found.items()} == {
+        'bare': 5,
+        'killed': None,
+        'loop': 0,
+        'memory': 2,
+        'once': 5,
+        'right': 5,
+    }
+    reasons = {name: next((each['reason'] for each in found[name]['checks'] if each['reason']), None) for name in found}
+    assert 'longer than 1 s of processor time' in reasons['loop']
+    assert 'memory has run out' in reasons['memory']
+    assert 'Lost: the process that judges was killed from outside' in reasons['killed']
+    assert [each['status'] for each in found['loop']['checks']] == ['failed', 'not_run', 'not_run']
+    assert all('<img' in (tmp_path / 'html' / name / 'a.launch.py.html').read_text() for name in found)
+
+
+WORK = """
+import os, json, sys
+import edugrade.worker as worker
+
+worker.LONGEST_CPU_S = 1
+
+def tried(work):
+    try:
+        return worker.in_worker(work)
+    except Exception as error:
+        return f'{type(error).__name__}: {error}'
+
+def eat():
+    return len(bytearray(1 << 31))
+
+def loop():
+    while True:
+        pass
+
+print('before')
+worker_pid = tried(os.getpid)
+got = [tried(lambda: ['a' * 300_000, 1.5, None])[1:], tried(eat), tried(loop), tried(lambda: 1 / 0), worker_pid != os.getpid()]
+got.append(tried(lambda: sorted(os.listdir('/proc/self/fd'))) if sys.platform.startswith('linux') else ['0', '1', '2'])
+import edugrade.worker
+tried(lambda: __import__('edugrade.similar.graph') and None)
+got.append('edugrade.similar.graph' in sys.modules)
+print(json.dumps(got))
+"""
+
+
+def test_the_limits_of_a_worker() -> None:
+    done = subprocess.run([sys.executable, '-c', WORK], capture_output=True, text=True, check=True)
+    before, said = done.stdout.splitlines()
+    got: list[Any] = json.loads(said)
+    assert before == 'before'
+    assert got[0] == [1.5, None]
+    assert got[1] == 'Exceeded: it needed more than 1024 MiB of memory'
+    assert got[2] == 'Exceeded: it took longer than 1 s of processor time'
+    assert got[3] == 'RuntimeError: ZeroDivisionError: division by zero'
+    assert got[4]  # it was another process
+    assert len(got[5]) <= 5  # input, output, the answer, and the folder that is listed
+    assert got[6]  # what it had to load, the next one has
+
+
+def test_a_report_is_the_same_from_a_worker_and_without_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    solution = Path(__file__).parents[2] / 'exercises' / 'circle.launch.py'
+    monkeypatch.setattr('threading.active_count', lambda: 2)
+    assert main([str(solution), '--json', str(tmp_path / 'without')]) == 1
+    words = [str(solution), '--json', str(tmp_path / 'with')]
+    subprocess.run([sys.executable, '-m', 'edugrade', *words], capture_output=True, check=False, cwd=tmp_path)
+    assert (tmp_path / 'with').read_bytes() == (tmp_path / 'without').read_bytes()
