@@ -73,16 +73,14 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     results: dict[str, Any] = {'folder': folder}
     for path in sorted((folder / 'results').glob('**/*.json')):
         found = json.loads(path.read_text())
-        if isinstance(found, dict) and 'earned' in str(found)[:100000]:
-            results[path.stem] = found
+        if isinstance(found, dict) and 'student' in found:
+            results[found['student']] = found
     return results
 
 
 def earned(graded: dict[str, Any], name: str) -> Any:
     """The points of a student."""
-    matching = [found for key, found in graded.items() if key == name or key.startswith(f'{name}.')]
-    assert len(matching) == 1, (name, sorted(graded)[:5])
-    return matching[0]['earned'] if 'earned' in matching[0] else matching[0]['points']['earned']
+    return graded[name]['points']['earned']
 
 
 @pytest.mark.parametrize('name', sorted(submissions()))
