@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.errors import UnusableInput
+from edulaunch.underlay_place import engine_folder
 
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'text/html', 'application/vnd.jupyter.widget-view+json')
@@ -100,10 +101,12 @@ def pytest_itemcollected(item: Any) -> None:
 
 
 def without_place(outputs: Any, folder: str) -> Any:
-    """Outputs without what depends on where and how a notebook is run: the path of its folder, and lines as counted in a cell,
+    """Outputs without what depends on where and how a notebook is run: the path of its folder and of edulaunch, and lines as counted in a cell,
     which are known only where a front end keeps a history.
     """
-    text = json.dumps(outputs).replace(json.dumps(folder + os.sep)[1:-1], '')
+    text = json.dumps(outputs)
+    for place in (folder, os.path.dirname(engine_folder())):
+        text = text.replace(json.dumps(place + os.sep)[1:-1], '')
     return json.loads(_IN_CELL.sub('', text))
 
 
