@@ -101,8 +101,8 @@ def pytest_itemcollected(item: Any) -> None:
 
 
 def without_place(outputs: Any, folder: str) -> Any:
-    """Outputs without what depends on where and how a notebook is run: the path of its folder and of edulaunch, and lines as counted in a cell,
-    which are known only where a front end keeps a history.
+    """Outputs without what depends on where and how a notebook is run: the path of its folder and of edulaunch, and lines as
+    counted in a cell, which are known only where a front end keeps a history.
     """
     text = json.dumps(outputs)
     for place in (folder, os.path.dirname(engine_folder())):
