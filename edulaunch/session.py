@@ -105,7 +105,9 @@ class Session:
         :raises UnusableInput: when there is no such file or package; texts are those of `ros2 launch`.
         """
         path = find_launch_file(self.index, path_or_package, file)
-        self.recorder.roots += with_real_paths([(os.path.dirname(path), '@launch')])
+        names = (path, self.index.source_path(path))  # a recording names the student's own file
+        places = dict.fromkeys(map(os.path.dirname, names))
+        self.recorder.roots += with_real_paths([(place, '@launch') for place in places])
         launch = LaunchRun(
             self.host, self.recorder, path, dict(arguments or {}), console=self.console, interactive=interactive, debug=debug
         )
