@@ -27,8 +27,3 @@ def keep(change: Callable[[ProgressFile], None]) -> str:
 def kept() -> ProgressFile:
     """The progress of the current folder."""
     return ProgressFile(os.getcwd())
-
-
-def plain(text: str) -> str:
-    """Text that every terminal and the file can hold: control and half characters become question marks."""
-    return ''.join(sign if sign.isprintable() else '?' for sign in text)

@@ -6,9 +6,9 @@ import math
 from types import EllipsisType
 from typing import Any
 
-from edugrade.markup import element, joined
+from edugrade.markup import element, joined, visible
 
-from .kept import keep, kept, plain
+from .kept import keep, kept
 
 LONGEST = 300
 """Characters of a prediction that are kept."""
@@ -36,7 +36,7 @@ def predict(name: str, guess: Any) -> Words:
     """
     if isinstance(guess, EllipsisType):
         return Words('No prediction yet: write what you expect in place of the three dots, and run this cell again.')
-    said = plain(_text(guess))[:LONGEST]
+    said = visible(_text(guess))[:LONGEST]
     return Words(f'Kept: {said}. Now look.', keep(lambda file: file.predictions.update({name: said})))
 
 
