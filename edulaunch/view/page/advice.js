@@ -1,11 +1,9 @@
 /* What the rules say of a run: a list in the head of the desk, and a sentence for each mark on a node, a topic or a frame. */
 
-const SILENT = ['deadlock', 'nested spin', 'lost request', 'no server', 'mistake', 'incompatible'];
-
 /* What is to be said: the rules' sentences where they were asked, else what the engine noticed by itself. */
 function sayings(store) {
   if (store.advice) return store.advice;
-  const rows = store.notes.filter(row => SILENT.includes(row.kind));
+  const rows = store.notes.filter(row => row.kind === 'incompatible');
   const seen = new Set(), text = row => `${row.process ? row.process + ': ' : ''}${row.text}`;
   return rows.filter(row => !seen.has(text(row)) && seen.add(text(row))).map(row => ({ t: row.t, subject: {}, text: text(row), rule: row.kind }));
 }
