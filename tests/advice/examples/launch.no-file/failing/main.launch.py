@@ -1,3 +1,5 @@
+from os.path import dirname, join
+
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, GroupAction, IncludeLaunchDescription, LogInfo, TimerAction
 from launch.conditions import IfCondition
@@ -7,5 +9,5 @@ from launch_ros.actions import Node, PushRosNamespace
 
 def generate_launch_description():
     return LaunchDescription([
-        IncludeLaunchDescription(__file__.replace('main', 'prat')),
+        IncludeLaunchDescription(join(dirname(__file__), 'prat.launch.py')),
     ])
