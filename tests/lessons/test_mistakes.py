@@ -69,10 +69,10 @@ def test_a_forgotten_entry_point_is_named(walk: Begin) -> None:
 
 def test_a_typo_in_a_callback_ends_that_node_alone_and_says_where(walk: Begin) -> None:
     student = third(walk)
-    student.edit(PACKAGE + 'learning_tf2_py/turtle_tf2_broadcaster.py', 'pose.theta', 'pose.Theta')
+    student.edit(PACKAGE + 'learning_tf2_py/turtle_tf2_broadcaster.py', 'msg.theta', 'msg.Theta')
     recording = launched(student)
     died = [process.name for process in recording.processes if process.returncode == 1]
     text = ''.join(line.text for line in recording.output if line.process == died[0])
     assert died == ['turtle_tf2_broadcaster-4', 'turtle_tf2_broadcaster-5']
-    assert 'turtle_tf2_broadcaster.py", line 19, in on_pose' in text and 'help: write theta' in recording.warnings[0]
+    assert 'turtle_tf2_broadcaster.py", line 20, in handle_turtle_pose' in text and 'help: write theta' in recording.warnings[0]
     assert 'edulaunch' not in text
