@@ -26,7 +26,10 @@ ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(f'edugrade/{name}.py' for name in ('failure', 'judging', 'language', 'recorded', 'results', 'terminal', 'verdicts')),
+    *(
+        f'edugrade/{name}.py'
+        for name in ('failure', 'judging', 'language', 'noted', 'recorded', 'results', 'steps', 'terminal', 'verdicts')
+    ),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')

@@ -10,7 +10,11 @@ import json
 import os
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
+from tempfile import TemporaryDirectory
 from typing import Any
+
+from edugrade.progress_file import PLACE as PROGRESS
 
 from edulaunch.errors import UnusableInput
 from edulaunch.underlay_place import engine_folder
@@ -18,6 +22,7 @@ from edulaunch.underlay_place import engine_folder
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'text/html', 'application/vnd.jupyter.widget-view+json')
 """Kinds of data of which only the presence is kept."""
+_folders: list[TemporaryDirectory[str]] = []
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')
 
 
@@ -57,7 +62,8 @@ def store_outputs(notebook: str, timeout_s: float = 120.0) -> None:
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
     try:
-        client.execute()
+        with fresh_progress():
+            client.execute()
     except nbclient.exceptions.CellExecutionError as error:
         raise UnusableInput(f'{notebook}: a cell failed: {error}') from None
     _write(outputs_file(notebook), {cell['id']: [*_kept(cell, folder)] for cell in _code(done)})
@@ -91,6 +97,7 @@ def pytest_itemcollected(item: Any) -> None:
     from_dict: Any = nbformat.from_dict
     cell.outputs = [from_dict(output) for output in read_outputs(str(item.path)).get(cell.id, [])]
     cell.execution_count = item.cell_num + 1
+    _give_a_fresh_progress(item.parent)
     compare, folder = item.compare_outputs, os.path.dirname(item.path)
 
     def compare_kept(given: Any, wanted: Any) -> Any:
@@ -98,6 +105,34 @@ def pytest_itemcollected(item: Any) -> None:
         return compare(plain, wanted, (*item.parent.skip_compare, *NOT_KEPT))
 
     item.compare_outputs = compare_kept
+
+
+def _give_a_fresh_progress(notebook: Any) -> None:
+    """Let the kernel of a notebook keep a progress file of its own: what nbval runs is nobody's try, and finds no earlier one."""
+    start = notebook.setup
+    if getattr(start, '__name__', '') == 'start_afresh':
+        return
+
+    def start_afresh() -> None:
+        with fresh_progress():
+            start()
+
+    notebook.setup = start_afresh
+
+
+@contextmanager
+def fresh_progress() -> Iterator[None]:
+    """Programs that are started inside keep their progress in an empty folder, which stays until this process ends."""
+    folder = TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True)
+    _folders.append(folder)
+    before = os.environ.get(PROGRESS)
+    os.environ[PROGRESS] = folder.name
+    try:
+        yield
+    finally:
+        os.environ.pop(PROGRESS)
+        if before is not None:
+            os.environ[PROGRESS] = before
 
 
 def without_place(outputs: Any, folder: str) -> Any:

@@ -67,9 +67,14 @@ def _command(words: list[str]) -> int:
 
 def _hints(options: argparse.Namespace) -> int:
     from .hints import find_hint
+    from .noted import opened, progress_folder
 
     for path in options.paths:
-        print(find_hint(Submission(path), options.hint))
+        submission = Submission(path)
+        print(find_hint(submission, options.hint))
+        word = opened(submission.exercise, options.hint, progress_folder(submission.file))
+        if word:
+            print(word, file=sys.stderr)
     return 0
 
 
@@ -119,7 +124,16 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
     runs = sum(len(work.scenarios) for work in works)
     with progress_bar(runs if several else 0) as advance:
         reports = grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance)
-        return [replace(report, student=options.student) for report in reports]
+        return [_told(replace(report, student=options.student), options) for report in reports]
+
+
+def _told(report: Report, options: argparse.Namespace) -> Report:
+    """The report with as much advice as is asked for, or else as a student gets who has tried so often."""
+    from dataclasses import replace
+
+    from .noted import noted, progress_folder
+
+    return replace(report, level=options.advice) if options.advice else noted(report, progress_folder(report.file))
 
 
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:

@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from .place import Place
 
@@ -21,7 +21,7 @@ class Failure(Exception):
     :param expected: what was looked for, in words or as a value.
     :param seen: what was there instead.
     :param where: (file, line) of the launch action or the file to change.
-    :param try_: the first thing to try.
+    :param try_: the first thing to try; or several texts, of which a student sees the next one after some tries.
     :param share: of the points, that are given all the same: from 0 up to, not including, 1.
     """
 
@@ -32,7 +32,7 @@ class Failure(Exception):
         expected: object = None,
         seen: object = None,
         where: tuple[str, int | None] | None = None,
-        try_: str | None = None,
+        try_: str | Sequence[str] | None = None,
         share: float = 0.0,
     ) -> None:
         super().__init__(rationale)
@@ -40,7 +40,8 @@ class Failure(Exception):
         self.expected = None if expected is None else str(expected)
         self.seen = None if seen is None else str(seen)
         self.where = None if where is None else Place(*where)
-        self.try_ = try_
+        texts = [try_] if isinstance(try_, str) else list(try_ or ())
+        self.steps, self.try_ = tuple(texts[:-1]), texts[-1] if texts else None
         self.share = share if 0.0 <= share < 1.0 else 0.0
 
 
@@ -61,7 +62,7 @@ class Missing(Failure):
         expected: object = None,
         seen: object = None,
         where: tuple[str, int | None] | None = None,
-        try_: str | None = None,
+        try_: str | Sequence[str] | None = None,
     ) -> None:
         known = list(among)
         if seen is None:
@@ -81,15 +82,15 @@ class Mismatch(Failure):
         seen: object,
         *,
         where: tuple[str, int | None] | None = None,
-        try_: str | None = None,
+        try_: str | Sequence[str] | None = None,
         share: float = 0.0,
     ) -> None:
         words = f'{thing} is not what was asked for'
         super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)
 
 
-def _with_nearest(try_: str | None, name: str | None, known: list[str]) -> str | None:
-    if name is None or name in known:
+def _with_nearest(try_: str | Sequence[str] | None, name: str | None, known: list[str]) -> str | Sequence[str] | None:
+    if name is None or name in known or not (try_ is None or isinstance(try_, str)):
         return try_
     from edulaunch.nearest import nearest
 

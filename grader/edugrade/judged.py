@@ -34,6 +34,7 @@ def _rows(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
 
 def _result(row: dict[str, Any]) -> CheckResult:
     row['needs'] = tuple(row['needs'])
+    row['steps'] = tuple(row['steps'])
     row['where'] = Place(*row['where']) if row['where'] else None
     row['cause'] = Finding(*row['cause']) if row['cause'] else None
     return CheckResult(**row)

@@ -111,6 +111,7 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
             where=failure.where,
             try_=failure.try_,
             share=failure.share,
+            steps=failure.steps,
         )
     except Exception as error:  # whatever a check raises that is no Failure is a fault of the grader
         return replace(_plain(check, GRADER_BROKE), reason=_words(error, check), try_=REPORT_IT)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from .results import CheckResult
 from .short_paths import ShortPaths
+from .steps import ALL
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -51,8 +52,8 @@ def points_of(result: CheckResult, reader: Reader) -> str:
     return f'  [{reader.retells(f"{result.earned} of {result.points}")}]' if result.points else ''
 
 
-def explained(result: CheckResult, paths: ShortPaths, reader: Reader) -> dict[str, str]:
-    """What stands below the reason of a failed check: label -> text, of what there is."""
+def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int = ALL) -> dict[str, str]:
+    """What stands below the reason of a failed check: label -> text, of what there is and is told at this level."""
     place, fields = result.where, {}
     fields['expected'], fields['seen'] = result.expected, result.seen
     fields['where'] = None if place is None else place.file + (f':{place.line}' if place.line else '')
@@ -62,5 +63,5 @@ def explained(result: CheckResult, paths: ShortPaths, reader: Reader) -> dict[st
 
         words = told(result.cause, reader._replace(folder=''))
         where = f' ({words.where})' if words.where else ''
-        fields['cause'] = paths.text(f'{words.what}{where}\n{words.do}')
+        fields['cause'] = paths.text(f'{words.what}{where}' + (f'\n{words.do}' if level >= ALL else ''))
     return {reader.says(label): text for label, text in fields.items() if text}

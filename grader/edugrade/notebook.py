@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 
 from edulaunch.advice import reader_here
 from edulaunch.errors import UnusableInput
@@ -12,7 +11,7 @@ from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
 from .hints import find_hint
 from .markup import element, joined
-from .progress_file import Progress, ProgressFile
+from .noted import noted, opened
 from .report_html import report_html
 from .results import ALL_PASSED, Report
 from .submission import ENDINGS, Submission
@@ -24,9 +23,8 @@ _BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em'
 class CheckReport:
     """What :func:`check` shows: HTML in a notebook, the same in plain text elsewhere."""
 
-    def __init__(self, report: Report, word: str = '') -> None:
+    def __init__(self, report: Report) -> None:
         self.report = report
-        self.word = word
 
     @property
     def passed(self) -> bool:
@@ -42,13 +40,11 @@ class CheckReport:
         return f'{report.rubric}: {reader.retells(report.verdict)}, {mark}'
 
     def __repr__(self) -> str:
-        words = f'\n{self.word}\n' if self.word else ''
-        return f'{self.headline}\n{words}\n{render(self.report)}'.rstrip('\n')
+        return f'{self.headline}\n\n{render(self.report)}'.rstrip('\n')
 
     def _repr_html_(self) -> str:
         head = element('p', element('b', self.headline), f' {self.report.given}', style='margin:.2em 0 .6em')
-        word = [element('p', self.word)] if self.word else []
-        return element('div', joined(head, *word, report_html(self.report)), style=_BOX)
+        return element('div', joined(head, report_html(self.report)), style=_BOX)
 
 
 class Note:
@@ -110,26 +106,9 @@ def _unknown(name: str, known: list[str]) -> UnusableInput:
 
 def _graded(submission: Submission) -> CheckReport:
     (report,) = grade([plan_work(submission)])
-    earned, passed = report.earned, report.exit_code == ALL_PASSED
-    if earned is None:
-        return CheckReport(report)
-    return CheckReport(report, _noted(submission, lambda progress: progress.attempt(earned, report.possible, passed)))
+    return CheckReport(noted(report, os.getcwd()))
 
 
 def _hint(submission: Submission, level: int) -> Note:
     text = find_hint(submission, level)
-    return Note('\n\n'.join(filter(None, (text, _noted(submission, lambda progress: progress.open_hint(level))))))
-
-
-def _noted(submission: Submission, note: Callable[[Progress], None]) -> str:
-    """Note something in the progress file; gives what the student must be told about it.
-
-    A file that cannot be written costs no report.
-    """
-    try:
-        with ProgressFile.changing(os.getcwd()) as progress:
-            note(progress.of(submission.exercise))
-            progress.save()
-    except UnusableInput as error:
-        return f'Your progress is not kept: {error.message}.'
-    return progress.word
+    return Note('\n\n'.join(filter(None, (text, opened(submission.exercise, level, os.getcwd())))))

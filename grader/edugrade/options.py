@@ -50,6 +50,13 @@ def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         '--student', metavar='NAME', default='', help='whose it is: kept in the reports, part of what chooses the runs'
     )
+    parser.add_argument(
+        '--advice',
+        type=int,
+        choices=(1, 2, 3),
+        help='how much the report gives away: the kind of what is missing, the thing, how it is written '
+        '(default: more with each try and each hint; 1 outside of a course); such a grading is no try',
+    )
     parser.add_argument('--hint', type=int, choices=(1, 2, 3), help='print a hint of this level and end')
     return parser.parse_args(argv)
 

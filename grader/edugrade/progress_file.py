@@ -17,6 +17,8 @@ from .whole_file import write_whole
 
 NAME = 'my_progress.toml'
 HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.\n'
+PLACE = 'EDULAUNCH_PROGRESS'
+"""An environment variable: a folder in which the file is kept instead."""
 PREDICTIONS, ANSWERS = 'my_predictions', 'my_answers'
 """The two tables beside those of the exercises: prediction -> what was said, question -> the answers, in their order."""
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
@@ -24,25 +26,39 @@ _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 @dataclass
 class Progress:
-    """How far one exercise has come."""
+    """How far one exercise has come; `first` and `last` name the texts that were graded first and last."""
 
     done: bool = False
     attempts: int = 0
     hints: list[int] = field(default_factory=list)
     best_points: float = 0
     points: int = 0
+    first: str = ''
+    last: str = ''
 
-    def attempt(self, earned: float, possible: int, passed: bool) -> None:
-        """Note a graded try; what was reached once is kept."""
+    def attempt(self, earned: float, possible: int, passed: bool, text: str = '') -> bool:
+        """Note a graded try; what was reached once is kept. Returns whether it is the text of the last one: that is no new try.
+
+        :param text: a digest of what was graded.
+        """
+        if text and text == self.last:
+            return True
         self.attempts += 1
+        self.first, self.last = self.first or text, text
         self.done = self.done or passed
         self.best_points = max(self.best_points, earned)
         self.points = possible
+        return False
 
     def open_hint(self, level: int) -> None:
         """Note that a hint was read."""
         if level not in self.hints:
             self.hints = sorted([*self.hints, level])
+
+
+def place_of(folder: str) -> str:
+    """Where the progress is kept of who works in this folder: there, or where PLACE says (what nbval runs is nobody's try)."""
+    return os.environ.get(PLACE) or folder
 
 
 class ProgressFile:
@@ -56,7 +72,7 @@ class ProgressFile:
     """
 
     def __init__(self, folder: str) -> None:
-        self.path = os.path.join(folder, NAME)
+        self.path = os.path.join(place_of(folder), NAME)
         self.word = ''
         self._unreadable = ''
         self.exercises: dict[str, Progress] = {}
@@ -72,7 +88,7 @@ class ProgressFile:
     @contextmanager
     def changing(cls, folder: str) -> Iterator[ProgressFile]:
         """The file, to be changed and saved while nobody else changes it: of two notebooks at the same time, both count."""
-        with _locked(folder):
+        with _locked(place_of(folder)):
             yield cls(folder)
 
     def save(self) -> None:
@@ -132,7 +148,15 @@ def _locked(folder: str) -> Iterator[None]:
 def _progress(table: Any) -> Progress:
     """An exercise's table, as it must be."""
     found = Progress(**table)
-    kinds = {'done': (bool,), 'attempts': (int,), 'hints': (list,), 'best_points': (int, float), 'points': (int,)}
+    kinds = {
+        'done': (bool,),
+        'attempts': (int,),
+        'hints': (list,),
+        'best_points': (int, float),
+        'points': (int,),
+        'first': (str,),
+        'last': (str,),
+    }
     for name, known in kinds.items():
         if type(getattr(found, name)) not in known:
             raise ValueError(f'{name} = {getattr(found, name)!r} is not of the right kind')
@@ -164,4 +188,5 @@ def _table(name: str, item: Progress) -> str:
     return (
         f'\n[{_key(name)}]\ndone = {done}\nattempts = {item.attempts}\nhints = {item.hints}\n'
         f'best_points = {item.best_points}\npoints = {item.points}\n'
+        + ''.join(f'{key} = "{text}"\n' for key, text in (('first', item.first), ('last', item.last)) if _BARE.fullmatch(text))
     )

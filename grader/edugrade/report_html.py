@@ -9,7 +9,8 @@ from .language import explained, points_of, retold
 from .markup import Markup, element, joined
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
-from .terminal import MARKS, next_step, points_line
+from .steps import at_level
+from .terminal import MARKS, MORE, next_step, points_line, says_less
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -27,17 +28,23 @@ def report_html(report: Report) -> Markup:
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(retold(result, reader)) for result in report.results]
+    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
     repair = [
-        _failed(result, paths, reader) for status in (GRADER_BROKE, FAILED) for result in results if result.status == status
+        _failed(result, paths, reader, report.level)
+        for status in (GRADER_BROKE, FAILED)
+        for result in results
+        if result.status == status
     ]
     right = [_line(result, reader) for result in results if result.status == PASSED]
+    word = [element('p', element('b', reader.retells(report.word)))] if report.word else []
     return joined(
+        *word,
         *repair,
         *_not_run(results, reader),
         *right,
         element('p', reader.retells(points_line(report)), style='margin:.8em 0 .2em'),
         element('p', element('b', reader.retells(next_step(report))), style='margin:.2em 0'),
+        *([element('p', reader.retells(MORE), style='margin:.2em 0')] if says_less(report) else []),
     )
 
 
@@ -48,10 +55,10 @@ def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
     )
 
 
-def _failed(result: CheckResult, paths: ShortPaths, reader: Reader) -> Markup:
+def _failed(result: CheckResult, paths: ShortPaths, reader: Reader, level: int) -> Markup:
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
-        for label, text in explained(result, paths, reader).items()
+        for label, text in explained(result, paths, reader, level).items()
     ]
     reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
     return joined(_line(result, reader), reason, element('table', *rows, style=_FIELDS))

@@ -35,6 +35,7 @@ class CheckResult:
     :param cause: what the rules of edulaunch find behind it.
     :param root_cause: name of the check to repair first, for a check that was not run.
     :param share: of the points, that a failed check gives for what is right.
+    :param steps: what is advised before `try_`, when the rubric says it.
     """
 
     name: str
@@ -50,6 +51,7 @@ class CheckResult:
     root_cause: str | None = None
     cause: Finding | None = None
     share: float = 0.0
+    steps: tuple[str, ...] = ()
 
     @property
     def earned(self) -> float:
@@ -66,6 +68,8 @@ class Report:
     :param package: the name of the package that it is, if it is one.
     :param secret: names the course secret that chose the seed, if one did.
     :param student: whose it is; '' where nobody asked.
+    :param level: how much of the advice people see, see `steps`; data has all of it.
+    :param word: what the student must be told besides: that the file is unchanged, that progress cannot be kept.
     """
 
     file: str
@@ -83,6 +87,8 @@ class Report:
     rubric_sha256: str = ''
     secret: str | None = None
     student: str = ''
+    level: int = 3
+    word: str = ''
 
     @property
     def sandbox(self) -> dict[str, str]:

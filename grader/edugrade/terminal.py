@@ -8,8 +8,9 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from .language import explained, points_of, retold
-from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
+from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
 from .short_paths import ShortPaths
+from .steps import ALL, at_level
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
 WIDTH = 100
+MORE = 'The advice says more with each try that you save, and with each hint that you open (--hint 1).'
 INDENT = ' ' * 9
 
 
@@ -26,17 +28,18 @@ def render(report: Report, *, colour: bool = False) -> str:
 
     reader = reader_here()
     paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(retold(result, reader)) for result in report.results]
+    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
     mark = partial(_coloured_mark if colour else _plain_mark, reader)
     title = reader.retells(f'{report.given}: {reader.retells(report.title)} (rubric {report.rubric}, seed {report.seed})')
-    lines = [printable(title), '']
+    lines = [printable(title), *([printable(reader.retells(report.word))] if report.word else []), '']
     for status in (GRADER_BROKE, FAILED):
         for result in _of(status, results):
-            lines += [mark(status) + _title(result, reader), *_explanation(result, paths, reader)]
+            lines += [mark(status) + _title(result, reader), *_explanation(result, paths, reader, report.level)]
     lines += _not_run(results, mark, reader)
     lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
     next_ = printable(reader.retells(next_step(report)))
     lines += ['', reader.retells(points_line(report)), *textwrap.wrap(next_, WIDTH, break_on_hyphens=False)]
+    lines += [reader.retells(MORE)] if says_less(report) else []
     return '\n'.join(lines) + '\n'
 
 
@@ -56,9 +59,9 @@ def _title(result: CheckResult, reader: Reader) -> str:
     return result.sentence + points_of(result, reader)
 
 
-def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader) -> Iterator[str]:
+def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader, level: int) -> Iterator[str]:
     yield from _wrapped('', result.reason)
-    for label, text in explained(result, paths, reader).items():
+    for label, text in explained(result, paths, reader, level).items():
         yield from _wrapped(f'{label}:', text)
 
 
@@ -90,6 +93,11 @@ def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Rea
         yield f'{mark(NOT_RUN)}{reason}:'
         folded = (result for result in _of(NOT_RUN, results) if result.reason == reason)
         yield from (f'{INDENT}  {_title(result, reader)}' for result in folded)
+
+
+def says_less(report: Report) -> bool:
+    """Whether there is advice that is kept back as yet."""
+    return report.level < ALL and report.exit_code == SOME_FAILED
 
 
 def points_line(report: Report) -> str:

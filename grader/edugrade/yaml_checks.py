@@ -95,8 +95,12 @@ def _node(run: Evidence, wanted: Wanted) -> None:
     for scenario in run:
         name = wanted.text('name', run, scenario)
         require_node(
-            run.only([scenario]), name, wanted['package'], wanted.try_ or f'give the Node of {wanted["package"]} this name'
+            run.only([scenario]), name, wanted['package'], wanted.try_ or f'give the Node of {wanted["package"]} {_both(name)}'
         )
+
+
+def _both(name: str) -> str:
+    return 'this namespace and name' if name.strip('/').count('/') else 'this name'
 
 
 def _nodes(run: Evidence, wanted: Wanted) -> None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from random import Random
 from typing import Any
 
 import yaml
 
-from .check import Check
+from .check import Check, CheckFunction
+from .evidence import Evidence
+from .failure import Failure
 from .rubric import Rubric, RubricMistake
 from .scenario import Scenario
 from .yaml_checks import ARGUMENT, KINDS, Wanted
@@ -125,8 +127,9 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     points = _value(parts['points'], problem) if 'points' in parts else 0
     if not isinstance(points, int) or points < 0:
         raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
-    words = {name: str(_value(parts[name], problem)) for name in ('say', 'name', 'try') if name in parts}
-    wanted = Wanted(given, words.get('try'))
+    words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
+    *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
+    wanted = Wanted(given, last)
     try:
         wanted.refuse_odd_values()
     except ValueError as error:
@@ -144,10 +147,30 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     return Check(
         name,
         words.get('say') or kind.sentence.format_map(wanted),
-        lambda run: kind.function(run.only(only), wanted),
+        _with_steps(lambda run: kind.function(run.only(only), wanted), steps),
         points,
         tuple(known[each] for each in names),
     )
+
+
+def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
+    """What a check advises: one text, or several, from the kind of thing to how it is written."""
+    found = _value(node, problem)
+    texts = found if isinstance(found, list) else [found]
+    if not texts:
+        raise problem(node, 'try is a text, or a list of texts that say more and more')
+    return [str(text) for text in texts]
+
+
+def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
+    def checked(run: Evidence) -> None:
+        try:
+            function(run)
+        except Failure as failure:
+            failure.steps = tuple(filter(None, steps))
+            raise
+
+    return checked if steps else function
 
 
 def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Scenario]], problem: Problem) -> None:

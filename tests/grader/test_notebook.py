@@ -53,7 +53,7 @@ def test_a_misspelt_exercise_is_a_note_with_the_nearest(lessons: Path) -> None:
 def test_the_report_is_that_of_the_command(lessons: Path, capsys: pytest.CaptureFixture[str]) -> None:
     found = check('static_frame')
     assert isinstance(found, CheckReport)
-    main(['../exercises/static_frame.launch.py'])
+    main(['../exercises/static_frame.launch.py', '--advice', '1'])
     assert repr(found) == f'static_frame: some failed, 2 of 12 points\n\n{capsys.readouterr().out}'.rstrip()
     assert '<b>static_frame: some failed, 2 of 12 points</b> ../exercises/static_frame.launch.py' in found._repr_html_()
     assert found.passed is False

@@ -26,6 +26,7 @@ from ..grading import grade, plan_work
 from ..limits import Limits
 from ..regular_file import read_regular
 from ..results import BROKEN_GRADER, GRADER_BROKE, PASSED
+from ..steps import at_level, level_of
 from ..submission import Submission, exercise_of
 from ..terminal import printable, sandbox_line
 from ..whole_file import write_whole
@@ -106,7 +107,7 @@ def run(folder: str) -> int:
     config = json.loads(_read(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
     rubric = os.path.join(source, config['rubric'])
     secret = CourseSecret(os.path.join(source, config['secret'])) if 'secret' in config else None
-    student, name = _student(folder)
+    student, name, tries = _student(folder)
     os.makedirs(os.path.join(folder, 'results'), exist_ok=True)
     with tempfile.TemporaryDirectory(prefix='edugrade-unpacked-', ignore_cleanup_errors=True) as unpacked:
         try:
@@ -117,7 +118,8 @@ def run(folder: str) -> int:
             found = refused(f'{error.message}\n{error.help or ""}', possible)
         else:
             (report,) = grade([work], Limits(config['limit_s']))
-            report = replace(report, student=name)
+            told = tuple(at_level(result, level_of(tries, [], False)) for result in report.results)
+            report = replace(report, student=name, results=told)
             if report.exit_code == BROKEN_GRADER:
                 broken = next(result for result in report.results if result.status == GRADER_BROKE)
                 raise RuntimeError(f'{broken.sentence}: {broken.reason}')
@@ -168,14 +170,15 @@ def _test(check: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _student(folder: str) -> tuple[str, str]:
-    """The numbers and names of those who hand it in, by the metadata that Gradescope writes; '' without."""
+def _student(folder: str) -> tuple[str, str, int]:
+    """The numbers and names of those who hand it in, and which try it is, by the metadata that Gradescope writes; '' without."""
     try:
-        users = json.loads(read_regular(os.path.join(folder, 'submission_metadata.json'), LARGEST_WHEEL))['users']
-        known = sorted((str(user['id']), str(user.get('name', ''))) for user in users)
-    except (OSError, ValueError, KeyError, TypeError):
-        return '', ''
-    return ','.join(number for number, _ in known), ' and '.join(name for _, name in known)
+        found = json.loads(read_regular(os.path.join(folder, 'submission_metadata.json'), LARGEST_WHEEL))
+        known = sorted((str(user['id']), str(user.get('name', ''))) for user in found['users'])
+        tries = len(found.get('previous_submissions') or ()) + 1
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return '', '', 1
+    return ','.join(number for number, _ in known), ' and '.join(name for _, name in known), tries
 
 
 def _find(folder: str, unpacked: str, exercise: str) -> str:

@@ -1,0 +1,66 @@
+"""What a student tried is noted in the student's own progress file; how much a report gives away comes from there."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+
+from edulaunch.errors import UnusableInput
+
+from .course import HIGHEST, MANIFEST
+from .progress_file import NAME, ProgressFile
+from .results import ALL_PASSED, Report
+from .steps import KIND, level_of
+
+UNCHANGED = 'unchanged since your last try: did you save?'
+SHORT = 16  # signs of a digest
+
+
+def noted(report: Report, folder: str | None) -> Report:
+    """The report, told as far as the student has come.
+
+    :param folder: of the progress file; None: nothing is kept, and only the kind of what is missing is told.
+    """
+    if folder is None or report.earned is None:
+        return replace(report, level=KIND)
+    passed = report.exit_code == ALL_PASSED
+    try:
+        with ProgressFile.changing(folder) as file:
+            mine, text = file.of(report.rubric), report.sha256[:SHORT]
+            is_same = mine.attempt(report.earned, report.possible, passed, text)
+            level = level_of(mine.attempts, mine.hints, mine.first == text)
+            file.save()
+    except UnusableInput as error:
+        return replace(report, level=KIND, word=f'Your progress is not kept: {error.message}.')
+    return replace(report, level=level, word=file.word or (UNCHANGED if is_same and not passed else ''))
+
+
+def opened(exercise: str, level: int, folder: str | None) -> str:
+    """Note that a hint was read. Returns what the student must be told about the file; mostly nothing."""
+    if folder is None:
+        return ''
+    try:
+        with ProgressFile.changing(folder) as file:
+            file.of(exercise).open_hint(level)
+            file.save()
+    except UnusableInput as error:
+        return f'Your progress is not kept: {error.message}.'
+    return file.word
+
+
+def progress_folder(file: str) -> str | None:
+    """Where the progress of a student is kept who works on this file: in the course's folder ``lessons``, else in the course's.
+
+    None for what does not lie in a course's folder ``exercises``: a solution, a submission, a file of its own.
+    """
+    file = os.path.abspath(file)
+    folder = os.path.dirname(file)
+    for _ in range(HIGHEST):
+        inside, above = os.path.basename(folder) == 'exercises', os.path.dirname(folder)
+        if inside and any(os.path.isfile(os.path.join(place, MANIFEST)) for place in (folder, above)):
+            lessons = os.path.join(above, 'lessons')
+            if os.path.isdir(lessons) and not os.path.isfile(os.path.join(above, NAME)):
+                return lessons
+            return above
+        folder = above
+    return None

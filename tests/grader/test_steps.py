@@ -1,0 +1,120 @@
+"""Advice grows: the kind of thing, the thing, how it is written. A stub's report never has the answer."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import made_report
+import pytest
+from edugrade import Evidence, Scenario
+from edugrade.cli import main
+from edugrade.failure import Failure
+from edugrade.noted import UNCHANGED, noted, progress_folder
+from edugrade.progress_file import ProgressFile
+from edugrade.results import CheckResult
+from edugrade.steps import ALL, KIND, THING, at_level, level_of
+from edugrade.submission import Submission
+from edugrade.terminal import render
+from edugrade.yaml_rubric import read_yaml_rubric
+from fake_recording import FakeRecording
+
+ROOT = Path(__file__).resolve().parents[2]
+LINE = re.compile(r'\w+=\[|\w+=\'|\w+=LaunchConfiguration|[A-Z]\w+\(')
+
+
+def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
+    return CheckResult('a', 'There is an a', 'failed', 1, (), reason, try_=try_)
+
+
+@pytest.mark.parametrize(
+    ('try_', 'kind', 'thing'),
+    [
+        (
+            "add DeclareLaunchArgument('r', default_value='1')",
+            'a DeclareLaunchArgument is missing',
+            'add DeclareLaunchArgument(...)',
+        ),
+        (
+            "give the Node parameters=[{'radius': LaunchConfiguration('r')}]",
+            'a parameter of a Node is missing',
+            'give the Node parameters=[...]',
+        ),
+        (
+            'give the Node of turtlesim this namespace and name',
+            'a Node with a namespace is missing',
+            'give the Node of turtlesim this namespace and name',
+        ),
+        ('did you mean "/a" where you wrote "/b"?', 'a name: compare it letter by letter with the task', None),
+    ],
+)
+def test_one_advice_has_three_steps(try_: str, kind: str, thing: str | None) -> None:
+    result = failed(try_)
+    assert [at_level(result, level).try_ for level in (KIND, THING, ALL)] == [kind, thing or try_, try_]
+
+
+def test_a_rubric_may_say_the_steps_itself() -> None:
+    failure = Failure('no', try_=['a frame', 'the frame laser', '--child-frame-id laser'])
+    result = replace(failed(''), try_=failure.try_, steps=failure.steps)
+    assert [at_level(result, level).try_ for level in (KIND, THING, ALL)] == [
+        'a frame',
+        'the frame laser',
+        '--child-frame-id laser',
+    ]
+
+
+def test_a_yaml_rubric_may_say_them_too() -> None:
+    text = b"""title: T
+runs: [{name: one}]
+checks:
+  - {name: a, argument: {name: speed}, try: [an argument, the argument speed, "DeclareLaunchArgument('speed')"]}
+"""
+    check = read_yaml_rubric('t.yaml', text).checks[0]
+    scenario = Scenario('one')
+    source = Submission(str(ROOT / 'exercises/circle.launch.py')).source
+    with pytest.raises(Failure) as caught:
+        check(Evidence({'one': scenario}, {'one': FakeRecording()}, source))  # type: ignore[dict-item]
+    assert caught.value.steps == ('an argument', 'the argument speed')
+
+
+def test_it_takes_tries_or_hints_and_never_counts_for_what_was_tried_first() -> None:
+    assert [level_of(tries, [], False) for tries in (1, 2, 3, 4)] == [KIND, THING, THING, ALL]
+    assert level_of(1, [2], False) == THING and level_of(1, [1, 3], False) == ALL
+    assert level_of(9, [3], True) == KIND
+
+
+def test_a_file_that_does_not_run_says_at_once_what_is_wrong() -> None:
+    result = replace(failed('close the bracket'), name='launches')
+    assert at_level(result, KIND).try_ == 'close the bracket'
+
+
+def test_the_same_text_twice_is_no_try(tmp_path: Path) -> None:
+    report = made_report.report(made_report.FAILED)
+    first, second = noted(report, str(tmp_path)), noted(report, str(tmp_path))
+    assert (first.word, first.level) == ('', KIND) and (second.word, second.level) == (UNCHANGED, KIND)
+    assert UNCHANGED in render(second)
+    changed = replace(report, sha256='beef')
+    assert (noted(changed, str(tmp_path)).word, noted(changed, str(tmp_path)).level) == ('', THING)
+    assert ProgressFile(str(tmp_path)).of(report.rubric).attempts == 2
+
+
+def test_nothing_is_kept_of_what_lies_outside_of_the_exercises_of_a_course(tmp_path: Path) -> None:
+    for name in ('exercises', 'solutions', 'lessons'):
+        (tmp_path / name).mkdir()
+    (tmp_path / 'course.toml').touch()
+    assert progress_folder(str(tmp_path / 'exercises' / 'a.launch.py')) == str(tmp_path / 'lessons')
+    assert progress_folder(str(tmp_path / 'exercises' / 'pkg' / 'launch' / 'pkg.launch.py')) == str(tmp_path / 'lessons')
+    assert progress_folder(str(tmp_path / 'solutions' / 'a.launch.py')) is None
+
+
+def test_no_report_on_a_stub_has_a_line_of_its_solution(capsys: pytest.CaptureFixture[str]) -> None:
+    stubs = sorted(
+        str(path) for path in (ROOT / 'exercises').iterdir() if path.suffix != '.toml' and not path.name.startswith(('.', '_'))
+    )
+    assert main([*stubs, '--sandbox', 'off']) == 1
+    told = capsys.readouterr().out
+    advice = re.findall(r'try:((?:.*\n)(?: {19}.*\n)*)', told)
+    assert len(advice) >= len(stubs)
+    assert [text for text in advice if LINE.search(text)] == []
+    assert 'cause:' not in told
