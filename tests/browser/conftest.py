@@ -19,6 +19,7 @@ from tests.browser.lab import Lab
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 60.0
+GO_S = 15.0
 OWN_FOLDERS = (
     'JUPYTER_CONFIG_DIR',
     'JUPYTER_DATA_DIR',
@@ -87,8 +88,17 @@ def lab(browser: Any, course: Path, shots: Path, tmp_path_factory: pytest.TempPa
             _wait_for(url, server, home / 'log.txt')
             yield Lab(browser, url, shots)
         finally:
-            server.terminate()
-            server.wait(timeout=START_S)
+            _end(server)
+
+
+def _end(server: subprocess.Popen[bytes]) -> None:
+    """Ask it to go; one that still waits for a kernel after that is ended."""
+    server.terminate()
+    try:
+        server.wait(timeout=GO_S)
+    except subprocess.TimeoutExpired:
+        server.kill()
+        server.wait()
 
 
 def _wait_for(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
