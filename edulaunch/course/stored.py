@@ -20,7 +20,7 @@ from edulaunch.errors import UnusableInput
 from edulaunch.underlay_place import engine_folder
 
 FOLDER = '.outputs'
-NOT_KEPT = ('image/png', 'text/html', 'application/vnd.jupyter.widget-view+json')
+NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
 """Kinds of data of which only the presence is kept."""
 _folders: list[TemporaryDirectory[str]] = []
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')

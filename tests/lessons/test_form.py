@@ -10,6 +10,7 @@ import pytest
 import yaml
 
 from edulaunch.canvas.picture import SCENE_TYPE
+from tests.lessons.doing import minutes, ready_made, stated_minutes, steps
 from tests.lessons.notebook import LESSONS, ORDER, Cell, Lesson
 
 FIRST_USES = {
@@ -26,9 +27,10 @@ FIRST_USES = {
         'message',
         'parameter',
         'launch argument',
-        'condition',
         'remapping',
+        'includes',
     ],
+    '04_conditions': ['condition'],
     '08_static_broadcaster': [
         'frame',
         'transform',
@@ -46,6 +48,10 @@ FIRST_USES = {
     '09_broadcaster_and_listener': ['callback', 'service', 'client', 'future', 'timer'],
     '13_large_project': ['bringup', 'wildcard', 'environment variable'],
 }
+WALKED = ORDER[1:2]
+"""Lessons in which no more than three cells in a row are only to be run; the others come later."""
+SCREEN = 40
+"""Lines."""
 ON_PURPOSE = ['nbval-ignore-output', 'raises-exception']
 PATHS_AND_SUCH = re.compile(
     r'(?<![\w.])/(home|root|tmp|work|Users|usr|opt|mnt|var)/|\b0x[0-9a-f]{6,}|site-packages|ipykernel|\d ms\b'
@@ -77,6 +83,37 @@ def test_a_lesson_is_short(lesson: Lesson) -> None:
     assert len(lesson.cells) <= 64
     assert max(len(cell.lines) - (cell.file is not None) for cell in lesson.code) <= 25
     assert statistics.median(len(cell.lines) for cell in lesson.code if cell.file is None) <= 5
+
+
+def test_no_more_than_three_cells_in_a_row_are_only_to_be_run(lesson: Lesson) -> None:
+    assert [row for row in ready_made(lesson) if len(row) > 3] == [] or lesson.name not in WALKED
+
+
+def test_the_minutes_are_those_of_the_text_and_the_work(lesson: Lesson) -> None:
+    assert 0.75 * minutes(lesson) <= stated_minutes(lesson) <= 1.25 * minutes(lesson) or lesson.name not in WALKED
+
+
+def test_a_student_predicts_answers_and_writes(lesson: Lesson) -> None:
+    kinds = [step.kind for step in steps(lesson)]
+    enough = kinds.count('predict') >= 3 and kinds.count('quiz') >= 2 and kinds.count('write') + kinds.count('turn') >= 2
+    assert enough or lesson.name not in WALKED, kinds
+
+
+def test_each_prediction_is_compared_or_answered(lesson: Lesson) -> None:
+    code = '\n'.join(cell.source for cell in lesson.code)
+    asked = set(re.findall(r"predict\('([\w-]+)'", code))
+    assert asked == set(re.findall(r"compare\('([\w-]+)'", code))
+
+
+def test_each_lesson_asks_something_of_an_earlier_one(lesson: Lesson) -> None:
+    told = re.findall(r'Back to lesson (\d+): ', '\n'.join(cell.text for cell in lesson.code))
+    assert all(int(number) < int(lesson.name[:2]) for number in told)
+    assert told or lesson.name < '02' or lesson.name not in WALKED
+
+
+def test_an_output_fits_on_a_screen(lesson: Lesson) -> None:
+    long = [cell.id for cell in lesson.code if cell.text.count('\n') >= SCREEN and not cell.id.startswith('check')]
+    assert long == [], 'a report of an exercise is as long as it has to be, and its end says what to do next'
 
 
 def test_no_lines_run_off_the_page(lesson: Lesson) -> None:
@@ -154,7 +191,7 @@ def test_every_written_file_can_be_read(lesson: Lesson) -> None:
     'part',
     [
         r'^# \d+\. ',
-        r'After this lesson \(about (25|30|35|40|45) minutes\) you can\n\n- ',
+        r'After this lesson \(about (20|25|30|35|40|45) minutes\) you can\n\n- ',
         r'\*\*Predict',
         r'\*\*Explain',
         r'^## \d+\.\d+ Your turn$',

@@ -79,14 +79,23 @@ def launch_file(folder: Path, *lines: str) -> Path:
     return file
 
 
-@pytest.mark.parametrize('line, told', [
-    ("return LaunchDescription([Node(package='turtlesim', excutable='draw_square')])",
-     'Node needs executable=; write executable= where you wrote excutable='),
-    ('return LaunchDescription([GroupAction(GroupAction([]), GroupAction([]))])', 
-     'GroupAction got its arguments without names; put them into one list: GroupAction([..., ...])'),
-    ("return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
-     "the environment variable 'USR' is not set; write 'USER', if that is the one you mean"),
-])
+@pytest.mark.parametrize(
+    'line, told',
+    [
+        (
+            "return LaunchDescription([Node(package='turtlesim', excutable='draw_square')])",
+            'Node needs executable=; write executable= where you wrote excutable=',
+        ),
+        (
+            'return LaunchDescription([GroupAction(GroupAction([]), GroupAction([]))])',
+            'GroupAction got its arguments without names; put them into one list: GroupAction([..., ...])',
+        ),
+        (
+            "return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
+            "the environment variable 'USR' is not set; write 'USER', if that is the one you mean",
+        ),
+    ],
+)
 def test_help_for_mistakes_in_a_launch_file(tmp_path: Path, line: str, told: str) -> None:
     file = launch_file(tmp_path, line)
     with edulaunch.Session(env={'USER': 'student'}) as session:
