@@ -80,7 +80,7 @@ def test_cell_ids_are_words_that_stay(lesson: Lesson) -> None:
 
 
 def test_a_lesson_is_short(lesson: Lesson) -> None:
-    assert len(lesson.cells) <= 72
+    assert len(lesson.cells) <= 80
     assert max(len(cell.lines) - (cell.file is not None) for cell in lesson.code) <= 25
     assert statistics.median(len(cell.lines) for cell in lesson.code if cell.file is None) <= 5
 
