@@ -72,6 +72,8 @@ class LaunchRun:
             for process in self._host.processes:
                 if process is not self.process:
                     process.send_signal(signal.SIGINT)
+            for program in self._host.real_programs:
+                program.send_signal(signal.SIGINT)
 
     def _main(self, process: Process) -> int:
         """The main program of `ros2 launch FILE name:=value ...`; returns launch's own return code."""

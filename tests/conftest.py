@@ -21,7 +21,7 @@ for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SI
     if number is not None and signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, usual)
 HERE = (Path(__file__).parent, Path(__file__).parents[1])
-TAKES_TIME = ('attacks', 'terminals', 'whole')
+TAKES_TIME = ('attacks', 'real', 'terminals', 'whole')
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
@@ -29,7 +29,7 @@ settings.load_profile('repository')
 
 def pytest_report_header() -> str:
     """Say what a run of all unit tests leaves out."""
-    return 'left out unless their folder is named: real terminals (-m terminals), all there is once more (-m whole), attacks (-m attacks)'
+    return 'left out unless their folder is named: real terminals (-m terminals), all there is once more (-m whole), attacks (-m attacks), the real rclpy (-m real)'
 
 
 @pytest.hookimpl(trylast=True)

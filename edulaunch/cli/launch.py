@@ -33,6 +33,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help='keyboard of the program NAME: a file, or - for this terminal; may be repeated',
     )
     parser.add_argument('--fast', action='store_true', help='as fast as possible instead of real time')
+    parser.add_argument(
+        '--real', action='store_true', help='run each node as a real process on the real rclpy (edulaunch network install)'
+    )
     parser.add_argument('--seed', type=int, default=0, help='of all randomness (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
     parser.add_argument(
@@ -66,7 +69,7 @@ def main(arguments: argparse.Namespace) -> int:
     given.update(launch_options.prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
-    with Session(
+    with _session_class(arguments)(
         seed=arguments.seed,
         workspaces=workspaces_of_command(arguments.workspace, package_or_path),
         console=_print,
@@ -95,6 +98,22 @@ def main(arguments: argparse.Namespace) -> int:
             name = os.path.basename(launch.path).partition('.')[0]
             print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)
     return 0 if launch.process.returncode is None else launch.process.returncode
+
+
+def _session_class(arguments: argparse.Namespace) -> type[Session]:
+    """In the simulation, or for real.
+
+    :raises UnusableInput: for --real without the real rclpy, or with options that need simulated time.
+    """
+    if not arguments.real:
+        return Session
+    from edulaunch.native.environment import needed
+    from edulaunch.native.host import NativeSession
+
+    if arguments.fast:
+        raise UnusableInput('--fast needs simulated time.', help='leave out --fast, or --real')
+    needed()
+    return NativeSession
 
 
 def _stdin(word: str) -> tuple[str, str | TextIO]:

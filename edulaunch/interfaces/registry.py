@@ -29,7 +29,7 @@ class Registry:
     def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None, leave: Iterable[str] = ()) -> None:
         self.roots = tuple(os.fspath(root) for root in roots)
         self.base = base
-        self._leave = frozenset(leave)
+        self.leave = frozenset(leave)
         self._packages: dict[str, dict[str, dict[str, str]]] = {}  # package -> kind -> name -> path
         self._folders: dict[str, str] | None = None
         self._specs: dict[str, InterfaceSpec] = {}
@@ -153,7 +153,7 @@ class Registry:
             self._folders = {}
             for root in reversed(self.roots):
                 if os.path.isdir(root):
-                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root) if name not in self._leave)
+                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root) if name not in self.leave)
         return self._folders
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:

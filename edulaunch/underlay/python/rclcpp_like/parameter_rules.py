@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy.parameter import ParameterType
+from rclpy.parameter import Parameter
 
 _TYPE_NAMES = {
-    ParameterType.NOT_SET: 'not set',
-    ParameterType.BOOL: 'bool',
-    ParameterType.INTEGER: 'integer',
-    ParameterType.DOUBLE: 'double',
-    ParameterType.STRING: 'string',
-    ParameterType.BYTE_ARRAY: 'byte_array',
-    ParameterType.BOOL_ARRAY: 'bool_array',
-    ParameterType.INTEGER_ARRAY: 'integer_array',
-    ParameterType.DOUBLE_ARRAY: 'double_array',
-    ParameterType.STRING_ARRAY: 'string_array',
+    Parameter.Type.NOT_SET: 'not set',
+    Parameter.Type.BOOL: 'bool',
+    Parameter.Type.INTEGER: 'integer',
+    Parameter.Type.DOUBLE: 'double',
+    Parameter.Type.STRING: 'string',
+    Parameter.Type.BYTE_ARRAY: 'byte_array',
+    Parameter.Type.BOOL_ARRAY: 'bool_array',
+    Parameter.Type.INTEGER_ARRAY: 'integer_array',
+    Parameter.Type.DOUBLE_ARRAY: 'double_array',
+    Parameter.Type.STRING_ARRAY: 'string_array',
 }
 
 
-def type_refusal(name: str, declared: ParameterType, given: ParameterType) -> str:
+def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
     """The reason for refusing a value of another type."""
     return (
         f'Wrong parameter type, parameter {{{name}}} is of type {{{_TYPE_NAMES[declared]}}}, '

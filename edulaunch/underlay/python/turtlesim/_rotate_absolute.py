@@ -24,7 +24,7 @@ class RotateAbsoluteServer:
         self._log = node.get_logger()
         self._numbers: Any = None
         self._result: Any = None
-        self._results: dict[Any, Future] = {}  # by goal: done when the goal has ended
+        self._results: dict[bytes, Future] = {}  # by goal id: done when the goal has ended
         self._server = ActionServer(
             node,
             RotateAbsolute,
@@ -69,19 +69,23 @@ class RotateAbsoluteServer:
             self.abort()
         self.goal = goal
         self._result = RotateAbsolute.Result()
-        self._results[goal] = Future()
+        self._results[_key(goal)] = Future()
         self._numbers = self._turtle.rotate_to(goal.request.theta)
         goal.execute()
 
     async def _execute(self, goal: Any) -> Any:
-        result = await self._results[goal]
-        del self._results[goal]
+        result = await self._results[_key(goal)]
+        del self._results[_key(goal)]
         return result
 
     def _end(self) -> None:
         ended, self.goal = self.goal, None
         self._turtle.rotation = None
-        self._results[ended].set_result(self._result)
+        self._results[_key(ended)].set_result(self._result)
+
+
+def _key(goal: Any) -> bytes:
+    return bytes(goal.goal_id.uuid)
 
 
 def _accept_cancel(goal: Any) -> CancelResponse:

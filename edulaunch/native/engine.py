@@ -1,0 +1,140 @@
+"""What programs of ours ask the engine for, in a process of its own: real time, real threads, this process.
+
+Registered under the names of the engine's modules that they import; the engine itself is not loaded.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import sys
+import threading
+import time
+from functools import cached_property
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, NoReturn
+
+if TYPE_CHECKING:
+    from edulaunch.packages import Index
+
+
+class RealTime:
+    """Time in place of a simulation's."""
+
+    def __init__(self) -> None:
+        self.start_ns = time.time_ns()
+
+    @property
+    def now_ns(self) -> int:
+        """The time, in ns since 1970."""
+        return time.time_ns()
+
+    def random(self, name: str) -> random.Random:
+        """Chance, which does not repeat here."""
+        return random.Random()
+
+
+class RealTask:
+    """This thread in place of a task."""
+
+    def __init__(self, sim: RealTime, owner: ThisProcess) -> None:
+        self.sim = sim
+        self.owner = owner
+
+    def sleep_until(self, at_ns: int) -> None:
+        """Sleep until a time of :class:`RealTime`."""
+        time.sleep(max(0, at_ns - time.time_ns()) / 1e9)
+
+    def poll(self) -> None:
+        """A program that looks at the clock in a loop waits by doing so."""
+
+
+class _Loader:
+    """Modules of this process are Python's own."""
+
+    modules = sys.modules
+
+    def import_(self, name: str) -> ModuleType:
+        return import_module(name)
+
+
+class ThisProcess:
+    """This process in place of a simulated one. What advice is made of is nobody's here."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.sim = RealTime()
+        self.state: dict[str, Any] = {}
+        self.loader = _Loader()
+        self.env = os.environ
+        self.returncode = None
+        self.pid = os.getpid()
+
+    @property
+    def argv(self) -> list[str]:
+        """Its command line."""
+        return sys.argv
+
+    @property
+    def stdin(self) -> Any:
+        """What it reads."""
+        return sys.stdin
+
+    @property
+    def stdout(self) -> Any:
+        """Where it writes."""
+        return sys.stdout
+
+    @property
+    def stderr(self) -> Any:
+        """Where it complains."""
+        return sys.stderr
+
+    @cached_property
+    def index(self) -> Index:
+        """The packages that it finds."""
+        from edulaunch.packages import Index
+
+        return Index([path for path in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if path])
+
+    def write(self, stream: str, text: str) -> None:
+        """Write on 'stdout' or 'stderr'."""
+        getattr(sys, stream).write(text)
+        getattr(sys, stream).flush()
+
+    def exit_now(self, code: int) -> NoReturn:
+        """End at once: with a code, or by the signal that a negative one names."""
+        if code < 0:
+            signal.signal(-code, signal.SIG_DFL)
+            os.kill(os.getpid(), -code)
+        os._exit(code)
+
+    def fact(self, kind: str, key: object, data: object) -> None:
+        """Nobody keeps it."""
+
+    def fact_over(self, kind: str, key: object) -> None:
+        """Nobody kept it."""
+
+
+def install(name: str) -> ThisProcess:
+    """Stand in for the engine in this process."""
+    process = ThisProcess(name)
+    task = RealTask(process.sim, process)
+    _module('edulaunch.sim.task', current_task=lambda: task, running_task=lambda: task)
+    _module('edulaunch.sim.sync', sleep=time.sleep, Lock=threading.Lock)
+    _module('edulaunch.processes.current', current_process=lambda: process)
+    _module('edulaunch.processes.student_line', student_line=dict)
+    _module('edulaunch.processes', current_process=lambda: process).__path__ = [_folder('processes')]
+    return process
+
+
+def _folder(room: str) -> str:
+    return os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), room)
+
+
+def _module(name: str, **values: object) -> ModuleType:
+    module = sys.modules[name] = ModuleType(name)
+    module.__dict__.update(values)
+    return module

@@ -1,0 +1,170 @@
+"""The environment of the real rclpy: a virtual environment of its own in the user's cache, made by `edulaunch network install`.
+
+It has to be one of its own: its wheels start every Python of their environment twice, and a simulation shares no interpreter with
+a real rclpy.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NamedTuple
+
+from edulaunch.errors import EdulaunchError, UnusableInput
+
+REQUIREMENT = 'ros-jazzy-rclpy[fastrtps]'
+PLACE_VARIABLE = 'EDULAUNCH_REAL_RCLPY'
+MARK = 'edulaunch.json'
+"""Stands in a finished environment, and says what is in it."""
+NEEDED_MB = 250
+_PROBE = "import json, rclpy; from importlib.metadata import version; print(json.dumps({'rclpy': version('ros-jazzy-rclpy')}))"
+_OFFLINE_SIGNS = ('Temporary failure in name resolution', 'NewConnectionError', 'Connection refused', 'Network is unreachable')
+_NO_WHEEL_SIGNS = ('No matching distribution found', 'Could not find a version that satisfies')
+
+
+class Environment(NamedTuple):
+    """A finished environment.
+
+    :ivar place: its folder.
+    :ivar version: of the real rclpy in it.
+    """
+
+    place: str
+    version: str
+
+    @property
+    def python(self) -> str:
+        """Its Python."""
+        return os.path.join(self.place, 'bin', 'python')
+
+
+def place() -> str:
+    """Its folder, there or not: what $EDULAUNCH_REAL_RCLPY names, else one for this Python in the user's cache."""
+    given = os.environ.get(PLACE_VARIABLE)
+    if given:
+        return os.path.abspath(given)
+    cache = os.environ.get('XDG_CACHE_HOME') or os.path.join(os.path.expanduser('~'), '.cache')
+    return os.path.join(cache, 'edulaunch', f'rclpy-jazzy-python{sys.version_info[0]}.{sys.version_info[1]}')
+
+
+def found() -> Environment | None:
+    """The environment, if it was made."""
+    folder = place()
+    try:
+        with open(os.path.join(folder, MARK), encoding='utf-8') as file:
+            return Environment(folder, str(json.load(file)['rclpy']))
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def needed() -> Environment:
+    """The environment, for those that cannot do without.
+
+    :raises UnusableInput: when there is none.
+    """
+    environment = found()
+    if environment is None:
+        raise UnusableInput('the real rclpy is not installed.', help=unsuited() or f'edulaunch network install ({NEEDED_MB} MB)')
+    return environment
+
+
+def unsuited() -> str | None:
+    """Why there are no wheels for this machine; None when there are."""
+    system, machine, version = platform.system(), platform.machine(), sys.version_info[:2]
+    if (system, machine) != ('Linux', 'x86_64'):
+        return f'its wheels are for Linux on x86-64, and this is {system} on {machine}'
+    if not (3, 10) <= version <= (3, 14):
+        return f'its wheels are for Python 3.10 to 3.14, and this is {version[0]}.{version[1]}'
+    return None
+
+
+def install(say: Callable[[str], object]) -> Environment:
+    """Make the environment anew.
+
+    :param say: told what is being done, one line at a time.
+    :raises UnusableInput: there are no wheels for this machine or this Python.
+    :raises EdulaunchError: they could not be fetched, or do not run.
+    """
+    reason = unsuited()
+    if reason:
+        raise UnusableInput(f'the real rclpy cannot be installed here: {reason}.', help='use the link of edulaunch[network]')
+    folder = place()
+    if os.path.exists(folder) and not os.path.exists(os.path.join(folder, 'pyvenv.cfg')):
+        raise UnusableInput(f'{folder} is there, and is no environment of Python.', help='move it away, and try again')
+    with _alone(folder):
+        shutil.rmtree(folder, ignore_errors=True)
+        pip = _pip()
+        say(f'making {folder}')
+        _run([sys.executable, '-m', 'venv', *([] if pip is None else ['--without-pip']), folder], 'the environment was not made')
+        python = os.path.join(folder, 'bin', 'python')
+        say(f'fetching {REQUIREMENT} ({NEEDED_MB} MB with what it needs)')
+        _fetch([*(pip or [python, '-m', 'pip']), *_pip_words(pip, python), REQUIREMENT], say)
+        say('trying it')
+        told = _run([python, '-c', _PROBE], 'the real rclpy was installed, but cannot be imported')
+        with open(os.path.join(folder, MARK), 'w', encoding='utf-8') as file:
+            file.write(told)
+    return needed()
+
+
+@contextmanager
+def _alone(folder: str) -> Iterator[None]:
+    """Wait for another installation into the same folder."""
+    import fcntl
+
+    os.makedirs(os.path.dirname(folder), exist_ok=True)
+    with open(f'{folder}.lock', 'w') as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _pip() -> list[str] | None:
+    """What installs into another environment here, None when nothing does: that environment gets a pip of its own then."""
+    from importlib.util import find_spec
+
+    if find_spec('pip') is not None:
+        return [sys.executable, '-m', 'pip']
+    uv = shutil.which('uv')
+    return None if uv is None else [uv, 'pip']
+
+
+def _pip_words(pip: list[str] | None, python: str) -> list[str]:
+    if pip is not None and len(pip) == 2:
+        return ['install', '--python', python]
+    return [*([] if pip is None else ['--python', python]), 'install', '--disable-pip-version-check', '--prefer-binary']
+
+
+def _fetch(command: list[str], say: Callable[[str], object]) -> None:
+    """Run an installer, and hand on which packages it is at."""
+    lines: list[str] = []
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors='replace') as child:
+        assert child.stdout is not None
+        for line in child.stdout:
+            lines.append(line)
+            if line.startswith(('Collecting ', 'Installing ')):
+                say(line.split('>=')[0].split(' (from')[0].strip()[:100])
+    if child.returncode:
+        raise _failure(''.join(lines))
+
+
+def _failure(text: str) -> EdulaunchError:
+    if any(sign in text for sign in _OFFLINE_SIGNS):
+        return EdulaunchError(
+            'the wheels of the real rclpy could not be fetched: no connection.', help='try again with a connection'
+        )
+    if any(sign in text for sign in _NO_WHEEL_SIGNS):
+        version = '.'.join(map(str, sys.version_info[:2]))
+        return EdulaunchError(f'no wheel of {REQUIREMENT} fits this machine and Python {version}.', help='try Python 3.12')
+    return EdulaunchError('the wheels of the real rclpy could not be installed:\n' + '\n'.join(text.splitlines()[-5:]))
+
+
+def _run(command: list[str], failed: str) -> str:
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        raise EdulaunchError(f'{failed}:\n' + '\n'.join((done.stderr or done.stdout).splitlines()[-5:]))
+    return done.stdout

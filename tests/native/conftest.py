@@ -1,0 +1,38 @@
+"""Tests on the real rclpy are skipped where it is not installed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from edulaunch.native import environment
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+LONGEST_S = 120
+
+
+@pytest.fixture
+def real(monkeypatch: pytest.MonkeyPatch) -> environment.Environment:
+    """The environment of the real rclpy, in a domain of this test's own, on this computer only."""
+    found = environment.found()
+    if found is None:
+        pytest.skip('the real rclpy is not installed: edulaunch network install')
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(1 + os.getpid() % 100))
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
+    return found
+
+
+@pytest.fixture
+def edulaunch(tmp_path: Path) -> Run:
+    """Run the command; what it prints is text."""
+
+    def run(*words: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, '-m', 'edulaunch', *words]
+        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=LONGEST_S, stdin=subprocess.DEVNULL)
+
+    return run

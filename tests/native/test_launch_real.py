@@ -1,0 +1,121 @@
+"""`edulaunch launch --real`: unmodified launch files, each node a process on the real rclpy."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from edulaunch.native.environment import Environment
+
+pytestmark = pytest.mark.real
+Run = Callable[..., subprocess.CompletedProcess[str]]
+
+FOLLOWED = """
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, IncludeLaunchDescription, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessExit
+from launch_ros.substitutions import FindPackageShare
+from launch.substitutions import PathJoinSubstitution
+
+def generate_launch_description():
+    watcher = ExecuteProcess(cmd=['python3', 'watch.py'], output='screen')
+    return LaunchDescription([
+        IncludeLaunchDescription(PathJoinSubstitution([FindPackageShare('turtle_tf2_py'), 'launch', 'turtle_tf2_demo.launch.py'])),
+        watcher,
+        RegisterEventHandler(OnProcessExit(target_action=watcher, on_exit=[Shutdown(reason='seen')])),
+    ])
+"""
+WATCH = """
+from math import hypot
+import rclpy
+from rclpy.node import Node
+from turtlesim.msg import Pose
+
+class Watcher(Node):
+    def __init__(self):
+        super().__init__('watcher')
+        self.poses, self.far = {}, 0.0
+        for name in ('turtle1', 'turtle2'):
+            self.create_subscription(Pose, f'/{name}/pose', lambda pose, name=name: self.on_pose(name, pose), 10)
+
+    def on_pose(self, name, pose):
+        self.poses[name] = pose
+        if len(self.poses) == 2:
+            one, two = self.poses.values()
+            distance = hypot(one.x - two.x, one.y - two.y)
+            self.far = max(self.far, distance)
+            if self.far > 3.0 and distance < 1.0:
+                print('turtle2 came to turtle1', flush=True)
+                raise SystemExit(0)
+
+rclpy.init()
+rclpy.spin(Watcher())
+"""
+
+
+def test_turtle2_follows_in_the_demo(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'watch.py').write_text(WATCH)
+    (tmp_path / 'followed.launch.py').write_text(FOLLOWED)
+    done = edulaunch('launch', '--real', 'followed.launch.py', '--for', '100')
+    said = done.stdout
+    assert 'turtle2 came to turtle1' in said, said + done.stderr
+    assert said.count('process has finished cleanly') == 5, said
+    assert 'Successfully spawned turtle2' in said
+    assert done.returncode == 0
+
+
+COMMANDS = """
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessExit
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    commands = [
+        ['ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x: 2.0, y: 3.0, name: leo}'],
+        ['ros2', 'param', 'set', '/sim', 'background_r', '200'],
+        ['ros2', 'param', 'get', '/sim', 'background_r'],
+        ['ros2', 'param', 'set', '/sim', 'background_r', '300'],
+        ['ros2', 'topic', 'echo', '--once', '/leo/pose', 'turtlesim/msg/Pose'],
+        ['ros2', 'action', 'send_goal', '/leo/rotate_absolute', 'turtlesim/action/RotateAbsolute', '{theta: 0.1}'],
+    ]
+    steps = [ExecuteProcess(cmd=words, output='screen') for words in commands]
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[{'background_r': 10}]),
+        steps[0],
+        *(RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[second])) for first, second in zip(steps, steps[1:])),
+        RegisterEventHandler(OnProcessExit(target_action=steps[-1], on_exit=[Shutdown()])),
+    ])
+"""
+
+
+def test_commands_of_a_launch_file_reach_real_nodes(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'commands.launch.py').write_text(COMMANDS)
+    said = edulaunch('launch', '--real', 'commands.launch.py', '--for', '100').stdout
+    for text in (
+        "turtlesim.srv.Spawn_Response(name='leo')",
+        'Set parameter successful',
+        'Integer value is: 200',
+        "Parameter {background_r} doesn't comply with integer range.",
+        'x: 2.0',
+        'Goal finished with status: SUCCEEDED',
+    ):
+        assert text in said, said
+
+
+def test_a_program_that_cannot_run_says_so_as_in_the_simulation(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'x.launch.xml').write_text('<launch><node pkg="nav2_bringup" exec="bringup" name="a"/></launch>')
+    done = edulaunch('launch', '--real', 'x.launch.xml', '--for', '20')
+    simulated = edulaunch('launch', 'x.launch.xml', '--for', '20')
+    assert done.returncode == simulated.returncode
+    assert done.stdout.replace(done.stdout.split('pid [')[-1], '') == simulated.stdout.replace(
+        simulated.stdout.split('pid [')[-1], ''
+    )
+
+
+def test_the_clock_cannot_be_hurried(real: Environment, edulaunch: Run) -> None:
+    done = edulaunch('launch', '--real', '--fast', 'turtlesim', 'multisim.launch.py')
+    assert (done.returncode, done.stderr) == (2, 'error: --fast needs simulated time.\n  help: leave out --fast, or --real\n')
