@@ -65,7 +65,7 @@ node = rclpy.create_node('tester')
 heard = []
 for kind in (Car, Nothing):
     node.create_subscription(kind, kind.__name__, heard.append, 10)
-car = Car(spare=[Wheel(radius=0.1, name='abcde')], gears=[1, -2], words=['\\u00e4', 'b'], lights=[True, False, True])
+car = Car(spare=[Wheel(radius=0.5, name='abcde')], gears=[1, -2], words=['\\u00e4', 'b'], lights=[True, False, True])
 car.wheels[3].radius = 7.5
 car.pose.position.x = 3.0
 for message in (car, Nothing()):
