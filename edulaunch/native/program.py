@@ -13,8 +13,9 @@ import sys
 from importlib import import_module
 from typing import Any
 
-DISCOVERY_NS = 1_500_000_000
-"""A command of ros2 that finds no daemon has to listen longer than the half second after which the simulation knows its graph."""
+DISCOVERY_NS = 3_000_000_000
+"""A command of ros2 that finds no daemon listens so much longer than in the simulation: who misses the first announcements of a
+node hears the next one after three seconds."""
 
 
 def main() -> None:
