@@ -6,6 +6,8 @@ import argparse
 import os
 import sys
 
+from .course_pages import add_verbs, notes, reader, slides
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs of `edulaunch course`."""
@@ -32,11 +34,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
     store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
+    add_verbs(verbs)
 
 
 def main(arguments: argparse.Namespace) -> int:
     """Returns the exit code."""
-    code: int = globals()[f'_{arguments.what}'](arguments)
+    pages = {'reader': reader, 'slides': slides, 'notes': notes}
+    code: int = (pages.get(arguments.what) or globals()[f'_{arguments.what}'])(arguments)
     return code
 
 

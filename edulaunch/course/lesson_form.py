@@ -12,6 +12,8 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 
 from .lessons import read_lessons
+from .notes import FOLDER as NOTES
+from .notes import read_notes
 from .place import LESSONS
 from .questions import FILE, read_questions
 from .stored import read_outputs
@@ -35,6 +37,8 @@ def lesson_problems(course: str) -> Iterator[str]:
     if lessons and not os.path.isfile(os.path.join(folder, 'conftest.py')):
         yield f'{LESSONS}/conftest.py is missing: nbval needs "from edulaunch.course.stored import pytest_itemcollected" in it'
     yield from _questions(os.path.join(folder, FILE), lessons, asked)
+    strays = [name for name in read_notes(course) if name not in lessons]
+    yield from (f'{LESSONS}/{NOTES}/{name}.md: there is no lesson of this name' for name in strays)
 
 
 def _cells(path: str) -> tuple[list[dict[str, Any]], str]:

@@ -11,6 +11,7 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from subprocess import DEVNULL
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -47,8 +48,18 @@ def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
     return found
 
 
-def store_outputs(notebook: str, timeout_s: float = 120.0) -> None:
-    """Run a notebook in its folder, in a fresh kernel, and keep what its cells gave; the notebook itself is left without outputs.
+def store_outputs(notebook: str) -> None:
+    """Run a notebook, and keep what its cells gave; the notebook itself is left without outputs.
+
+    :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
+    """
+    folder = os.path.dirname(os.path.abspath(notebook))
+    _write(outputs_file(notebook), {cell['id']: [*_kept(cell, folder)] for cell in _code(run_notebook(notebook))})
+    strip(notebook)
+
+
+def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
+    """A notebook after a run in its folder, in a fresh kernel; the file stays as it is.
 
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
@@ -63,11 +74,10 @@ def store_outputs(notebook: str, timeout_s: float = 120.0) -> None:
     )
     try:
         with fresh_progress():
-            client.execute()
+            client.execute(stderr=DEVNULL)  # the kernel warns about sockets of its own
     except nbclient.exceptions.CellExecutionError as error:
         raise UnusableInput(f'{notebook}: a cell failed: {error}') from None
-    _write(outputs_file(notebook), {cell['id']: [*_kept(cell, folder)] for cell in _code(done)})
-    strip(notebook)
+    return done
 
 
 def strip(notebook: str) -> None:

@@ -10,6 +10,7 @@ from edugrade.course import MANIFEST
 
 from edulaunch.errors import UnusableInput
 
+from .notes import FOLDER as NOTES
 from .place import EXERCISES, LESSONS
 from .stored import as_text, without_outputs
 
@@ -50,9 +51,9 @@ def _files(folder: str, lessons: bool) -> Iterator[str]:
 
 def _is_handed_out(name: str, beside_notebooks: bool) -> bool:
     """Not what is kept back, what is hidden (.outputs, .ipynb_checkpoints), nor, beside the notebooks, what running them left
-    (my_launch, my_ws) and what serves our tests. An exercise may be called my_package.
+    (my_launch, my_ws), the notes for teachers and what serves our tests. An exercise may be called my_package, or notes.
     """
-    if beside_notebooks and (name.startswith('my_') or name in ('conftest.py', 'coverage.toml')):
+    if beside_notebooks and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
         return False
     return name not in KEPT_BACK and not name.startswith('.') and not name.endswith(('.pyc', '.results'))
 

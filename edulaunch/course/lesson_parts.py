@@ -1,0 +1,128 @@
+"""A lesson as parts that a page or a slide shows: what is text, code, a picture, a guess, a question.
+
+A page cannot ask first and show later, so what a lesson asks to be predicted is folded away on it, what was right is told to
+teachers alone, and questions stand there without their answers.
+"""
+
+from __future__ import annotations
+
+import re
+from base64 import b64decode
+from collections.abc import Iterator, Mapping
+from html import unescape
+from typing import Any, NamedTuple
+
+from .questions import Question
+
+WRITES = '%%writefile '
+_CALL = r"^{}\('([\w-]+)'(?:.*#\s*(.*))?"
+_PREDICTS, _COMPARES, _ASKS = (re.compile(_CALL.format(name), re.MULTILINE) for name in ('predict', 'compare', 'quiz'))
+_CALLS = re.compile(r"^(predict|compare|quiz)\('.*$\n?", re.MULTILINE)
+_ANSI = re.compile(r'\x1b\[[0-9;]*m')
+_WAS = re.compile(r'It was (.*?)(?:\. You had not said|$)', re.DOTALL)
+_FRAME, _STILL = re.compile(r'<iframe [^>]*srcdoc="([^"]*)"'), re.compile(r'src="data:image/svg\+xml;base64,([^"]*)"')
+
+
+class Output(NamedTuple):
+    """Something that a cell gave.
+
+    :param kind: text, error, picture, html or replay.
+    :param text: what it says; of a picture and a replay, their caption.
+    :param data: the bytes of the picture, PNG or SVG; none where only the caption was kept.
+    :param page: of html and replay, the HTML.
+    """
+
+    kind: str
+    text: str
+    data: bytes = b''
+    page: str = ''
+
+
+class Part(NamedTuple):
+    """One thing on a page.
+
+    :param kind: text (Markdown), code, guess (place for a prediction), answer (to one, for teachers) or quiz.
+    :param ident: the cell's id.
+    :param text: the Markdown, the code, what form the guess has, the answer.
+    :param file: the name of the file that the code is written to.
+    :param folded: whether the outputs are the answer to a prediction, to be opened by who has guessed.
+    """
+
+    kind: str
+    ident: str
+    text: str
+    file: str = ''
+    outputs: tuple[Output, ...] = ()
+    folded: bool = False
+    question: Question | None = None
+
+
+def lesson_parts(
+    cells: list[dict[str, Any]], outputs: Mapping[str, list[dict[str, Any]]], questions: Mapping[str, Question], teacher: bool
+) -> Iterator[Part]:
+    """The parts of a notebook's cells in their order.
+
+    :param outputs: what each code cell gave, by its id.
+    :param teacher: tell what was right where something is predicted.
+    """
+    asked = False
+    for cell in cells:
+        source = ''.join(cell['source'])
+        if cell['cell_type'] == 'markdown':
+            asked = '**Predict' in source
+            yield Part('text', cell['id'], source)
+        elif cell['cell_type'] == 'code':
+            asked = asked or bool(_PREDICTS.search(source))
+            gave = tuple(_outputs(outputs.get(cell['id'], [])))
+            yield from _code_parts(cell['id'], source, gave, asked and not teacher)
+            yield from (Part('quiz', cell['id'], name, question=questions.get(name)) for name, _ in _ASKS.findall(source))
+            if _COMPARES.search(source):
+                asked = False
+                was = next((found[1] for output in reversed(gave) if (found := _WAS.search(output.text))), '')
+                if teacher and was:
+                    yield Part('answer', cell['id'], was)
+
+
+def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool) -> Iterator[Part]:
+    """The lines of a cell that are no call of `predict`, `compare` or `quiz`, and what they gave; and the guess's place."""
+    predicts = _PREDICTS.search(source)
+    if predicts:
+        yield Part('guess', ident, predicts[2] or '')
+    called = _CALLS.search(source)
+    if called:  # what such a call returns is shown last
+        source, gave = _CALLS.sub('', source).strip('\n'), tuple(output for output in gave if output.kind in ('text', 'error'))
+        gave = tuple(output for output in gave if not output.text.startswith(('It was ', 'You said ', 'No prediction yet', '<')))
+        if called[1] == 'quiz':
+            gave = ()
+    if not source.strip():
+        return
+    first, _, rest = source.partition('\n')
+    file = first.removeprefix(WRITES).strip() if first.startswith(WRITES) else ''
+    yield Part('code', ident, rest if file else source, file, () if file else gave, folded and bool(gave) and not file)
+
+
+def _outputs(raw: list[dict[str, Any]]) -> Iterator[Output]:
+    for output in raw:
+        if output['output_type'] == 'stream':
+            yield Output('text', _plain(output['text']))
+        elif output['output_type'] == 'error':
+            yield Output('error', _plain('\n'.join(output['traceback']) or f'{output["ename"]}: {output["evalue"]}'))
+        else:
+            yield _shown(output['data'])
+
+
+def _plain(text: str | list[str]) -> str:
+    return _ANSI.sub('', ''.join(text)).strip('\n')
+
+
+def _shown(data: Mapping[str, Any]) -> Output:
+    """What is displayed of several forms of one thing: pictures with their caption, tables, else the text."""
+    text, page = _plain(data.get('text/plain', '')), ''.join(data.get('text/html', ''))
+    if 'image/png' in data:
+        return Output('picture', text, b64decode(''.join(data['image/png'])))
+    frame, still = _FRAME.search(page), _STILL.search(page)
+    if frame:
+        return Output('replay', text, b64decode(still[1]) if still else b'', unescape(frame[1]))
+    if page.startswith('<table') or (page and re.fullmatch(r'<.* object.*>', text)):
+        return Output('html', text, page=page)
+    return Output('picture' if 'text/html' in data and text.startswith('replay of') else 'text', text)

@@ -1,0 +1,158 @@
+"""`edulaunch course reader`: a course as accessible HTML pages that need neither a network nor Jupyter, and as PDF."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from collections.abc import Iterator
+from html import unescape
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
+from edugrade.course import read_toml
+
+from edulaunch.errors import UnusableInput
+
+from .copying import copy_files
+from .lesson_html import FOLDER, environment, heading_id, markdown
+from .lesson_parts import Part, lesson_parts
+from .lessons import read_lessons
+from .notes import read_notes
+from .pdf import write_pdf
+from .place import LESSONS, manifest
+from .questions import FILE, read_questions
+from .stored import read_outputs, run_notebook, without_place
+from .student_files import student_files
+
+REPLAYS = 'replays'
+_HEADING = {level: re.compile(rf'<h{level} id="[^"]*">(.*?)</h{level}>', re.DOTALL) for level in (1, 2)}
+
+
+class Page(NamedTuple):
+    """A lesson of a reader.
+
+    :param sections: id and HTML of each heading of the second level.
+    :param came: the parts whose outputs answer a prediction.
+    :param notes: Markdown for the teacher.
+    """
+
+    name: str
+    title: str
+    parts: tuple[Part, ...]
+    sections: tuple[tuple[str, str], ...]
+    came: tuple[Part, ...]
+    notes: str = ''
+
+
+def write_reader(
+    course: str, target: str, *, teacher: bool = False, kept: bool = False, pdf: bool = False
+) -> tuple[list[str], str]:
+    """Write the pages of a course into a folder; returns their names, and why there is no PDF although it was asked for.
+
+    :param teacher: with what was right, answers open, and the notes for teachers.
+    :param kept: take the outputs that are kept beside the lessons, which have no pictures; else the lessons are run.
+    :raises UnusableInput: when the folder has other files in it, a lesson cannot be read or run, or nbconvert is missing.
+    """
+    templates = environment()
+    pages = list(read_pages(course, teacher=teacher, kept=kept))
+    if not pages:
+        raise UnusableInput(f'there is no lesson in {os.path.join(course, LESSONS)}', help='lessons are called 01_name.ipynb')
+    _make_room(target)
+    shutil.copy(os.path.join(FOLDER, 'reader.css'), os.path.join(target, 'reader.css'))
+    page, about = templates.get_template('page.html.j2'), {'course': course_title(course), 'teacher': teacher, 'language': 'en'}
+    for number, found in enumerate(pages):
+        options = {
+            'prefix': f'{found.name}-',
+            'lower': 0,
+            'teacher': teacher,
+            'flat': False,
+            'replays': _write_replays(target, found),
+        }
+        around = {
+            'before': pages[number - 1] if number else None,
+            'after': pages[number + 1] if number + 1 < len(pages) else None,
+        }
+        _write(target, f'{found.name}.html', page.render(title=found.title, page=found, options=options, **around, **about))
+    flat = [{'prefix': f'{found.name}-', 'lower': 1, 'teacher': teacher, 'flat': True, 'replays': {}} for found in pages]
+    _write(
+        target,
+        'course.html',
+        page.render(title=f'{about["course"]}, all lessons', whole=True, pages=pages, options=flat, **about),
+    )
+    problem = write_pdf(os.path.join(target, 'course.html'), os.path.join(target, 'course.pdf')) if pdf else ''
+    _write(target, 'index.html', page.render(title=about['course'], pages=pages, pdf=pdf and not problem, **about))
+    return ['index.html', 'course.html', *(f'{found.name}.html' for found in pages)], problem
+
+
+def read_pages(course: str, *, teacher: bool, kept: bool, only: str | None = None) -> Iterator[Page]:
+    """The lessons of a course as pages, in their order.
+
+    :param only: the name of one lesson; those before it are run all the same, for it may need what they write.
+    """
+    folder = os.path.join(course, LESSONS)
+    questions = read_questions(path) if os.path.isfile(path := os.path.join(folder, FILE)) else {}
+    names = [lesson.name for lesson in read_lessons(folder)]
+    names = names[: names.index(only) + 1] if only else names
+    outputs = ((name, read_outputs(os.path.join(folder, f'{name}.ipynb'))) for name in names) if kept else _run(course, names)
+    for name, gave in outputs:
+        if only in (None, name):
+            with open(os.path.join(folder, f'{name}.ipynb'), encoding='utf-8') as file:
+                cells = json.load(file)['cells']
+            parts = tuple(lesson_parts(cells, gave, questions, teacher))
+            yield _page(name, parts, read_notes(course).get(name, '') if teacher else '')
+
+
+def course_title(course: str) -> str:
+    """What a course is called: `title` in its course.toml, else its folder."""
+    path = manifest(course)
+    try:
+        return str(read_toml(path)['title']) if path else os.path.basename(os.path.abspath(course))
+    except (OSError, ValueError, KeyError):
+        return os.path.basename(os.path.abspath(course))
+
+
+def _run(course: str, names: list[str]) -> Iterator[tuple[str, dict[str, list[dict[str, Any]]]]]:
+    """What each lesson gives that is run as a student has it, one after the other in one folder."""
+    with TemporaryDirectory(prefix='edulaunch-reader-') as place:
+        copy_files(student_files(course, rubrics=True), place)
+        for name in names:
+            done = run_notebook(os.path.join(place, LESSONS, f'{name}.ipynb'))
+            given = {cell['id']: cell['outputs'] for cell in done['cells'] if cell['cell_type'] == 'code'}
+            yield name, without_place(given, os.path.join(place, LESSONS))
+
+
+def _page(name: str, parts: tuple[Part, ...], notes: str) -> Page:
+    html = '\n'.join(markdown(part.text) for part in parts if part.kind == 'text')
+    title = next(iter(_HEADING[1].findall(html)), name)
+    sections = [(heading_id(f'{name}-', text), text) for text in _HEADING[2].findall(html)]
+    sections += [(f'{name}-notes', 'For the teacher')] if notes else []
+    return Page(name, unescape(title), parts, tuple(sections), tuple(part for part in parts if part.folded), notes)
+
+
+def _write_replays(target: str, page: Page) -> dict[str, str]:
+    """Write the replays of a lesson as pages of their own; returns where they are, by their captions."""
+    places: dict[str, str] = {}
+    for output in (output for part in page.parts for output in part.outputs if output.kind == 'replay' and output.page):
+        places[output.text] = f'{REPLAYS}/{page.name}-{len(places) + 1}.html'
+        os.makedirs(os.path.join(target, REPLAYS), exist_ok=True)
+        _write(target, places[output.text], output.page)
+    return places
+
+
+def _make_room(target: str) -> None:
+    """A folder for pages: a new one, or one that has a reader already, which goes."""
+    if os.path.isdir(target) and os.listdir(target):
+        if not os.path.isfile(os.path.join(target, 'reader.css')):
+            raise UnusableInput(f'{target} has other files in it', help='give a folder that is not there yet')
+        for name in os.listdir(target):
+            if name.endswith('.html') or name == 'course.pdf':
+                os.remove(os.path.join(target, name))
+        shutil.rmtree(os.path.join(target, REPLAYS), ignore_errors=True)
+    os.makedirs(target, exist_ok=True)
+
+
+def _write(target: str, name: str, text: str) -> None:
+    with open(os.path.join(target, name), 'w', encoding='utf-8') as file:
+        file.write(text)

@@ -1,0 +1,127 @@
+"""`edulaunch course slides`: a lesson as slides, in one HTML file.
+
+What stands on a slide follows from the lesson alone: a heading begins one, what answers a prediction comes on the one after it;
+of a paragraph the first sentence is shown, and the whole of it is in the speaker's text below.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from edulaunch.errors import UnusableInput
+from edulaunch.nearest import nearest
+
+from .lesson_html import FOLDER, environment
+from .lesson_parts import Part
+from .lessons import read_lessons
+from .place import LESSONS
+from .reader import read_pages
+
+FULL = 16
+"""Lines on a slide."""
+_WIDE = 80
+_KEPT_WHOLE = re.compile(r'#|\||[-*] |\d+\. |<|    |\*\*(Predict|Explain|Change|Write|Repair|Find|Fill|Add)')
+_PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?!\n\n).)+)', re.DOTALL)
+
+
+class Slide(NamedTuple):
+    """One slide.
+
+    :param under: the heading of the section that it belongs to, where it does not begin it.
+    :param parts: what is shown.
+    :param told: the Markdown of which only a part is shown.
+    """
+
+    under: str
+    parts: list[Part]
+    told: list[str]
+
+
+def write_slides(course: str, lesson: str, out: str | None = None, *, kept: bool = False) -> tuple[str, int]:
+    """Write the slides of a lesson; returns the file and how many slides there are.
+
+    :param lesson: its name, or the beginning of it.
+    :param kept: take the outputs that are kept, which have no pictures; else the lessons up to it are run.
+    :raises UnusableInput: when there is no such lesson, or it cannot be run.
+    """
+    name = _name(course, lesson)
+    templates = environment()
+    page = next(read_pages(course, teacher=True, kept=kept, only=name))
+    slides = list(split(page.parts))
+    files = {}
+    for key in ('slides.css', 'slides.js', 'reader.css'):
+        with open(os.path.join(FOLDER, key), encoding='utf-8') as file:
+            files[key.replace('.', '_')] = file.read()
+    options = {'prefix': '', 'lower': 0, 'teacher': False, 'flat': False, 'replays': None}
+    target = out or f'{name}.slides.html'
+    with open(target, 'w', encoding='utf-8') as file:
+        file.write(templates.get_template('slides.html.j2').render(title=page.title, slides=slides, options=options, **files))
+    return target, len(slides)
+
+
+def _name(course: str, lesson: str) -> str:
+    names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]
+    fitting = [name for name in names if name.startswith(os.path.basename(lesson).removesuffix('.ipynb').zfill(2))]
+    if len(fitting) == 1:
+        return fitting[0]
+    near = nearest(lesson, names)
+    raise UnusableInput(
+        f'there is no lesson {lesson}', help=f'did you mean {near}?' if near else f'There are: {", ".join(names)}'
+    )
+
+
+def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
+    """The slides of a lesson's parts."""
+    slide, lines, asked = Slide('', [], []), 0, False
+    for part in (piece for whole in parts for piece in _pieces(whole)):
+        short = _short(part)
+        needs, heading = _lines(short), part.text.startswith('## ') if part.kind == 'text' else False
+        answers = asked and bool(part.outputs or part.kind == 'answer')
+        if slide.parts and (heading or answers or lines + needs > FULL):
+            yield slide
+            under = '' if heading else _heading(slide)
+            slide, lines = Slide(under, [], []), 0
+        if short != part:
+            slide.told.append(part.text)
+        slide.parts.append(short)
+        lines += needs
+        asked = part.kind == 'guess' or '**Predict' in part.text if part.kind in ('text', 'guess') else asked and not answers
+    if slide.parts:
+        yield slide
+
+
+def _pieces(part: Part) -> Iterator[Part]:
+    """Paragraphs, tables and lists of a text, each by itself; code and what it gave by itself, too, when both are long."""
+    if part.kind == 'text':
+        yield from (part._replace(text=found.strip('\n')) for found in _PIECES.findall(part.text) if found.strip())
+    elif part.kind == 'code' and part.outputs:
+        yield part._replace(outputs=())
+        yield from (Part('output', part.ident, '', outputs=(output,)) for output in part.outputs)
+    else:
+        yield part
+
+
+def _lines(part: Part) -> int:
+    if part.kind in ('quiz', 'guess', 'answer'):
+        return 2 * len(part.question.choices) + 2 if part.question else 2
+    if part.kind == 'text':
+        return 1 + sum(1 + len(line) // _WIDE for line in part.text.split('\n')) * (1 if part.text[:1] in '|-*' else 2)
+    shown = (13 if output.data else len(output.text.split('\n')) for output in part.outputs)
+    return sum(shown) + len(part.text.split('\n'))
+
+
+def _short(part: Part) -> Part:
+    """Of a plain paragraph the first sentence."""
+    if part.kind != 'text' or _KEPT_WHOLE.match(part.text):
+        return part
+    joined = ' '.join(part.text.split('\n'))
+    sentence = re.match(r'(?:`[^`]*`|[^`])*?[.:?!](?=\s+[A-Z`*(]|$)', joined)
+    return part._replace(text=sentence[0] if sentence and len(sentence[0]) < len(joined) else part.text)
+
+
+def _heading(slide: Slide) -> str:
+    found = next((part.text for part in slide.parts if part.kind == 'text' and part.text.startswith('#')), '')
+    return found.lstrip('# ') or slide.under
