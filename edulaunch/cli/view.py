@@ -24,7 +24,13 @@ def main(arguments: argparse.Namespace) -> int:
 
     :raises UnusableInput: when the port is taken, or no machine can be started.
     """
+    from edulaunch.machine.place import UnsafePlace, folder
     from edulaunch.machine.web import serve, show, tell
+
+    try:
+        folder()
+    except UnsafePlace as error:
+        raise UnusableInput(str(error)) from None
 
     def opened(address: str) -> None:
         tell(address, '' if arguments.until_eof else '  Ctrl-C ends it; the machine goes on\n')

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shlex
-import signal
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
@@ -26,6 +25,7 @@ from edulaunch.machine.remote_input import RemoteInput
 from edulaunch.machine.snapshot import glance, snapshot
 from edulaunch.packages import Index
 from edulaunch.processes.process import Process
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.recording import Recording
 from edulaunch.session import Session, index_for
@@ -169,12 +169,12 @@ class Machine:
         """Press Ctrl-C for some programs, and give them the time that they need."""
         left = [program for program in programs if program.returncode is None]
         for program in left:
-            program.send_signal(signal.SIGINT)
+            program.send_signal(Signals.SIGINT)
         latest_ns = session.sim.now_ns + round(PATIENCE_S * 1e9)
         while any(program.returncode is None for program in left) and session.sim.now_ns < latest_ns:
             session.run(0.1)
         for program in left:
-            program.send_signal(signal.SIGKILL)
+            program.send_signal(Signals.SIGKILL)
         session.run(0.0)
 
     def command(self, line: Line) -> None:
@@ -214,10 +214,10 @@ class Machine:
                 self._write(
                     'stdout', f'^C (pressed for you at t = {session.sim.elapsed_s:.2f} s; say how long with --for SECONDS)\n'
                 )
-            process.send_signal(signal.SIGINT)
+            process.send_signal(Signals.SIGINT)
             session.run(PATIENCE_S)
         if process.returncode is None:
-            process.send_signal(signal.SIGKILL)
+            process.send_signal(Signals.SIGKILL)
         if words[:1] == ['run'] and not line.quiet:
             for text in said_at_the_end(glance(session), since_s=began_s, helped=session.host.asides.helped):
                 self._write('stderr', f'{text}\n')

@@ -15,6 +15,17 @@ class UnsafePlace(Exception):
     """The folder of the machines belongs to somebody else, or others may write in it."""
 
 
+class NoTerminals(UnsafePlace):
+    """This system lacks what a machine is made of that terminals share (a fork, a lock on a file, a poll)."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            'terminals share a machine on Linux and macOS only, and this is neither\n'
+            '  help: WSL and GitHub Codespaces are a Linux in which all of it works; here you have `edulaunch launch`, '
+            '`edulaunch explain`,\n        edulaunch.run() in Python, the lessons in JupyterLab, and `edugrade`'
+        )
+
+
 class Address:
     """How a machine is reached. (A plain class: `typing` takes longer to load than everything else that a terminal needs.)
 
@@ -42,8 +53,10 @@ def domain() -> str:
 def folder() -> str:
     """The folder, made if there is none.
 
-    :raises UnsafePlace: when it is not this user's alone.
+    :raises UnsafePlace: when it is not this user's alone; NoTerminals where there is no such machine.
     """
+    if not hasattr(os, 'fork'):
+        raise NoTerminals
     runtime = os.environ.get('XDG_RUNTIME_DIR', '')
     user = getattr(os, 'getuid', lambda: 0)()
     if runtime and os.path.isdir(runtime) and os.access(runtime, os.W_OK):

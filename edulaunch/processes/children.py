@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import io
-import signal
 import subprocess
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.inputs import Input, PipedInput
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.sync import wait_until
 
@@ -137,11 +137,11 @@ class Child:
 
     def terminate(self) -> None:
         """Send SIGTERM."""
-        self.send_signal(signal.SIGTERM)
+        self.send_signal(Signals.SIGTERM)
 
     def kill(self) -> None:
         """Send SIGKILL."""
-        self.send_signal(signal.SIGKILL)
+        self.send_signal(Signals.SIGKILL)
 
 
 class InputEnd:

@@ -21,7 +21,7 @@ def machine_roots() -> list[list[str]]:
         (sys.executable, '@sys.executable'),
         (tempfile.gettempdir(), '@tmp'),
         (os.path.dirname(os.__file__), '@stdlib'),
-        *((folder, '@site-packages') for folder in packages),
+        *((folder, '@site-packages') for folder in packages if folder),  # a browser has no folder of the user
         (sys.prefix, '@sys.prefix'),
         (sys.base_prefix, '@sys.base_prefix'),
     ]

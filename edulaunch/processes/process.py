@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable, Hashable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.addresses import MARK, Addresses
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 MOST_WRITES = 10_000
 MOST_TEXT = 4_000_000
 """How many times, and how many characters, a program may write while no simulated time passes; and for each that it started."""
-DEADLY = (signal.SIGKILL, signal.SIGTERM, signal.SIGQUIT, signal.SIGHUP, signal.SIGALRM, signal.SIGUSR1, signal.SIGUSR2)
+DEADLY = (Signals.SIGKILL, Signals.SIGTERM, Signals.SIGQUIT, Signals.SIGHUP, Signals.SIGALRM, Signals.SIGUSR1, Signals.SIGUSR2)
 """What ends a program that has no handler for it."""
-LAST_WORDS = (signal.SIGTERM, signal.SIGKILL)
+LAST_WORDS = (Signals.SIGTERM, Signals.SIGKILL)
 """What comes when a program does not end by itself."""
 OnOutput = Callable[[str, str], object]
 OnExit = Callable[[int], object]
@@ -213,9 +213,9 @@ class Process:
         if signum in LAST_WORDS:
             self._note_waits(signum)
         handler = self.signal_handlers.get(signum)
-        if handler is not None and signum != signal.SIGKILL:
+        if handler is not None and signum != Signals.SIGKILL:
             self.task.interrupt(lambda: handler(signum))
-        elif signum == signal.SIGINT:
+        elif signum == Signals.SIGINT:
             self.task.interrupt(_raise_keyboard_interrupt)
         elif signum in DEADLY:
             self.die_of(signum)
@@ -266,14 +266,14 @@ class Process:
         finally:
             if self.returncode is None:
                 killed = code is None or self._signal is not None
-                self.returncode = -(self._signal or signal.SIGKILL) if killed else code
+                self.returncode = -(self._signal or Signals.SIGKILL) if killed else code
             self._end()
 
     def _end_unbegun(self, task: Task) -> None:
         """A signal that comes before the first turn ends the program, too."""
         if self.returncode is None:
             interrupted = isinstance(task.exception, KeyboardInterrupt)
-            self.returncode = -(signal.SIGINT if interrupted else self._signal or signal.SIGKILL)
+            self.returncode = -(Signals.SIGINT if interrupted else self._signal or Signals.SIGKILL)
             self._end()
 
     def _main_exit_code(self) -> int:
@@ -283,7 +283,7 @@ class Process:
             return exit_code(self, end.code)
         except KeyboardInterrupt as error:
             self._print_traceback(error)
-            return -signal.SIGINT
+            return -Signals.SIGINT
         except RunawayProgram as error:
             self._print_runaway(error)
             return 1

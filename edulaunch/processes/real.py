@@ -10,12 +10,13 @@ import codecs
 import errno
 import os
 import queue
-import signal
 import subprocess
 import threading
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from edulaunch.processes.process import OnExit, OnOutput
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.real_pace import LOOK_EVERY_NS
 
@@ -69,7 +70,7 @@ class RealProcess:
         self.on_exit = on_exit
         command = ' '.join(spec.argv) if spec.shell else list(spec.argv)
         environment = dict(spec.env) if spec.env is not None else host.env
-        outputs = [_terminal() if spec.emulate_tty else os.pipe() for _ in range(2)]
+        outputs = [_terminal() if spec.emulate_tty and hasattr(os, 'openpty') else os.pipe() for _ in range(2)]
         try:
             self._child = subprocess.Popen(
                 command,
@@ -133,16 +134,18 @@ class RealProcess:
 
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program and everything it started."""
-        if self._code is None:
-            try:
+        if self._code is not None:
+            return
+        if hasattr(os, 'killpg'):
+            with suppress(ProcessLookupError):
                 os.killpg(self.pid, signum)
-            except ProcessLookupError:
-                return
+        else:
+            self._child.terminate()  # all that Windows has
 
     def kill(self) -> None:
         """End it for good; nobody is told."""
         self.on_output = self.on_exit = None
-        self.send_signal(signal.SIGKILL)
+        self.send_signal(Signals.SIGKILL)
         self._waiter.join()
 
 

@@ -6,7 +6,6 @@ this costs them nothing. It is the processor's time of a turn that counts, so th
 
 from __future__ import annotations
 
-import ctypes
 import sys
 import threading
 import time
@@ -69,8 +68,8 @@ class Watchdog:
         self._started = False
 
     def start(self) -> None:
-        """Begin to watch; doing it twice is doing it once."""
-        if not self._started:
+        """Begin to watch; doing it twice is doing it once. Nobody watches in a browser, where there are no threads."""
+        if not self._started and sys.platform != 'emscripten':
             self._started = True
             threading.Thread(target=self._watch, name='edulaunch watchdog', daemon=True).start()
 
@@ -98,6 +97,8 @@ class Watchdog:
                 seen = None
 
     def _end(self, task: Task) -> None:
+        import ctypes
+
         if self._running()[0] is task:
             # This thread has just got the interpreter, and keeps it for longer than these two lines take.
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(RunawayProgram))

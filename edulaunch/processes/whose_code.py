@@ -12,6 +12,7 @@ LIBRARIES = tuple(
     dict.fromkeys(
         os.path.join(folder, '')
         for folder in (os.path.dirname(os.__file__), *map(sysconfig.get_path, _KEPT), site.getusersitepackages())
+        if folder  # a browser has no folder of the user
     )
 )
 """Python's own folders. A workspace that was built has a `site-packages`, too, which is not among them."""

@@ -34,6 +34,8 @@ VERBS = {
     'verify': '.verify',
 }
 """Words that may stand in the place of a path, and the modules with their `main`."""
+FORKING = ('batch', 'doctor')
+"""Those of them that are about submissions of others, which are to be confined."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -59,6 +61,10 @@ def _command(words: list[str]) -> int:
     if words and words[0] in VERBS and not os.path.isfile(words[0]):
         from importlib import import_module
 
+        if words[0] in FORKING and not hasattr(os, 'fork'):
+            from .in_place import NEEDED
+
+            raise UnusableInput(f'edugrade {words[0]}: this system cannot confine what others wrote', help=NEEDED)
         exit_code: int = import_module(VERBS[words[0]], __package__).main(words[1:])
         return exit_code
     options = read_options(words)

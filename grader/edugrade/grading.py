@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from .catalogue import find_rubric
 from .limits import Limits
-from .runner import Runner, Ticket
 from .submission import Submission
 
 if TYPE_CHECKING:
     from .course_secret import CourseSecret
+    from .in_place import InPlace
     from .outcome import Outcome
     from .results import CheckResult, Report
     from .rubric import Rubric
+    from .runner import Runner
     from .scenario import Scenario
+    from .ticket import Ticket
 
 
 class Work(NamedTuple):
@@ -78,7 +81,7 @@ def grade(
     :param on_outcome: called after each run.
     :param processors: how many runs go at once; default: as many as there are processors.
     """
-    with Runner(limits, on_outcome, processors) as runner:
+    with runner_here(limits, on_outcome, processors) as runner:
         tickets = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
         from . import judged, judging, results  # noqa: F401  (loaded while the first runs are under way)
 
@@ -87,7 +90,20 @@ def grade(
             yield _report(item, runner, tickets.pop(), workspaces)  # nothing is kept of it here: recordings are large
 
 
-def _report(work: Work, runner: Runner, ticket: Ticket, workspaces: Sequence[str]) -> Report:
+def runner_here(
+    limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
+) -> Runner | InPlace:
+    """What makes runs on this system: confined ones of their own, or where it has no fork, in this process."""
+    if hasattr(os, 'fork'):
+        from .runner import Runner
+
+        return Runner(limits, on_outcome, processors)
+    from .in_place import InPlace
+
+    return InPlace(limits, on_outcome)
+
+
+def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Sequence[str]) -> Report:
     from .judged import judged
     from .judging import broken, judge, too_much
     from .results import Report
@@ -120,7 +136,7 @@ def _report(work: Work, runner: Runner, ticket: Ticket, workspaces: Sequence[str
     )
 
 
-def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner, workspaces: Sequence[str]) -> list[CheckResult]:
+def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace, workspaces: Sequence[str]) -> list[CheckResult]:
     """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
     from .judged import judged
     from .repeated import difference, has_own_programs, result

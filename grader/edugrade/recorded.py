@@ -10,6 +10,7 @@ from .place import Place, is_engine
 from .scenario import Scenario
 
 if TYPE_CHECKING:
+    from edulaunch.recording import Recording
     from edulaunch.recording.records import LaunchRecord
 
 _LOOK = 'look at this line, and at the one before it'
@@ -22,17 +23,22 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
 
     :param content: a line of JSON, which nodes and parameters are the trusted half's own; then the recording.
     """
-    from edulaunch.recording import Recording
+    from edulaunch.recording import Recording as Known
 
     try:
         hosted, _, rest = content.partition(b'\n')
-        recording = Recording.from_bytes(rest)
+        recording = Known.from_bytes(rest)
         recording.hosted_nodes, recording.hosted_parameters = map(frozenset, json.loads(hosted))
-        launch, programs = recording.launch, recording.processes
-        if recording.seed != scenario.seed or launch.arguments != dict(scenario.arguments):
+        if recording.seed != scenario.seed or recording.launch.arguments != dict(scenario.arguments):
             return None
     except Exception:  # hostile bytes may upset the reader in any way; each of them means the same
         return None
+    return come_to(scenario, recording)
+
+
+def come_to(scenario: Scenario, recording: Recording) -> Outcome:
+    """The outcome of a run that was recorded: whether launch came to its end."""
+    launch, programs = recording.launch, recording.processes
     if launch.error is not None:
         return _launch_error(scenario, launch)
     stuck = programs[0].exception if programs else None

@@ -7,6 +7,8 @@ from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
 
+from .regular_file import BINARY
+
 
 def write_whole(path: str, text: str | bytes) -> None:
     """Write a file; a reader never finds half of it.
@@ -35,7 +37,7 @@ def _replace(path: str, data: bytes) -> None:
     """Put a complete file in the place of another one, or of none."""
     temporary = f'{path}.{os.urandom(4).hex()}.part'
     try:
-        with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), 'wb') as file:
+        with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666), 'wb') as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import io
 import os as real
-import signal
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.real_machine import FUNCTIONS as REAL_MACHINE
 from edulaunch.processes.real_machine import noting
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.views import copy_names
 from edulaunch.processes.views.files_view import FUNCTIONS, PATH, PlainFunction
 
@@ -69,7 +69,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         getppid=lambda: 1000,
         kill=lambda pid, signum, /: _kill(process, pid, signum),
         _exit=lambda status: process.exit_now(status & 0xFF),
-        abort=lambda: process.end_by(signal.SIGABRT),
+        abort=lambda: process.end_by(Signals.SIGABRT),
         getcwd=PlainFunction(getcwd),
         chdir=chdir,
         cpu_count=lambda: CPUS,

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.signals import Signals
 from edulaunch.processes.views import copy_names
 from edulaunch.processes.whose_code import is_engine
 from edulaunch.sim.task import current_task
@@ -42,6 +43,8 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
     setitimer = _timer(process)
     view.__dict__.update(
+        Signals.__members__,
+        Signals=Signals,
         setitimer=setitimer,
         alarm=lambda seconds, /: math.ceil(setitimer(0, seconds)[0]),
         signal=install,
@@ -68,7 +71,7 @@ def _timer(process: Process) -> Callable[..., tuple[float, float]]:
             alarm.clear()
             if interval:
                 setitimer(which, interval, interval)
-            process.send_signal(real.SIGALRM)
+            process.send_signal(Signals.SIGALRM)
 
         alarm[:] = [sim.schedule(sim.now_ns + round(seconds * 1e9), ring), interval] if seconds else []
         return before
@@ -82,7 +85,7 @@ def _check(process: Process, signum: int, handler: Any) -> None:
         raise TypeError('signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object')
     if current_task() is not process.task:
         raise ValueError('signal only works in main thread of the main interpreter')
-    if signum in (real.SIGKILL, real.SIGSTOP):
+    if signum in (Signals.SIGKILL, Signals.SIGSTOP):
         raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
 
 

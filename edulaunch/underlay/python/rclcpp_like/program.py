@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable
 
 import rclpy
@@ -10,6 +9,7 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.logging import get_logger
 
 from edulaunch.processes.current import current_process
+from edulaunch.processes.signals import Signals
 from rclcpp_like.errors import cpp_name_of
 
 
@@ -33,7 +33,7 @@ def run_program(main: Callable[[], int | None]) -> int:
         process = current_process()
         text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
         process.write('stderr', text)
-        process.exit_now(-signal.SIGABRT)
+        process.exit_now(-Signals.SIGABRT)
     finally:
         rclpy.try_shutdown()
     return 0

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import signal
 from typing import TYPE_CHECKING, Any
+
+from edulaunch.processes.signals import Signals
 
 from ..events.matchers import matches_action
 from ..events.process.signal_process import SignalProcess
@@ -25,17 +26,17 @@ def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
     """Two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds."""
     kill_after = PythonExpression(['float(', *action.sigterm_timeout, ') + float(', *action.sigkill_timeout, ')'])
     return [
-        _timer(action, logger, action.sigterm_timeout, signal.SIGINT, signal.SIGTERM),
-        _timer(action, logger, [kill_after], signal.SIGTERM, signal.SIGKILL),
+        _timer(action, logger, action.sigterm_timeout, Signals.SIGINT, Signals.SIGTERM),
+        _timer(action, logger, [kill_after], Signals.SIGTERM, Signals.SIGKILL),
     ]
 
 
-def request_signal(action: ExecuteLocal, signum: signal.Signals) -> EmitEvent:
+def request_signal(action: ExecuteLocal, signum: Signals) -> EmitEvent:
     """The action that asks for a signal to the process of `action`."""
     return EmitEvent(event=SignalProcess(signal_number=signum, process_matcher=matches_action(action)))
 
 
-def _timer(action: ExecuteLocal, logger: Any, timeout: Timeout, sent: signal.Signals, next_signal: signal.Signals) -> TimerAction:
+def _timer(action: ExecuteLocal, logger: Any, timeout: Timeout, sent: Signals, next_signal: Signals) -> TimerAction:
     def complain(context: LaunchContext) -> None:
         seconds = perform_substitutions(context, timeout)
         logger.error(

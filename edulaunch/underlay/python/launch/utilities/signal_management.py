@@ -7,6 +7,8 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.processes.signals import Signals
+
 from .._engine import is_plain_script, running_process
 
 if TYPE_CHECKING:
@@ -51,7 +53,7 @@ class AsyncSafeSignalManager:
 
         :raises ValueError: for a number that is no signal, and for a handler that cannot be called.
         """
-        number = signal.Signals(signum)
+        number = Signals(signum)
         if handler is not None and not callable(handler):
             raise ValueError('signal handler must be a callable')
         before = self.__handlers.pop(number, None)

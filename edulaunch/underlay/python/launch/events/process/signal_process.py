@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import signal
+from edulaunch.processes.signals import Signals
 
 from ..._read_only import ReadOnly
 from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent
@@ -16,11 +16,11 @@ class SignalProcess(ProcessTargetedEvent):
 
     name = 'launch.events.process.SignalProcess'
 
-    def __init__(self, *, signal_number: str | signal.Signals, process_matcher: ProcessMatcher) -> None:
+    def __init__(self, *, signal_number: str | Signals, process_matcher: ProcessMatcher) -> None:
         super().__init__(process_matcher=process_matcher)
-        self.__signal = signal.Signals[signal_number] if isinstance(signal_number, str) else signal.Signals(signal_number)
+        self.__signal = Signals[signal_number] if isinstance(signal_number, str) else Signals(signal_number)
 
-    signal: ReadOnly[signal.Signals] = ReadOnly('The signal.')
+    signal: ReadOnly[Signals] = ReadOnly('The signal.')
 
     @property
     def signal_name(self) -> str:

@@ -1,0 +1,101 @@
+"""Runs scenarios in this process, one after the other, where no other can be forked: on Windows, in a browser.
+
+What runs can do all that its reader can, and change the grader: good for one's own files, and worth no mark. A recording is the
+one that a confined run would give.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+
+from edulaunch.errors import UnusableInput
+
+from .job import environment
+from .limits import Limits
+from .outcome import Outcome
+from .scenario import Scenario
+from .submission import Submission
+from .ticket import Ticket
+
+STATE = {'the submission': 'this system cannot: only grade your own files here'}
+"""What is told of the layers of confinement."""
+NEEDED = 'grade on a Linux, for which WSL and GitHub Codespaces are good, too'
+
+
+class InPlace:
+    """Runs what is waited for. The same face as `Runner`.
+
+    :param on_outcome: called when a run has ended.
+    """
+
+    def __init__(self, limits: Limits | None = None, on_outcome: Callable[[], object] | None = None) -> None:
+        self._limits = limits or Limits()
+        self._on_outcome = on_outcome
+        self._given: dict[int, tuple[Submission, list[str]]] = {}
+
+    def __enter__(self) -> InPlace:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        self._given.clear()
+
+    def add(
+        self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
+    ) -> Ticket:
+        """Ask for the runs of a submission; as `Runner.add`."""
+        ticket = Ticket(scenarios)
+        self._given[id(ticket)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
+        return ticket
+
+    def wait(self, ticket: Ticket) -> list[Outcome]:
+        """The outcomes of a submission's runs, in the rubric's order."""
+        submission, workspaces = self._given.pop(id(ticket))
+        return [self._outcome(scenario, submission, workspaces) for scenario in ticket.scenarios]
+
+    def _outcome(self, scenario: Scenario, submission: Submission, workspaces: list[str]) -> Outcome:
+        if self._limits.sandbox == 'require':
+            outcome = Outcome(scenario, 'broke', text='this system cannot confine a run', try_=NEEDED)
+        else:
+            outcome = _run(scenario, submission, workspaces)
+        if self._on_outcome is not None:
+            self._on_outcome()
+        return outcome._replace(sandbox=STATE)
+
+
+def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> Outcome:
+    from edulaunch.session import Session
+
+    from .recorded import come_to
+
+    try:
+        with _folder() as home, Session(seed=scenario.seed, workspaces=workspaces, env=environment(home)) as session:
+            session.launch(submission.file, None, dict(scenario.arguments))
+            session.run(scenario.duration_s)
+            return come_to(scenario, session.recording())
+    except UnusableInput as error:
+        return Outcome(scenario, 'unusable', text=error.message, try_=error.help or None)
+    except Exception as error:
+        text = f'the simulation itself broke: {type(error).__name__}: {error}'
+        return Outcome(scenario, 'broke', text=text, detail=traceback.format_exc())
+
+
+@contextmanager
+def _folder() -> Iterator[str]:
+    """A folder of the run's own, in which it is; nothing that it loaded or searched is left in this process's way."""
+    import shutil
+    import tempfile
+
+    here, path = os.getcwd(), list(sys.path)
+    home = tempfile.mkdtemp(prefix='edugrade-')
+    os.chdir(home)
+    try:
+        yield home
+    finally:
+        sys.path[:] = path
+        with suppress(OSError):
+            os.chdir(here)
+        shutil.rmtree(home, ignore_errors=True)
