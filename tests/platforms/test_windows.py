@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -90,12 +91,14 @@ def test_a_real_program_runs_and_is_ended(tmp_path: Path) -> None:
     assert 'process has died [pid' in done.stdout + done.stderr  # Windows ends it, and that is all that it can
 
 
-@pytest.mark.parametrize('exercise', ['solutions/circle.launch.py', 'exercises/carrot.launch.py', 'solutions/where_now'])
+@pytest.mark.parametrize('exercise', ['solutions/circle.launch.py', 'exercises/in_order.launch.py', 'solutions/where_now'])
 def test_edugrade_says_the_same_as_in_a_confined_run(exercise: str, tmp_path: Path) -> None:
-    done = on_windows(tmp_path, EDUGRADE, exercise, '--json', str(tmp_path / 'there.json'))
+    own, given = tmp_path / Path(exercise).name, ROOT / exercise  # the course's own would note the attempts
+    shutil.copytree(given, own) if given.is_dir() else shutil.copy(given, own)
+    done = on_windows(tmp_path, EDUGRADE, str(own), '--json', str(tmp_path / 'there.json'))
     assert 'only grade your own files here' in done.stderr
     here = subprocess.run(
-        [sys.executable, '-m', 'edugrade', exercise, '--json', str(tmp_path / 'here.json')],
+        [sys.executable, '-m', 'edugrade', str(own), '--json', str(tmp_path / 'here.json')],
         cwd=ROOT,
         env={**os.environ, 'PYTHONPATH': os.pathsep.join([str(ROOT), str(ROOT / 'grader')])},
         capture_output=True,
