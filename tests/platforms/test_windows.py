@@ -37,13 +37,15 @@ def on_windows(folder: Path, code: str, *words: str, known: str = '') -> subproc
     """Run this code where everything is hidden that Windows lacks, and a file opened without an encoding is an error."""
     script = folder / 'script.py'
     script.write_text(code, encoding='utf-8')
+    temporary = folder / 'tmp'
+    temporary.mkdir(exist_ok=True)
     return subprocess.run(
         [sys.executable, '-X', 'warn_default_encoding', '-m', 'tests.platforms.windows', str(script), *words],
         cwd=ROOT,
         env={
             **os.environ,
             'PYTHONPATH': os.pathsep.join([str(ROOT), str(ROOT / 'grader')]),
-            'TMPDIR': str(folder),
+            'TMPDIR': str(temporary),
             'KNOWN_THERE': known,
         },
         capture_output=True,
