@@ -16,6 +16,7 @@ MINUTES = {
     'compare': 0.5,
     'predict': 1.0,
     'quiz': 1.5,
+    'drive': 2.0,
     'write': 3.0,
     'turn': 5.0,
     'exercise': 0.0,
@@ -45,9 +46,11 @@ def kind(cell: Cell, before: str) -> str:
         return 'predict'
     if re.search(r'(?m)^quiz\(', source):
         return 'quiz'
+    if source.startswith('%ros2 view'):
+        return 'drive'
     if 'TODO' in source or ASKS.search(before):
         return 'write'
-    if re.search(r'(?m)^compare\(', source) and len(cell.lines) == 1:
+    if re.search(r'(?m)^compare\(', source) and len(cell.lines) <= 2:
         return 'compare'
     return 'look' if len(cell.lines) == 1 else 'run'
 
