@@ -54,7 +54,7 @@ def _existing_file(path: str) -> str:
             f'launch file {path!r} does not exist.',
             help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
             if near
-            else 'check the spelling and the folder you are in'
+            else 'check the spelling and the folder you are in; in a notebook, run the cell that writes the file first'
             if os.path.isdir(folder)
             else f'there is no folder {folder!r}',
         )

@@ -68,11 +68,16 @@ def _text(value: Any) -> str:
 def _verdict(said: str, was: str) -> str:
     ours, theirs = _numbers(said), _numbers(was)
     if ours is None or theirs is None:
-        return ': right.' if said.casefold() == was.casefold() else '.'
+        return ': right.' if _bare(said) == _bare(was) else '.'
     if len(ours) != len(theirs):
         return f': {len(theirs)} numbers were asked for.' if len(theirs) > 1 else ': one number was asked for.'
     off = math.dist(ours, theirs)
     return ': exactly.' if off == 0 else f': {_text(off)} off.'
+
+
+def _bare(text: str) -> str:
+    """Words without what does not matter in them: "No." is "no"."""
+    return ' '.join(text.casefold().strip(' .!?').replace(',', ' ').split())
 
 
 def _numbers(text: str) -> list[float] | None:

@@ -12,7 +12,9 @@ def load_ipython_extension(shell: Any) -> None:
     """What `%load_ext edulaunch.jupyter` calls."""
     from edulaunch.jupyter.completing import matcher
     from edulaunch.jupyter.magics import RosMagics
+    from edulaunch.jupyter.missing_names import watch_names
 
     magics = RosMagics(shell)
     shell.register_magics(magics)
     shell.Completer.custom_matchers.append(matcher(magics.terminal))
+    watch_names(shell)

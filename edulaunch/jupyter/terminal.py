@@ -18,6 +18,9 @@ from edulaunch.workspace.windows import WINDOWS
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
+LISTS = (['node', 'list'], ['topic', 'list'], ['service', 'list'], ['param', 'list'], ['action', 'list'])
+"""They find nothing where nothing runs, and ROS 2 prints nothing then."""
+NOTHING_RUNS = 'note: nothing runs yet; start something: %ros2 launch PACKAGE FILE, or %ros2 run PACKAGE EXECUTABLE &\n'
 SAID_ALWAYS = ('warning:', 'error:', 'note:')
 """What `--quiet` does not hide."""
 
@@ -46,6 +49,8 @@ class Terminal:
             return self.view(line.words[1:])
         if line.words[:1] == ['run'] and line.words[1:2] and line.words[1] in WINDOWS and self.machine.session is not None:
             return self.view([WINDOWS[line.words[1]]])
+        if self.machine.session is None and line.words[:2] in LISTS:
+            self._write('stderr', NOTHING_RUNS)
         with self.machine.hosting.cell(), outer_loop_set_aside():
             if line.words[:1] in (['jobs'], ['stop'], ['wait']):
                 self.machine.own_word(*line.words)

@@ -31,6 +31,20 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
     )
 
 
+class NodeParameters(dict[str, Any]):
+    """The parameters of a node. Asking for one that it does not have says which there are, and when the node has ended."""
+
+    def __init__(self, node: str, ended_s: float | None) -> None:
+        super().__init__()
+        self._node, self._ended_s = node, ended_s
+
+    def __missing__(self, name: str) -> Any:
+        error = not_recorded(f'no parameter {name!r} of {self._node}', name, self)
+        if self._ended_s is not None:
+            error.help = f'{self._node} ended at {self._ended_s:.2f} s: look at what it printed last'
+        raise error
+
+
 class NoMessages(list[Any]):
     """The messages of a topic that nobody had: none. Asking for one of them says which topics there are.
 

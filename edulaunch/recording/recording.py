@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.attached import attached
 from edulaunch.errors import InterfaceError, RecordingError, UnusableInput
 from edulaunch.recording import file_format
-from edulaunch.recording.absent import NoMessages, not_recorded
+from edulaunch.recording.absent import NodeParameters, NoMessages, not_recorded
 from edulaunch.recording.records import (
     DeclaredArgument,
     EndRecord,
@@ -198,7 +198,7 @@ class Recording:
 
         :raises KeyError: when no such node was there; the message names the nodes that were.
         """
-        found: dict[str, Parameter] = {}
+        found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
         is_hosted = any(self.nodes[position].name == node for position in self.hosted_nodes or ())
         for position, (_, name, parameter, value, origin) in enumerate(self._content['parameters']):
             if name == node and (position in self.hosted_parameters or not is_hosted):

@@ -69,6 +69,12 @@ def test_html_holds_no_markup_of_the_student() -> None:
     assert '<b>' not in predict('it', '<b>')._repr_html_() and '&lt;b&gt;' in predict('it', '<b>')._repr_html_()
 
 
+@pytest.mark.parametrize('said', ['no', 'No.', ' NO!'])
+def test_words_are_right_whatever_ends_them(said: str) -> None:
+    predict('word', said)
+    assert repr(compare('word', 'no')).endswith(': right.')
+
+
 @given(st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=1, max_size=3))
 def test_numbers_survive_their_text(numbers: list[float]) -> None:
     found = _numbers(_text(tuple(numbers)))

@@ -140,3 +140,11 @@ def test_the_interrupt_button_is_ctrl_c_for_the_command(desk: Any) -> None:
     desk.ros2('topic hz /turtle1/pose --for 3')
     assert desk.output.count('average rate: 62.5') == 1 and desk.said[-1] == '^C\n'
     assert desk.terminal.recording().duration_s == pytest.approx(2.5, abs=0.05)
+
+
+def test_a_list_of_nothing_says_that_nothing_runs(desk: Any) -> None:
+    desk.ros2('node list')
+    assert desk.output.startswith('note: nothing runs yet; start something: ')
+    desk.ros2('launch sim.launch.py --for 1')
+    desk.ros2('node list')
+    assert desk.output == '/sim\n'

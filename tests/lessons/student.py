@@ -37,7 +37,7 @@ class Student:
 
         InteractiveShell.clear_instance()
         make: Any = InteractiveShell
-        self.shell: Any = make.instance(colors='NoColor', history_load_length=0, cache_size=0)
+        self.shell: Any = make.instance(history_load_length=0, cache_size=0)
         self.shell.history_manager.enabled = False
 
     def run(self, ident: str, edits: Mapping[str, Any]) -> str:

@@ -251,3 +251,10 @@ def test_a_checkpoint_is_what_the_lessons_before_write(checkpoint: str, lessons:
     assert {
         str(path.relative_to(root)): path.read_text(encoding='utf-8') for path in root.rglob('*') if path.is_file()
     } == expected
+
+
+def test_what_says_done_has_just_run_the_file(lesson: Lesson) -> None:
+    """A recording of before the last change, or of before a mistake, would be judged otherwise."""
+    for cell in lesson.code:
+        if "'done'" in cell.source and re.search(r'\.(nodes|logs|parameters|topics)\b', cell.source):
+            assert re.search(r'edulaunch\.run\(', cell.source) or lesson.name not in WALKED, cell.id

@@ -47,6 +47,12 @@ def test_topics_are_in_alphabetical_order_with_their_counts(recording: Recording
 def test_the_last_value_of_a_parameter_counts_with_its_origin(recording: Recording) -> None:
     assert recording.parameters('/sim') == {'background_r': (150, 'command line')}
     assert recording.parameters('/ns/watcher') == {}
+    with pytest.raises(
+        KeyError, match="no parameter 'background_g' of /sim in this recording; there are: background_r\n  help: did you"
+    ):
+        recording.parameters('/sim')['background_g']
+    with pytest.raises(KeyError, match='help: /ns/watcher ended at 1.50 s: look at what it printed last'):
+        recording.parameters('/ns/watcher')['radius']
     with pytest.raises(KeyError, match="no node '/simm' in this recording; there are: /sim, /ns/watcher"):
         recording.parameters('/simm')
 

@@ -1,0 +1,64 @@
+"""What a notebook adds to "name ... is not defined": nearly always a cell that has not been run, or a word without quotes."""
+
+from __future__ import annotations
+
+import linecache
+import re
+from types import TracebackType
+from typing import Any
+
+from edulaunch.nearest import nearest
+
+SET_UP = ('Path', 'edulaunch', 'compare', 'predict', 'quiz')
+"""Names that the first cells of lessons import."""
+
+
+def watch_names(shell: Any) -> None:
+    """Add one line of help to each NameError of a cell."""
+    shell.set_custom_exc((NameError,), _shown)
+
+
+def _shown(shell: Any, kind: type[NameError], error: NameError, trace: TracebackType, tb_offset: int | None = None) -> Any:
+    """Show the error as IPython does, with the help below it."""
+    lines = shell.InteractiveTB.structured_traceback(kind, error, trace, tb_offset=tb_offset)
+    said = missing_name_help(error.name or '', _last_line(trace), shell.user_ns)
+    if said and _in_a_cell(trace, shell.user_ns):
+        lines = [*lines[:-1], f'{lines[-1]}\n  help: {said}']
+    shell._showtraceback(kind, error, lines)
+    return lines
+
+
+def missing_name_help(name: str, line: str, known: dict[str, Any]) -> str:
+    """What to try for a name that no cell has made.
+
+    :param line: the line in which it is used.
+    :param known: the names of the notebook.
+    """
+    if not name:
+        return ''
+    if re.search(rf'\b(predict|compare|quiz|check)\(.*\b{name}\b', line) and f'{name}(' not in line:
+        return f'a word stands in quotes: {name!r}'
+    if name in SET_UP:
+        return 'the first cell of this lesson brings it: run that cell, after each restart of the kernel'
+    if name == 'check':
+        return 'write above it: from edulaunch import check'
+    near = nearest(name, (word for word in known if not word.startswith('_') and word not in ('In', 'Out', 'exit', 'quit')))
+    if near is not None:
+        return f'write {near}, if that is the one you mean'
+    return f'the cell that makes {name} has not been run, or ended with an error: run it first, and look at what it says'
+
+
+def _last(trace: TracebackType) -> TracebackType:
+    while trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace
+
+
+def _last_line(trace: TracebackType) -> str:
+    last = _last(trace)
+    return linecache.getline(last.tb_frame.f_code.co_filename, last.tb_lineno)
+
+
+def _in_a_cell(trace: TracebackType, known: dict[str, Any]) -> bool:
+    """Whether the line that failed stands in the notebook, and not in a library that it calls."""
+    return _last(trace).tb_frame.f_globals is known
