@@ -64,7 +64,7 @@ def _package(module: str) -> str:
 
 def _names(node: ast.AST, package: str, with_types: bool) -> Iterator[str]:
     for child in ast.iter_child_nodes(node):
-        if not with_types and isinstance(child, ast.If) and 'TYPE_CHECKING' in ast.unparse(child.test):
+        if not with_types and isinstance(child, ast.If) and _last_name(child.test) == 'TYPE_CHECKING':
             continue
         if _only_names(child):
             continue
@@ -84,7 +84,11 @@ def _only_names(node: ast.AST) -> bool:
     """Whether a text in it names a module as ROS does, and nothing is loaded: of a class, of a logger, of a group of entry points."""
     if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
         return node.targets[0].id in ('__module__', 'PARSER_GROUP')
-    return isinstance(node, ast.Call) and ast.unparse(node.func).endswith('get_logger')
+    return isinstance(node, ast.Call) and _last_name(node.func) == 'get_logger'
+
+
+def _last_name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ''
 
 
 def _parent(package: str, level: int) -> list[str]:

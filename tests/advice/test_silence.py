@@ -8,6 +8,7 @@ from tests.advice.silence import OPEN, judged, remarks
 from tests.test_seeds import SEEDS
 
 
+@pytest.mark.whole
 @pytest.mark.skipif(not SEEDS.is_dir(), reason='the seed tutorials are not beside this repository')
 def test_every_remark_has_been_judged() -> None:
     known = judged()

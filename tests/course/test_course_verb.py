@@ -47,6 +47,7 @@ def test_nothing_is_made_where_something_is(mine: Path, capsys: pytest.CaptureFi
     assert 'not empty' in capsys.readouterr().err and (mine / 'course.toml').read_text() == '# mine\n'
 
 
+@pytest.mark.whole
 def test_the_lesson_of_a_new_course_gives_what_is_kept(mine: Path, tmp_path: Path) -> None:
     pytest.importorskip('nbval', reason='nbval is not installed')
     words = ['--nbval', '--nbval-current-env', '-q', '-p', 'no:cacheprovider', f'--basetemp={tmp_path / "pt"}', 'lessons']

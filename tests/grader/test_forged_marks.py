@@ -98,22 +98,22 @@ def do():
 }
 
 
-def graded(folder: Path, text: str) -> Report:
+def graded(folder: Path, text: str, limit_s: float = 8.0) -> Report:
     from edugrade.limits import Limits
 
     file = folder / 'circle.launch.py'
     file.write_text(text)
     work = plan_work(Submission(str(file)), seed=5)
-    return next(grade([work], Limits(8.0)))
+    return next(grade([work], Limits(limit_s)))
 
 
 def test_without_the_trick_it_has_its_honest_points(tmp_path: Path) -> None:
     assert graded(tmp_path, LAZY).earned == HONEST
 
 
-@pytest.mark.parametrize('trick', ATTACKS.values(), ids=ATTACKS)
-def test_a_trick_earns_nothing(tmp_path: Path, trick: str) -> None:
-    report = graded(tmp_path, LAZY + trick)
+@pytest.mark.parametrize('name', ATTACKS)
+def test_a_trick_earns_nothing(tmp_path: Path, name: str) -> None:
+    report = graded(tmp_path, LAZY + ATTACKS[name], 2.0 if name == 'never answers' else 8.0)
     broke = any(result.status == GRADER_BROKE for result in report.results)
     assert (report.earned or 0) <= HONEST
     assert not broke

@@ -50,6 +50,7 @@ GRADE = (
 )
 
 
+@pytest.mark.whole
 def test_judging_that_loops_eats_or_dies_costs_only_its_own_submission(tmp_path: Path) -> None:
     (tmp_path / 'strain.py').write_text(RUBRIC)
     for word in ('bare', 'killed', 'loop', 'memory', 'once', 'right'):

@@ -10,10 +10,13 @@ from pathlib import Path
 import pytest
 
 PROGRAM = Path(__file__).resolve().parent / 'two_halves.py'
-AT_LEAST = {'solutions': 11, 'exercises': 5, 'underlay': 25, 'corpus': 60}
+AT_LEAST = {'large_project': 1, 'solutions': 11, 'exercises': 5, 'underlay': 25, 'corpus': 60}
 
 
-GROUPS = ['solutions', *(pytest.param(group, marks=pytest.mark.whole) for group in ('exercises', 'underlay', 'corpus'))]
+GROUPS = [
+    'large_project',
+    *(pytest.param(group, marks=pytest.mark.whole) for group in ('solutions', 'exercises', 'underlay', 'corpus')),
+]
 
 
 @pytest.mark.parametrize('group', GROUPS)

@@ -63,6 +63,9 @@ def solutions() -> Iterator[Launch]:
     for seed in (0, 7):
         for path in sorted((ROOT / 'solutions').glob('*.launch.py')):
             yield path.name, str(path), None, {}, 20.0, seed, [], {}
+
+
+def large_project() -> Iterator[Launch]:
     folder = ROOT / 'solutions' / 'large_project'
     yield 'large_project', 'large_project', 'large_project.launch.py', {}, 12.0, 0, [str(folder)], {}
 
@@ -93,7 +96,14 @@ def seeds() -> Iterator[Launch]:
         yield str(path), str(path), None, {}, 6.0, 0, [], {}
 
 
-GROUPS = {'solutions': solutions, 'exercises': exercises, 'underlay': underlay, 'corpus': corpus, 'seeds': seeds}
+GROUPS = {
+    'large_project': large_project,
+    'solutions': solutions,
+    'exercises': exercises,
+    'underlay': underlay,
+    'corpus': corpus,
+    'seeds': seeds,
+}
 
 
 def main() -> None:

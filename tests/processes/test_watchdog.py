@@ -100,7 +100,7 @@ def test_who_speaks_for_others_may_write_as_much_as_all_of_them(world: Any) -> N
 
 
 def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Lets the processor's time of the watched thread pass by itself, 10 ms at each look; how long those had that were stopped."""
+    """Lets the processor's time of the watched thread pass by itself, 25 ms at each look; how long those had that were stopped."""
     time_s, began_s, task, stopped = 0.0, 0.0, None, []
     look, end = Watchdog._look, Watchdog._end
 
@@ -113,7 +113,7 @@ def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 
     def processor_s(self: Watchdog) -> float:
         nonlocal time_s
-        time_s += 0.01
+        time_s += 0.025
         return time_s
 
     def note(self: Watchdog, task: Any) -> None:

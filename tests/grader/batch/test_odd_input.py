@@ -91,6 +91,7 @@ def group(tmp_path: Path) -> Iterator[Path]:
     assert not (tmp_path / 'class').exists()
 
 
+@pytest.mark.whole
 @pytest.mark.filterwarnings('ignore::ResourceWarning')
 def test_everybody_has_a_verdict_and_the_last_one_a_mark(group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / 'private').mkdir()
