@@ -32,6 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     release.add_argument('folder', metavar='DIR')
     release.add_argument('out', metavar='OUT', help='a folder, or the name of a file that ends in .zip')
     release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
+    lite = verbs.add_parser('lite', help='Make the edition that runs in a browser, for any web server')
+    lite.add_argument('out', metavar='OUT')
+    lite.add_argument('--pyodide', metavar='FOLDER', required=True, help='of Pyodide, such as node_modules/pyodide')
+    lite.add_argument(
+        '--course', metavar='COURSE', help='whose exercises it offers (default: the course that comes with edulaunch)'
+    )
     store = verbs.add_parser('store', help='Run lessons, and keep their outputs beside them for nbval')
     store.add_argument('notebooks', nargs='+', metavar='LESSON.ipynb')
     add_verbs(verbs)
@@ -139,6 +145,16 @@ def _not_into_itself(course: str, target: str) -> None:
 
     if os.path.realpath(course) == os.path.realpath(target):
         raise UnusableInput(f'{target} is the course itself', help='give another folder')
+
+
+def _lite(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.lite.site import make_site
+    from edulaunch.course.place import given_course, our_course
+
+    for note in make_site(arguments.out, arguments.pyodide, given_course(arguments.course or our_course())):
+        print(f'note: {note}')
+    print(f'{arguments.out} is a web site. Look at it: python -m http.server --directory {arguments.out}')
+    return 0
 
 
 def _store(arguments: argparse.Namespace) -> int:

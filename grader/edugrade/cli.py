@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from edulaunch.errors import UnusableInput
 
 from .grading import Work, grade, plan_work
-from .limits import Limits
+from .limits import CAN_FORK, Limits
 from .options import read_options
 from .rubric import RubricMistake
 from .submission import Submission
@@ -61,7 +61,7 @@ def _command(words: list[str]) -> int:
     if words and words[0] in VERBS and not os.path.isfile(words[0]):
         from importlib import import_module
 
-        if words[0] in FORKING and not hasattr(os, 'fork'):
+        if words[0] in FORKING and not CAN_FORK:
             from .in_place import NEEDED
 
             raise UnusableInput(f'edugrade {words[0]}: this system cannot confine what others wrote', help=NEEDED)

@@ -19,7 +19,7 @@ def cpu_limit(seconds: float) -> Iterator[None]:
 
     Only the main thread of a POSIX system can be limited; elsewhere nothing is.
     """
-    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'ITIMER_PROF'):
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
         return
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from .catalogue import find_rubric
-from .limits import Limits
+from .limits import CAN_FORK, Limits
 from .submission import Submission
 
 if TYPE_CHECKING:
@@ -94,7 +93,7 @@ def runner_here(
     limits: Limits | None = None, on_outcome: Callable[[], object] | None = None, processors: int | None = None
 ) -> Runner | InPlace:
     """What makes runs on this system: confined ones of their own, or where it has no fork, in this process."""
-    if hasattr(os, 'fork'):
+    if CAN_FORK:
         from .runner import Runner
 
         return Runner(limits, on_outcome, processors)

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import sys
+
 MEBI = 1 << 20
+CAN_FORK = hasattr(os, 'fork') and sys.platform != 'emscripten'
+"""Whether a run can have a process of its own: not on Windows, nor in a browser, where Python has the function and it fails."""
 
 
 class Limits:

@@ -73,4 +73,5 @@ def _replay(recording: Recording) -> Markup | None:
 
 
 def _not_drawn(view: str, error: Exception) -> Markup:
-    return element('p', f'The {view} of this run could not be drawn: {type(error).__name__}.', class_='small')
+    why = f'{error.name} is not installed here' if isinstance(error, ModuleNotFoundError) else type(error).__name__
+    return element('p', f'The {view} of this run could not be drawn: {why}.', class_='small')

@@ -18,7 +18,7 @@ from importlib import import_module
 from time import monotonic
 from typing import Any, NoReturn
 
-from .limits import MEBI
+from .limits import CAN_FORK, MEBI
 
 LONGEST_CPU_S = 12  # of processor time; usual: a tenth of a second
 LONGEST_S = 300.0  # of real time: somebody else may keep the machine busy, so that this is no verdict
@@ -61,7 +61,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
     :raises Lost: when it was killed, or is not ready after LONGEST_S.
     :raises RuntimeError: with what was raised in it.
     """
-    if not hasattr(os, 'fork') or threading.active_count() > 1:
+    if not CAN_FORK or threading.active_count() > 1:
         return json.loads(_text(work))
     for _ in range(TRIES):
         code, answer = _once(work)

@@ -1,0 +1,109 @@
+"""What the page in the browser calls: the files to work on, a launch, and a check. Each answers with JSON."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import traceback
+from collections.abc import Callable
+
+from edulaunch.attached import attached
+from edulaunch.errors import EdulaunchError, UnusableInput
+
+DEMOS = (
+    ('turtlesim', 'multisim.launch.py', 'Two worlds'),
+    ('turtle_tf2_py', 'turtle_tf2_demo.launch.py', 'A turtle follows another one'),
+    ('turtle_tf2_py', 'turtle_tf2_fixed_frame_demo.launch.py', 'A carrot beside turtle1'),
+    ('turtle_tf2_py', 'turtle_tf2_dynamic_frame_demo.launch.py', 'A carrot that moves'),
+)
+"""Launch files that come with edulaunch and start something to look at."""
+
+
+def contents(course: str) -> str:
+    """The launch files to work on: those of the course that are one file, then some that come with edulaunch.
+
+    :param course: its folder, with course.toml or exercises/course.toml in it.
+    """
+    from edugrade.course import read_course
+
+    from edulaunch.course.place import EXERCISES, manifest
+    from edulaunch.underlay_place import underlay_prefix
+
+    place = manifest(course)
+    exercises = [entry for entry in read_course(place) if entry.path == entry.file] if place else []
+    files = [
+        {'title': entry.title, 'exercise': entry.name, **_file(os.path.join(course, EXERCISES, entry.file))}
+        for entry in exercises
+    ]
+    share = os.path.join(underlay_prefix(), 'share')
+    files += [
+        {'title': title, 'exercise': '', **_file(os.path.join(share, package, 'launch', name))}
+        for package, name, title in DEMOS
+    ]
+    return json.dumps(files)
+
+
+def _file(path: str) -> dict[str, str]:
+    with open(path, encoding='utf-8') as file:
+        return {'name': os.path.basename(path), 'text': file.read()}
+
+
+def launch(path: str, text: str, words: str, seconds: float, say: Callable[[str], object]) -> str:
+    """Save and launch a file; gives the page that plays the run.
+
+    :param words: launch arguments, ``name:=value ...``.
+    :param seconds: simulated ones.
+    :param say: is called with what is printed.
+    """
+    return _answer(lambda: _launched(_saved(path, text), _arguments(words), seconds, say))
+
+
+def check(path: str, text: str) -> str:
+    """Save and grade a file; gives the report as a page."""
+    return _answer(lambda: _checked(_saved(path, text)))
+
+
+def _answer(work: Callable[[], dict[str, str]]) -> str:
+    """What the page shows: `page`, an HTML page, or `error`, a text."""
+    try:
+        return json.dumps(work())
+    except EdulaunchError as error:
+        return json.dumps({'error': str(error)})
+    except Exception:
+        return json.dumps({'error': traceback.format_exc()})
+
+
+def _saved(path: str, text: str) -> str:
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, 'w', encoding='utf-8') as file:
+        file.write(text)
+    return path
+
+
+def _arguments(words: str) -> dict[str, str]:
+    found = [word.partition(':=') for word in shlex.split(words)]
+    for name, sign, _ in found:
+        if not sign:
+            raise UnusableInput(f'{name} is no launch argument', help='write name:=value, with spaces between several')
+    return {name: value for name, _, value in found}
+
+
+def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
+    from edulaunch.session import run
+    from edulaunch.view.page import recorded_page
+    from edulaunch.view.sources import film_of
+
+    recording = run(path, arguments=arguments, duration_s=seconds, workspaces=(), console=lambda stream, text: say(text))
+    for line in attached('said_at_the_end')(recording):
+        say(f'{line}\n')
+    return {'page': recorded_page(film_of(recording), os.path.basename(path))}
+
+
+def _checked(path: str) -> dict[str, str]:
+    from edugrade.grading import grade, plan_work
+    from edugrade.page import page
+    from edugrade.submission import Submission
+
+    (report,) = grade([plan_work(Submission(path))])
+    return {'page': page([report], []), 'said': f'{report.rubric}: {report.verdict}\n'}

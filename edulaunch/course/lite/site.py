@@ -1,0 +1,90 @@
+"""`edulaunch course lite`: the files of the edition for a browser, which any web server can give out."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from typing import Any
+
+from edulaunch.course.copying import write_zip
+from edulaunch.course.student_files import student_files
+from edulaunch.errors import UnusableInput
+from edulaunch.underlay_place import engine_folder
+
+TRIED, ABI = '0.29.5', '2025_0'
+RUNTIME = ('pyodide.mjs', 'pyodide.asm.js', 'pyodide.asm.wasm', 'python_stdlib.zip', 'pyodide-lock.json')
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'page')
+LEFT_OUT = ('__pycache__', 'ours')
+BINARY = ('.so', '.pyd', '.pyc')
+WANTED = 'numpy'
+"""Taken along where the runtime's folder has it: messages with arrays of numbers need it."""
+
+
+def make_site(out: str, runtime: str, course: str) -> list[str]:
+    """Put the edition into a new folder.
+
+    :param runtime: the folder of Pyodide, such as ``node_modules/pyodide``.
+    :param course: the folder of the course whose exercises it offers, with their rubrics.
+    :returns: sentences about what is not as it was tried.
+    :raises UnusableInput: when the folder is not empty, or is none of Pyodide.
+    """
+    lock = _lock(runtime)
+    if os.path.isdir(out) and os.listdir(out):
+        raise UnusableInput(f'{out} is not empty', help='give a folder that is not there yet')
+    os.makedirs(os.path.join(out, 'pyodide'), exist_ok=True)
+    for name in ('index.html', 'desk.mjs', 'worker.mjs', 'style.css'):
+        shutil.copy(os.path.join(PAGE, name), out)
+    wheel = lock['packages'].get(WANTED, {}).get('file_name', '')
+    has_wheel = bool(wheel) and os.path.isfile(os.path.join(runtime, wheel))
+    for name in (*RUNTIME, *([wheel] if has_wheel else [])):
+        shutil.copy(os.path.join(runtime, name), os.path.join(out, 'pyodide'))
+    write_zip(_engine(), os.path.join(out, 'edulaunch.zip'))
+    write_zip(_exercises(course), os.path.join(out, 'course.zip'))
+    with open(os.path.join(out, 'site.json'), 'w', encoding='utf-8') as file:
+        json.dump({'packages': [WANTED] if has_wheel else []}, file)
+    return [] if has_wheel else [f'{runtime} has no {WANTED}: messages with arrays of numbers (Odometry, LaserScan) do not work']
+
+
+def _lock(runtime: str) -> dict[str, Any]:
+    missing = [name for name in RUNTIME if not os.path.isfile(os.path.join(runtime, name))]
+    help = f'`npm install pyodide@{TRIED}` gives one in node_modules/pyodide'
+    if missing:
+        raise UnusableInput(f'{runtime} is no folder of Pyodide {TRIED}: it lacks {", ".join(missing)}', help=help)
+    with open(os.path.join(runtime, 'pyodide-lock.json'), encoding='utf-8') as file:
+        found: dict[str, Any] = json.load(file)
+    if found['info']['abi_version'] != ABI:
+        raise UnusableInput(f'{runtime} is not of the series of Pyodide {TRIED}, and others crash when tasks switch', help=help)
+    return found
+
+
+def _exercises(course: str) -> dict[str, bytes]:
+    files = student_files(course, rubrics=True)
+    return {name: data for name, data in files.items() if name.startswith(('exercises/', 'rubrics/', 'course.toml'))}
+
+
+def _engine() -> dict[str, bytes]:
+    """What is imported there: edulaunch, edugrade with its rubrics, PyYAML without its C, and what stands for greenlet."""
+    import edugrade
+    import yaml
+    from edugrade.catalogue import rubrics_folder
+
+    grader, parser = (os.path.dirname(os.path.abspath(str(module.__file__))) for module in (edugrade, yaml))
+    places = [(engine_folder(), 'edulaunch'), (grader, 'edugrade'), (rubrics_folder(), 'edugrade/checks'), (parser, 'yaml')]
+    files = {'greenlet.py': _content(os.path.join(PAGE, 'greenlet.py'))}
+    for folder, name in places:
+        files |= {f'{name}/{inner}': _content(os.path.join(folder, *inner.split('/'))) for inner in _inside(folder)}
+    return files
+
+
+def _inside(folder: str) -> Iterator[str]:
+    for place, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if name not in LEFT_OUT)
+        here = os.path.relpath(place, folder).replace(os.sep, '/')
+        yield from (name if here == '.' else f'{here}/{name}' for name in sorted(names) if not name.endswith(BINARY))
+
+
+def _content(path: str) -> bytes:
+    with open(path, 'rb') as file:
+        return file.read()
