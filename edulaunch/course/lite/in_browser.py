@@ -38,8 +38,7 @@ def contents(course: str) -> str:
     ]
     share = os.path.join(underlay_prefix(), 'share')
     files += [
-        {'title': title, 'exercise': '', **_file(os.path.join(share, package, 'launch', name))}
-        for package, name, title in DEMOS
+        {'title': title, 'exercise': '', **_file(os.path.join(share, package, 'launch', name))} for package, name, title in DEMOS
     ]
     return json.dumps(files)
 
