@@ -47,4 +47,4 @@ def test_the_wheel_brings_the_course_as_students_get_it() -> None:
     wheel = tomllib.loads((ROOT / 'pyproject.toml').read_text('utf-8'))['tool']['hatch']['build']['targets']['wheel']
     for folder in ('lessons', 'exercises'):
         assert folder in wheel['only-include'] and wheel['sources'][folder] == f'edulaunch/course/ours/{folder}'
-    assert '/lessons/.outputs' in wheel['exclude'] and 'solutions' not in wheel['only-include']
+    assert {'/lessons/.outputs', '/lessons/notes'} <= {*wheel['exclude']} and 'solutions' not in wheel['only-include']

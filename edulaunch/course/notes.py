@@ -11,6 +11,10 @@ from edulaunch.nearest import nearest
 from .place import LESSONS
 
 FOLDER = 'notes'
+_NONE = (
+    f'those of our course are in the source of edulaunch, not in what is installed; of your own course write {LESSONS}/{FOLDER}/01_name.md'
+    ' for 01_name.ipynb'
+)
 _ROW = re.compile(r'^\| *(\d+) *\| *(.+?) *\|', re.MULTILINE)
 
 
@@ -46,15 +50,15 @@ def notes_of(course: str, name: str) -> str:
     if len(fitting) == 1:
         return known[fitting[0]]
     near = nearest(name, known)
-    there = f'did you mean {near}?' if near else f'There are: {", ".join(known) or "none"}'
-    raise UnusableInput(f'there are no notes on {name}', help=there)
+    there = f'did you mean {near}?' if near else f'There are: {", ".join(known)}'
+    raise UnusableInput(f'there are no notes on {name}', help=there if known else _NONE)
 
 
 def list_of_notes(course: str) -> str:
     """One line for each lesson that has notes: its minutes, and what the notes are called."""
     known = read_notes(course)
     if not known:
-        raise UnusableInput(f'{course} has no notes for teachers', help=f'write {LESSONS}/{FOLDER}/01_name.md for 01_name.ipynb')
+        raise UnusableInput(f'{course} has no notes for teachers', help=_NONE)
     width = max(map(len, known))
     return '\n'.join(
         f'{name:<{width}}  {sum(minutes for minutes, _ in time_plan(text)):>3} minutes' for name, text in known.items()
