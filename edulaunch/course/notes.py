@@ -12,8 +12,8 @@ from .place import LESSONS
 
 FOLDER = 'notes'
 _NONE = (
-    f'those of our course are in the source of edulaunch, not in what is installed; of your own course write {LESSONS}/{FOLDER}/01_name.md'
-    ' for 01_name.ipynb'
+    'those of our course are in the source of edulaunch, not in what is installed;'
+    f' of your own course write {LESSONS}/{FOLDER}/01_name.md for 01_name.ipynb'
 )
 _ROW = re.compile(r'^\| *(\d+) *\| *(.+?) *\|', re.MULTILINE)
 
