@@ -13,6 +13,7 @@ from edulaunch.version import __version__
 
 VERBS = {
     'colcon': 'Say what of building is not needed here',
+    'compare': 'Run a launch file in simulation and on the real rclpy, and say what differs',
     'completion': 'Print the script that completes commands with the Tab key',
     'course': 'Copy the course, see how far you are, or make a course of your own',
     'doctor': 'Say what is wrong with a launch file, a package or a run, and what to do',

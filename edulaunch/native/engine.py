@@ -71,6 +71,7 @@ class ThisProcess:
         self.env = os.environ
         self.returncode = None
         self.pid = os.getpid()
+        self.cwd = os.getcwd()
 
     @property
     def argv(self) -> list[str]:

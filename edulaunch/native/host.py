@@ -32,6 +32,11 @@ class NativeHost(Host):
     """
 
     @cached_property
+    def runs(self) -> list[NativeRun]:
+        """The programs that were started, in order."""
+        return []
+
+    @cached_property
     def environment(self) -> Environment:
         """The real rclpy's.
 
@@ -65,18 +70,46 @@ class NativeHost(Host):
         for word in argv:
             if word in self.generated_files:
                 self.generated_files[word].write()
-        words = (
-            self.environment.python,
-            os.path.join(HOME, 'edulaunch', 'native', 'program.py'),
-            told(program, spec, index),
-            *argv,
-        )
         environment = dict(self.env if spec.env is None else spec.env)
         environment.pop('PYTHONPATH', None)
         environment['PYTHONUNBUFFERED'] = '1'
-        real = RealProcess(self, spec._replace(argv=words, shell=False, env=environment), on_output, on_exit)
+        words = (*command(self.environment, program, spec, index), *argv)
+        run = NativeRun(self, spec.name, on_output, on_exit)
+        self.runs.append(run)
+        real = RealProcess(self, spec._replace(argv=words, shell=False, env=environment), run.hear, run.end)
         self.real_programs.append(real)
         return real
+
+
+class NativeRun:
+    """What one program wrote, and how it ended.
+
+    :ivar written: (seconds since the start, stream, text).
+    """
+
+    def __init__(self, host: Host, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+        self.name = name
+        self.written: list[tuple[float, str, str]] = []
+        self.returncode: int | None = None
+        self._host = host
+        self._on_output, self._on_exit = on_output, on_exit
+
+    def hear(self, stream: str, text: str) -> None:
+        """It wrote something."""
+        self.written.append((self._host.sim.elapsed_s, stream, text))
+        if self._on_output is not None:
+            self._on_output(stream, text)
+
+    def end(self, returncode: int) -> None:
+        """It ended."""
+        self.returncode = returncode
+        if self._on_exit is not None:
+            self._on_exit(returncode)
+
+
+def command(environment: Environment, program: Program, spec: ProcessSpec, index: Index) -> tuple[str, ...]:
+    """The words that run a program in the environment of the real rclpy; the program's own words follow."""
+    return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), told(program, spec, index)
 
 
 def told(program: Program, spec: ProcessSpec, index: Index) -> str:

@@ -1,0 +1,164 @@
+"""A node on the real rclpy that notes who is there and what is said, for `edulaunch compare`.
+
+It prints a line when it is ready. When its standard input says anything, or ends, it asks all nodes for their parameters and
+prints everything as one line of JSON.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import sys
+import threading
+import time
+from collections.abc import Iterable
+from typing import Any
+
+import rclpy
+from rcl_interfaces.srv import GetParameters, ListParameters
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import parameter_value_to_python
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+from edulaunch.errors import InterfaceError
+from edulaunch.interfaces.importer import installed_registry
+
+NAME = '_edulaunch_observer'
+LOOK_EVERY_S = 0.25
+MOST_MESSAGES = 20_000
+"""Of one topic; what comes after that is left out."""
+PATIENCE_S = 5.0
+"""So long nodes may take to tell their parameters."""
+
+
+class Observer:
+    """What was seen; times are seconds since 1970."""
+
+    def __init__(self) -> None:
+        self.node = rclpy.create_node(NAME, start_parameter_services=False, enable_rosout=False)
+        self.executor = SingleThreadedExecutor()
+        self.executor.add_node(self.node)
+        self.nodes: dict[str, float] = {}
+        self.ends: dict[tuple[str, str, str, str, str], float] = {}
+        self.messages: dict[str, tuple[str, list[tuple[float, str]]]] = {}
+        self.parameters: dict[str, dict[str, Any]] = {}
+        self._subscriptions: list[Any] = []
+
+    def look(self) -> None:
+        """Note who is there now, and listen to topics that are new."""
+        now = time.time()
+        for name, namespace in self.node.get_node_names_and_namespaces():
+            full = f'{namespace.rstrip("/")}/{name}'
+            if name != NAME:
+                self.nodes.setdefault(full, now)
+                self._look_at_services(name, namespace, full, now)
+        for topic, types in self.node.get_topic_names_and_types():
+            publishers = self.node.get_publishers_info_by_topic(topic)
+            self._note('publisher', topic, publishers, now)
+            self._note('subscription', topic, self.node.get_subscriptions_info_by_topic(topic), now)
+            if publishers and topic not in self.messages:
+                self._listen(topic, types[0], publishers)
+
+    def _look_at_services(self, name: str, namespace: str, full: str, now: float) -> None:
+        try:
+            found = {
+                'service': self.node.get_service_names_and_types_by_node(name, namespace),
+                'client': self.node.get_client_names_and_types_by_node(name, namespace),
+            }
+        except Exception:  # the node left meanwhile; which error that is depends on the middleware
+            return
+        for kind, rows in found.items():
+            for service, types in rows:
+                self.ends.setdefault((kind, service, types[0], full, ''), now)
+
+    def _note(self, kind: str, topic: str, infos: Iterable[Any], now: float) -> None:
+        for info in infos:
+            full = f'{info.node_namespace.rstrip("/")}/{info.node_name}'
+            if info.node_name != NAME:
+                qos = f'{info.qos_profile.reliability.name} {info.qos_profile.durability.name}'.lower()
+                self.ends.setdefault((kind, topic, info.topic_type, full, qos), now)
+
+    def _listen(self, topic: str, type_name: str, publishers: list[Any]) -> None:
+        rows: list[tuple[float, str]] = []
+        self.messages[topic] = type_name, rows
+        registry = installed_registry()
+        assert registry is not None
+        try:
+            message_class = registry.get(type_name)
+        except InterfaceError:
+            return  # of a program with messages that nobody here knows
+        offered = [info.qos_profile for info in publishers]
+        reliable = all(each.reliability == ReliabilityPolicy.RELIABLE for each in offered)
+        kept = all(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in offered)
+        qos = QoSProfile(
+            depth=1000,
+            reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
+        )
+
+        def heard(data: bytes) -> None:
+            if len(rows) < MOST_MESSAGES:
+                rows.append((time.time(), base64.b64encode(data).decode()))
+
+        self._subscriptions.append(self.node.create_subscription(message_class, topic, heard, qos, raw=True))
+
+    def ask(self) -> None:
+        """Ask all nodes for their parameters."""
+        until = time.monotonic() + PATIENCE_S
+        for full in self.nodes:
+            if not full.rpartition('/')[2].startswith('_'):
+                names = self._call(ListParameters, f'{full}/list_parameters', ListParameters.Request(), until)
+                listed = [] if names is None else names.result.names
+                values = self._call(GetParameters, f'{full}/get_parameters', GetParameters.Request(names=listed), until)
+                if values is not None:
+                    self.parameters[full] = dict(zip(listed, map(parameter_value_to_python, values.values), strict=False))
+
+    def _call(self, kind: Any, name: str, request: Any, until: float) -> Any:
+        client = self.node.create_client(kind, name)
+        try:
+            if not client.wait_for_service(timeout_sec=max(0.0, min(1.0, until - time.monotonic()))):
+                return None
+            future = client.call_async(request)
+            self.executor.spin_until_future_complete(future, timeout_sec=max(0.0, until - time.monotonic()))
+            return future.result() if future.done() else None
+        finally:
+            self.node.destroy_client(client)
+
+    def told(self) -> str:
+        """Everything, as JSON."""
+        return json.dumps(
+            {
+                'nodes': self.nodes,
+                'ends': [[*end, when] for end, when in self.ends.items()],
+                'messages': self.messages,
+                'parameters': self.parameters,
+            },
+            default=list,
+        )
+
+
+def _wait(end: threading.Event) -> None:
+    sys.stdin.readline()
+    end.set()
+
+
+def main() -> int:
+    """Observe until standard input says something."""
+    rclpy.init(args=[])
+    observer = Observer()
+    end = threading.Event()
+    threading.Thread(target=_wait, args=(end,), daemon=True).start()
+    print('ready', flush=True)
+    looked = 0.0
+    while not end.is_set():
+        if time.monotonic() - looked > LOOK_EVERY_S:
+            observer.look()
+            looked = time.monotonic()
+        observer.executor.spin_once(timeout_sec=0.05)
+    observer.look()
+    stopped = {topic: (kind, rows[:]) for topic, (kind, rows) in observer.messages.items()}
+    observer.ask()
+    observer.messages = stopped
+    print(observer.told(), flush=True)
+    rclpy.try_shutdown()
+    return 0

@@ -1,0 +1,122 @@
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from edulaunch.comparing.differing import Difference, differences
+from edulaunch.comparing.observation import End, Flow, Line, Observation, Values
+
+ASKED_S = 10.0
+
+
+def seen(**parts: Any) -> Observation:
+    nothing: dict[str, Any] = {'nodes': {'/a': 0.0}, 'ends': {}, 'parameters': {}, 'flows': {}, 'lines': [], 'codes': {}}
+    return Observation(**{**nothing, 'asked_s': ASKED_S, **parts})
+
+
+def flow(*rows: tuple[float, Any], field: str = 'x') -> Flow:
+    values = Values()
+    for time_s, value in rows:
+        values.add(time_s, value)
+    return Flow([time_s for time_s, _ in rows], {field: values})
+
+
+def steady(hz: float, begin_s: float = 0.0, value: Any = 1.0) -> Flow:
+    return flow(*((begin_s + index / hz, value) for index in range(int((ASKED_S - begin_s) * hz))))
+
+
+def test_equal_runs_differ_in_nothing() -> None:
+    one = seen(flows={'/t': steady(10)}, parameters={'/a': {'p': 1}}, lines=[Line('a', 'x', 1.0)], codes={'a': [0]})
+    assert differences(one, one) == []
+
+
+def test_nodes() -> None:
+    found = differences(seen(nodes={'/a': 0.0, '/b': 1.0, '/late': 9.0}), seen(nodes={'/a': 0.8, '/c': 1.0}))
+    assert found == [Difference('node', '/b', 'there', 'missing'), Difference('node', '/c', 'missing', 'there')]
+
+
+def test_types_and_qos_of_endpoints() -> None:
+    here = {
+        End('publisher', '/t', 'x/msg/A', '/a'): ('reliable volatile', 0.0),
+        End('subscription', '/t', 'x/msg/A', '/a'): ('reliable volatile', 0.0),
+        End('service', '/s', 'x/srv/S', '/a'): ('', 0.0),
+        End('client', '/late', 'x/srv/S', '/a'): ('', 9.5),
+        End('client', '/of_nobody', 'x/srv/S', '/gone'): ('', 0.0),
+    }
+    there = {
+        End('publisher', '/t', 'x/msg/B', '/a'): ('reliable volatile', 0.0),
+        End('subscription', '/t', 'x/msg/A', '/a'): ('best_effort volatile', 0.0),
+    }
+    assert differences(seen(ends=here), seen(ends=there)) == [
+        Difference('publisher', '/t of /a', 'x/msg/A', 'x/msg/B'),
+        Difference('service', '/s of /a', 'x/srv/S', 'missing'),
+        Difference('QoS of subscription', '/t of /a', 'reliable volatile', 'best_effort volatile'),
+    ]
+
+
+def test_parameters() -> None:
+    here, there = {'/a': {'n': 1, 'same': [1.0], 'gone': 'x'}, '/silent': {'p': 1}}, {'/a': {'n': 1.0, 'same': [1.0]}}
+    assert differences(seen(parameters=here), seen(parameters=there)) == [
+        Difference('parameter', 'gone of /a', "'x'", 'missing'),
+        Difference('parameter', 'n of /a', '1', '1.0'),
+    ]
+
+
+def test_a_topic_on_which_one_is_silent() -> None:
+    found = differences(seen(flows={'/a': steady(5), '/late': steady(5, 9.0)}), seen(flows={'/b': flow((1.0, 0))}))
+    assert found == [Difference('messages', '/a', '50', 'none'), Difference('messages', '/b', 'none', '1')]
+
+
+@pytest.mark.parametrize(('hz', 'differs'), [(10.0, False), (8.5, False), (7.0, True), (20.0, True)])
+def test_rates(hz: float, differs: bool) -> None:
+    found = differences(seen(flows={'/t': steady(10)}), seen(flows={'/t': steady(hz, 1.0)}))
+    assert found == ([Difference('rate of messages', '/t', '10 Hz', f'{hz:.3g} Hz')] if differs else [])
+
+
+def test_numbers_of_what_was_never_so_in_simulation() -> None:
+    here = flow(*((time / 10, time / 10) for time in range(100)))
+    later = flow(*((time / 10 + 1.0, time / 10) for time in range(90)))
+    wild = flow(*((time / 10 + 1.0, -time / 10) for time in range(90)))
+    assert differences(seen(flows={'/t': here}), seen(flows={'/t': later})) == []
+    assert differences(seen(flows={'/t': here}), seen(flows={'/t': wild})) == [
+        Difference('values in messages', '/t x', '0 to 9.9', '-8.9 to 0')
+    ]
+
+
+def test_numbers_that_were_so_in_simulation_only() -> None:
+    here = flow(*((float(time), 5.0 if time == 4 else 0.0) for time in range(10)))
+    still = flow(*((float(time), 0.0) for time in range(1, 10)))
+    assert [each.simulated for each in differences(seen(flows={'/t': here}), seen(flows={'/t': still}))] == ['0 to 5']
+
+
+def test_what_was_said_before_anybody_listened_for_real_is_no_difference() -> None:
+    here = flow((0.1, 99.0), *((float(time), 1.0) for time in range(1, 10)))
+    assert differences(seen(flows={'/t': here}), seen(flows={'/t': steady(1, 2.0)})) == []
+
+
+def test_texts_in_messages() -> None:
+    here, there = flow((5.0, 'Hello'), (6.0, 'Hello')), flow((5.0, 'Hello'), (6.0, 'Bye'))
+    assert differences(seen(flows={'/t': here}), seen(flows={'/t': there})) == [
+        Difference('values in messages', '/t x', "'Hello'", "'Bye', 'Hello'")
+    ]
+
+
+def test_output() -> None:
+    here = [Line('a', 'both', 1.0), Line('a', 'only here', 2.0), Line('a', 'late', 9.0), Line('a', 'at Ctrl-C', 10.1)]
+    there = [Line('a', 'both', 1.5), Line('a', 'only there', 2.0)]
+    assert differences(seen(lines=here), seen(lines=there)) == [
+        Difference('output', 'a', 'at Ctrl-C', 'missing'),
+        Difference('output', 'a', 'only here', 'missing'),
+        Difference('output', 'a', 'missing', 'only there'),
+    ]
+
+
+def test_exit_codes_in_any_order() -> None:
+    found = differences(seen(codes={'a': [0, 1], 'b': [0]}), seen(codes={'a': [1, 0], 'b': [-2], 'c': [0]}))
+    assert found == [Difference('exit code', 'b', '0', '-2'), Difference('exit code', 'c', 'still running', '0')]
+
+
+def test_a_bad_moment_for_ctrl_c_is_no_difference() -> None:
+    unlucky = [Line('a', 'rclpy.RCLError: failed to shutdown: rcl_shutdown already called', 10.2)]
+    assert differences(seen(codes={'a': [0]}), seen(codes={'a': [1]}, lines=unlucky)) == []

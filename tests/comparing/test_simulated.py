@@ -1,0 +1,24 @@
+from __future__ import annotations
+
+from edulaunch.comparing.observation import BRIEFLY, End
+from edulaunch.comparing.simulated import simulate
+
+
+def test_what_is_seen_of_a_simulated_run() -> None:
+    seen = simulate('demo_nodes_cpp', 'talker_listener_launch.py', {}, 6.0, [])
+    assert seen.nodes == {'/talker': 0.0, '/listener': 0.0}
+    assert seen.ends[End('publisher', '/chatter', 'std_msgs/msg/String', '/talker')] == ('reliable volatile', 0.0)
+    assert seen.parameters['/talker']['use_sim_time'] is False
+    assert str(seen.flows['/chatter'].fields['data'].range) == "'Hello World: #'"
+    assert len(seen.flows['/chatter'].times) == 6
+    assert '[INFO] [#] [listener]: I heard: [Hello World: #]' in {line.text for line in seen.lines if line.process == 'listener'}
+    assert seen.codes == {'talker': [0], 'listener': [0]}
+
+
+def test_a_node_that_was_there_only_briefly_need_not_be_found(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    file = tmp_path / 'x.launch.xml'
+    nodes = ''.join(f'<node pkg="demo_nodes_py" exec="add_two_ints_{end}"/>' for end in ('server', 'client'))
+    file.write_text(f'<launch>{nodes}</launch>')
+    seen = simulate(str(file), None, {}, 6.0, [])
+    assert seen.nodes == {'/add_two_ints_server': 0.0, '/add_two_ints_client': BRIEFLY}
+    assert {when for end, (_, when) in seen.ends.items() if end.node == '/add_two_ints_client'} == {BRIEFLY}
