@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 from edulaunch.comparing.observation import Flow, Observation, Range, Values
 
 LATE_S = 5.0
+FOUND_S = 3.0
+"""From then on everybody has found everybody."""
 SHARE = 0.25
 FEWEST = 5
 """So many messages make a rate."""
@@ -86,12 +88,12 @@ def _flows(simulated: Observation, real: Observation, late_s: float) -> Iterator
     for name in sorted({*simulated.flows, *real.flows}):
         here, there = simulated.flows.get(name, nothing), real.flows.get(name, nothing)
         kind = 'transform' if name.startswith('tf ') else 'messages'
-        name = name.removeprefix('tf ')
-        if not here.times and there.times:
+        if name not in simulated.flows and there.times:
             yield Difference(kind, name, 'none', str(len(there.times)))
-        elif here.times and not there.times and here.times[0] <= late_s:
+        elif not there.times and any(FOUND_S <= time_s <= late_s for time_s in here.times):
             yield Difference(kind, name, str(len(here.times)), 'none')
         elif here.times and there.times:
+            name = name.removeprefix('tf ')
             yield from _rates(kind, name, here, there)
             yield from _values(kind if kind == 'transform' else 'values in messages', name, here, there, late_s)
 

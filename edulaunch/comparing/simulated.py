@@ -60,9 +60,12 @@ def observe(recording: Recording, asked_s: float) -> Observation:
     flows: dict[str, Flow] = {}
     for topic, record_of in recording.topics.items():
         if topic not in NOT_COMPARED and record_of.publishers:
-            wires = recording.wires(topic, record_of.type)
-            rows = ((time / 1e9, wire) for time, wire in wires if time / 1e9 <= asked_s)
-            add_messages(flows, topic, record_of.type, rows, recording.message_class)
+            published = recording.published(topic, record_of.type)
+            lasting = [
+                (time / 1e9, wire) for time, node, wire in published if nodes.get(node) != BRIEFLY and time / 1e9 <= asked_s
+            ]
+            add_messages(flows, topic, record_of.type, lasting, recording.message_class)
+            flows.setdefault(topic, Flow([], {}))
     return Observation(nodes, ends, parameters, flows, _lines(recording), _codes(recording), asked_s)
 
 

@@ -92,8 +92,6 @@ def _park(context: Any, deadline_ns: int | None) -> None:
 class _NodeFacts:
     """What a node of ours knows of itself: its names, and the parameter values given from outside."""
 
-    takes_any_type = False
-
     def __init__(self, node: Any) -> None:
         self._node = node
 
@@ -102,6 +100,15 @@ class _NodeFacts:
         """Those of a node, made once."""
         found: _NodeFacts = node.__dict__.setdefault('_edulaunch_facts', cls(node))
         return found
+
+    @property
+    def takes_any_type(self) -> bool:
+        """Whether it may hear several types on a topic: never for real, whatever is asked for."""
+        return False
+
+    @takes_any_type.setter
+    def takes_any_type(self, wanted: bool) -> None:
+        pass
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         """The absolute name; unless it is only expanded, remapped."""

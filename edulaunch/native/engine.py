@@ -72,6 +72,7 @@ class ThisProcess:
         self.returncode = None
         self.pid = os.getpid()
         self.cwd = os.getcwd()
+        self.sourced_path = os.environ.get('AMENT_PREFIX_PATH', '')
 
     @property
     def argv(self) -> list[str]:
@@ -98,7 +99,7 @@ class ThisProcess:
         """The packages that it finds."""
         from edulaunch.packages import Index
 
-        return Index([path for path in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if path])
+        return Index([path for path in self.sourced_path.split(os.pathsep) if path])
 
     def write(self, stream: str, text: str) -> None:
         """Write on 'stdout' or 'stderr'."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from contextlib import suppress
 from math import cos, sin
 from typing import Any
 
@@ -33,10 +32,9 @@ class WaffleSimulator(CppNode):
         self._expects_stamped = self.declare_parameter('enable_stamped_cmd_vel', True).value
         self._robot = PlanarRobot(x, y, yaw, self.get_clock().now().nanoseconds)
         self._rclpy.takes_any_type = True
-        kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)]
-        with suppress(RuntimeError):  # for real, a program hears one type on a topic: the one that is expected
-            for kind, callback in kinds if self._expects_stamped else reversed(kinds):
-                self.create_subscription(kind, 'cmd_vel', callback, 10)
+        kinds = [(TwistStamped, self._on_stamped), (Twist, self._on_plain)][:: 1 if self._expects_stamped else -1]
+        for kind, callback in kinds if self._rclpy.takes_any_type else kinds[:1]:  # for real a program hears one type on a topic
+            self.create_subscription(kind, 'cmd_vel', callback, 10)
         self._odometry = self.create_publisher(Odometry, 'odom', 10)
         self._broadcaster = TransformBroadcaster(self)
         self._timer = self.create_timer(1.0 / ODOMETRY_HZ, self._on_timer)
