@@ -1,8 +1,7 @@
-"""`ros2 ...` inside the simulation: reads the command and the verb, and loads that verb's file only."""
+"""`ros2 ...` inside the simulation: reads the command and the verb, and loads that command's file only."""
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import EdulaunchError
@@ -23,7 +22,7 @@ def main(process: Process) -> int:
 
     try:
         verb, arguments = command_line(process.argv[1:])
-        return _exit_code(process, import_module(verb).main(arguments))
+        return _exit_code(process, verb.main(arguments))
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else 0
     except KeyboardInterrupt:

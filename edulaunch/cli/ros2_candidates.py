@@ -8,10 +8,9 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING
 
-from edulaunch.cli.ros2.commands import COMMANDS, MODULES
+from edulaunch.cli.ros2.commands import COMMANDS, load
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index
@@ -49,9 +48,8 @@ def candidates(words: Sequence[str], typed: str, index: Callable[[], Index], run
 
 
 def _parser(command: str, verb: str) -> argparse.ArgumentParser:
-    module = MODULES.get(command, command)
     parser = argparse.ArgumentParser(prog='ros2')
-    import_module(f'edulaunch.cli.ros2.{module}' + (f'.{verb}' if verb and command not in MODULES else '')).add_arguments(parser)
+    load(command, verb or None).add_arguments(parser)
     return parser
 
 

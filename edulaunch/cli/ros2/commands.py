@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import argparse
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, NamedTuple
+
 COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     'action': (
         'Various action related sub-commands',
@@ -117,8 +122,21 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     ),
     'wtf': ('Use `wtf` as alias to `doctor`', {}),
 }
-MODULES = {'daemon': 'daemon', 'multicast': 'multicast', 'wtf': 'doctor'}
-"""Commands whose verbs are one module, or that have another name."""
+MODULES = {
+    'action send_goal': 'action_send_goal',
+    'service call': 'service_call',
+    'service echo': 'service_echo',
+    'topic bw': 'topic_measuring',
+    'topic delay': 'topic_measuring',
+    'topic echo': 'topic_echo',
+    'topic hz': 'topic_measuring',
+    'topic pub': 'topic_pub',
+    'bag info': 'bag.info',
+    'bag play': 'bag.play',
+    'bag record': 'bag.record',
+    'wtf': 'doctor',
+}
+"""Verbs that have a file beside that of their command, and commands that have another name."""
 NOT_HERE = {
     'control': 'ros2_control is not here',
     'plugin': 'plugins are C++ libraries, which cannot run here',
@@ -126,3 +144,19 @@ NOT_HERE = {
     'trace': 'every run is recorded: see `edulaunch recording`',
 }
 """Commands that ROS 2 has on many machines, and why they are not here."""
+
+
+class Verb(NamedTuple):
+    """What a verb (or a command without verbs) takes, and what it does."""
+
+    add_arguments: Callable[[argparse.ArgumentParser], None]
+    main: Callable[[argparse.Namespace], Any]
+
+
+def load(command: str, verb: str | None) -> Verb:
+    """The functions `VERB_arguments` and `VERB_verb` of the command's file; of a file for one verb, or for verbs that differ in
+    nothing else, `add_arguments` and `main`.
+    """
+    home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
+    names = vars(import_module(f'edulaunch.cli.ros2.{home}'))
+    return Verb(names.get(f'{verb}_arguments') or names['add_arguments'], names.get(f'{verb}_verb') or names['main'])

@@ -5,10 +5,9 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
-from importlib import import_module
 from typing import Any, NoReturn
 
-from edulaunch.cli.ros2.commands import COMMANDS, MODULES, NOT_HERE
+from edulaunch.cli.ros2.commands import COMMANDS, NOT_HERE, Verb, load
 from edulaunch.cli.ros2.output import with_help
 from edulaunch.nearest import nearest
 from edulaunch.processes.current import current_process
@@ -59,24 +58,24 @@ class Parser(argparse.ArgumentParser):
         self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
 
 
-def command_line(words: Sequence[str]) -> tuple[str, argparse.Namespace]:
-    """The module that does what `ros2 WORDS...` says, and its arguments.
+def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
+    """What does as `ros2 WORDS...` says, and its arguments.
 
     :raises SystemExit: 0 after showing help, 2 after an error.
     """
     words = words[words[:1] == [BUFFERING] :]
     command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
     text, verbs = COMMANDS[command]
-    prog, module, rest = f'ros2 {command}', f'edulaunch.cli.ros2.{MODULES.get(command, command)}', words[1:]
+    prog, rest = f'ros2 {command}', words[1:]
     verb = None
     if verbs:
         verb = _chosen(prog, 'verb', rest, verbs, text)
         prog, text, rest = f'{prog} {verb}', verbs[verb], rest[1:]
-        module = module if command in MODULES else f'{module}.{verb}'
     parser = Parser(prog, text)
     parser.set_defaults(verb=verb)
-    import_module(module).add_arguments(parser)
-    return module, parser.parse(rest)
+    found = load(command, verb)
+    found.add_arguments(parser)
+    return found, parser.parse(rest)
 
 
 def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], text: str = '') -> str:

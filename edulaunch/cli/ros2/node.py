@@ -1,4 +1,4 @@
-"""`ros2 node info`: what a node offers and uses."""
+"""`ros2 node`: which nodes there are, and what one has."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def info_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 node info`."""
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', help='Fully qualified node name to request information with given spin time')
     parser.add_argument('--include-hidden', action='store_true', help='Display hidden topics, services, and actions as well')
 
 
-def main(arguments: argparse.Namespace) -> str | None:
+def info_verb(arguments: argparse.Namespace) -> str | None:
     """Print six lists, each sorted by name."""
     wanted = arguments.node_name
     with cli_node.cli_node(arguments) as node:
@@ -53,3 +53,25 @@ def _sections(node: Node, wanted: str) -> list[tuple[str, names.NamesAndTypes]]:
         ('Action Servers', servers_by_node(node, *where)),
         ('Action Clients', clients_by_node(node, *where)),
     ]
+
+
+def list_arguments(parser: argparse.ArgumentParser) -> None:
+    """The options and words of `ros2 node list`."""
+    cli_node.add_arguments(parser)
+    parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
+    parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
+
+
+def list_verb(arguments: argparse.Namespace) -> None:
+    """Print their full names, sorted."""
+    with cli_node.cli_node(arguments) as node:
+        found = names.node_names(node, arguments.all)
+    if arguments.count_nodes:
+        say(str(len(found)))
+        return
+    if len(set(found)) < len(found):
+        complain(
+            'WARNING: Be aware that there are nodes in the graph that share an exact name, '
+            'which can have unintended side effects.'
+        )
+    names.say_lines(found)

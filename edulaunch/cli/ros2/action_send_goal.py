@@ -1,4 +1,4 @@
-"""`ros2 action send_goal`: send a goal and wait for its result."""
+"""`ros2 action send_goal`: send a goal, and wait for what becomes of it."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 CANCEL_PATIENCE_S = 1.0
 """Ctrl-C often ends the server too; then there is nobody to wait for."""
+
+
 STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED')
 
 

@@ -1,4 +1,4 @@
-"""`ros2 service echo`: print the requests and responses of a service whose introspection is switched on."""
+"""`ros2 service echo`: listen to the calls of a service."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`ros2 service call`: send a request and print the response."""
+"""`ros2 service call`: call a service and print its response."""
 
 from __future__ import annotations
 

@@ -1,1 +1,0 @@
-"""`ros2 action`: one file per verb."""

@@ -1,1 +1,0 @@
-"""`ros2 component`: one file per verb."""

@@ -1,1 +1,0 @@
-"""`ros2 interface`: one file per verb."""

@@ -1,1 +1,0 @@
-"""`ros2 lifecycle`: one file per verb."""

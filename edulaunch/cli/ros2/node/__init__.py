@@ -1,1 +1,0 @@
-"""`ros2 node`: one file per verb."""

@@ -1,1 +1,0 @@
-"""`ros2 service`: one file per verb."""
