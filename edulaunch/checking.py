@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -16,10 +17,11 @@ def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
         from edulaunch import check
         check('circle')             # exercises/circle.launch.py, here or in a folder above
         check('circle', hint=1)     # a question; 2 says where to look, 3 is almost the answer
+        check('radio')              # what "Your turn" in a lesson asks for: by the rubric in checks/ beside the notebook
 
-    :param exercise: the name of an exercise, or the path of a launch file or of a package's folder.
+    :param exercise: the name of an exercise or of a turn, or the path of a launch file or of a package's folder.
     :param hint: the level of a hint to open (1 to 3); nothing is graded then.
     """
     from edugrade.notebook import check as check_in_notebook
 
-    return check_in_notebook(exercise, hint=hint)
+    return check_in_notebook(exercise, hint=hint, names=sys._getframe(1).f_globals)

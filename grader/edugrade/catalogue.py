@@ -75,7 +75,7 @@ def find_rubric(exercise: str, given: str | None = None, submission: str = '') -
     :raises RubricMistake: when it cannot be loaded.
     """
     if given is not None and _is_file(given):
-        return os.path.splitext(os.path.basename(given))[0], _load(given)
+        return os.path.splitext(os.path.basename(given))[0], load_rubric(given)
     known, name = _rubrics(), given or exercise
     if name in known:
         if submission and os.path.realpath(known[name]).startswith(os.path.join(os.path.realpath(submission), '')):
@@ -83,7 +83,7 @@ def find_rubric(exercise: str, given: str | None = None, submission: str = '') -
                 f'the rubric {known[name]} lies in the folder that is graded',
                 help='keep exercises and rubrics in folders of their own',
             )
-        return name, _load(known[name])
+        return name, load_rubric(known[name])
     from edulaunch.nearest import nearest
 
     close = nearest(name, list(known))
@@ -98,7 +98,12 @@ def _is_file(given: str) -> bool:
     return given.endswith(ENDINGS) or os.sep in given
 
 
-def _load(path: str) -> Rubric:
+def load_rubric(path: str) -> Rubric:
+    """The rubric in a file.
+
+    :raises UnusableInput: when it cannot be read, or is none.
+    :raises RubricMistake: when there is a mistake in it.
+    """
     try:
         data = read_regular(path, LARGEST_BYTES)
     except FileNotFoundError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .scenario import Scenario
@@ -18,12 +19,20 @@ class Evidence(Mapping[str, 'Recording']):
     """The recording of each scenario by its name, in the rubric's order.
 
     :ivar source: the submission as text, for saying where a thing belongs. Marks never depend on it.
+    :ivar names: what the cells of a notebook have defined, of the names that the rubric of a turn looks at.
     """
 
-    def __init__(self, scenarios: Mapping[str, Scenario], recordings: Mapping[str, Recording], source: Source) -> None:
+    def __init__(
+        self,
+        scenarios: Mapping[str, Scenario],
+        recordings: Mapping[str, Recording],
+        source: Source,
+        names: Mapping[str, Any] = MappingProxyType({}),
+    ) -> None:
         self._scenarios = dict(scenarios)
         self._recordings = dict(recordings)
         self.source = source
+        self.names = names
         self._found: dict[Hashable, Any] = {}
 
     def __getitem__(self, scenario: str) -> Recording:
@@ -37,7 +46,7 @@ class Evidence(Mapping[str, 'Recording']):
 
     def only(self, names: Sequence[str]) -> Evidence:
         """The same for some of the scenarios."""
-        return Evidence(self._scenarios, {name: self[name] for name in self if name in names}, self.source)
+        return Evidence(self._scenarios, {name: self[name] for name in self if name in names}, self.source, self.names)
 
     @property
     def first(self) -> Recording:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
 
 from .causes import with_causes
 from .check import Check
@@ -20,7 +22,9 @@ LAUNCHES = 'launches'
 LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
 
 
-def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) -> list[CheckResult]:
+def judge(
+    checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source, names: Mapping[str, Any] = MappingProxyType({})
+) -> list[CheckResult]:
     """The result of each check in the rubric's order, after the one all need: that there is a recording.
 
     A check runs when all it needs has passed. Without a recording none does: nothing passes without evidence.
@@ -28,7 +32,7 @@ def judge(checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source) 
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
     recordings = {outcome.scenario.name: outcome.recording for outcome in outcomes if outcome.recording}
-    evidence = Evidence(scenarios, recordings, source)
+    evidence = Evidence(scenarios, recordings, source, names)
     for check in checks:
         blocker = _blocker(check, results)
         result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
 
 from edulaunch.advice import reader_here
 from edulaunch.errors import UnusableInput
@@ -14,8 +17,10 @@ from .markup import element, joined
 from .noted import noted, opened
 from .report_html import report_html
 from .results import ALL_PASSED, Report
+from .rubric import RubricMistake
 from .submission import ENDINGS, Submission
 from .terminal import render
+from .turn import find_turn, grade_turn, turns
 
 _BOX = 'border-left:4px solid #888;padding:.2em 1em;max-width:60em'
 
@@ -60,17 +65,25 @@ class Note:
         return element('div', self.text, style=f'{_BOX};white-space:pre-wrap')
 
 
-def check(exercise: str, *, hint: int | None = None) -> CheckReport | Note:
-    """Grade an exercise, or open one of its hints; note it in the progress file of the current folder.
+def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = MappingProxyType({})) -> CheckReport | Note:
+    """Grade an exercise or a lesson's turn, or open a hint; note it in the progress file of the current folder.
 
-    :param exercise: the exercise's name, or the path of a launch file or package.
+    :param exercise: the exercise's or turn's name, or the path of a launch file or package.
     :param hint: open the hint of this level (1 to 3) instead.
+    :param names: what the cells have defined.
     """
     try:
+        turn = find_turn(os.fspath(exercise))
+        if turn is not None:
+            if hint is not None:
+                return Note('The hints of a turn stand below its cell.')
+            return CheckReport(noted(grade_turn(exercise, turn, names), os.getcwd()))
         submission = Submission(find_exercise(os.fspath(exercise)))
         return _graded(submission) if hint is None else _hint(submission, hint)
     except UnusableInput as error:
         return Note(f'{error}')
+    except RubricMistake as error:
+        return Note(f'the rubric is wrong: {error}')
 
 
 def find_exercise(name: str) -> str:
@@ -82,7 +95,7 @@ def find_exercise(name: str) -> str:
     if name not in known:
         if os.sep in name or name.endswith(ENDINGS) or os.path.exists(name):
             return name
-        raise _unknown(name, list(known))
+        raise _unknown(name, [*known, *turns()])
     entry = known[name]
     folder = '.'
     for _ in range(HIGHEST):

@@ -25,11 +25,26 @@ class Rubric:
     :param scenarios: makes the runs from a random generator, which is seeded from the submission: so the
         values of a run change with every edit and cannot be written into the file beforehand.
     :param checks: in the order of the report; each stands behind the checks it needs: there can be no circle.
+    :param of: of a lesson's turn: the file that the student writes, relative to the folder of the lessons.
+    :param launch: the text of a launch file that starts it, when it is none itself.
+    :param beside: other files that an edit may change.
+    :param names: instead of a file, what a cell defines: then there are no runs.
     :raises ValueError: two checks of one name, or a check before one that it needs.
     """
 
-    def __init__(self, *, title: str, scenarios: Callable[[Random], Sequence[Scenario]], checks: Sequence[Check]) -> None:
+    def __init__(
+        self,
+        *,
+        title: str,
+        scenarios: Callable[[Random], Sequence[Scenario]] = lambda random: (),
+        checks: Sequence[Check],
+        of: str = '',
+        launch: str = '',
+        beside: Sequence[str] = (),
+        names: Sequence[str] = (),
+    ) -> None:
         self.title = title
+        self.of, self.launch, self.beside, self.names = of, launch, tuple(beside), tuple(names)
         self.file, self.text = '', b''  # whoever reads it from a file says so
         self.checks = tuple(checks)
         self._scenarios = scenarios

@@ -28,7 +28,7 @@ WORDS = {
     'an action that waits': ('TimerAction',),
     'a group with a namespace': ('PushRosNamespace',),
     'a remapping of a Node': ('remappings',),
-    'a parameter of a Node': ('parameters=', 'parameter '),
+    'a parameter of a Node': ('parameters=', 'parameter ', 'ros2 param '),
     'a Node with a namespace': ('namespace',),
     'a condition of an action': ('condition',),
     'a command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
@@ -58,13 +58,14 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
 
 def kind_of(result: CheckResult) -> str:
     """The kind of thing that a result is about, in a sentence."""
-    for text in (result.try_, result.reason, result.sentence):
-        thing = next((kind for kind, words in WORDS.items() if any(word in (text or '') for word in words)), None)
+    advice = result.try_ or ''
+    for text in (advice.partition('Otherwise: ')[2] or advice, result.reason, result.sentence):
+        thing = next((kind for kind, words in WORDS.items() if any(word in text for word in words)), None)
         if thing is not None and ':' in thing:
             return thing
         if thing is not None:
             return f'{thing} is missing' if result.reason.endswith('missing') else f'{thing} is not yet as it should be'
-    return 'compare what was expected with what was seen'
+    return without_code(result.try_) if result.try_ else 'compare what was expected with what was seen'
 
 
 def without_code(advice: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from math import isfinite
+from math import inf, isfinite, tau
 from typing import Any, NamedTuple
 
 from .evidence import Evidence
@@ -169,6 +169,48 @@ def _node_parameter(run: Evidence, wanted: Wanted) -> None:
             raise Mismatch(f'{name} of {node}, when launched with {words}', str(asked), seen, where=run.source.place, try_=advice)
 
 
+def _measured_parameter(run: Evidence, wanted: Wanted) -> None:
+    """A parameter of a node lies between bounds, and comes from where it should."""
+    for scenario in run:
+        node, name = wanted.text('node', run, scenario), wanted['name']
+        advice = wanted.try_ or f'ros2 param get {node} {name} shows the value; look in the launch file for what sets it'
+        require_node(run.only([scenario]), node, wanted['package'], advice)
+        found = run[scenario].parameters(node).get(name)
+        low, high = wanted.get('at_least', -inf), wanted.get('at_most', inf)
+        value = None if found is None else found.value
+        is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        if found is None or not (is_number and low <= value <= high and str(wanted['origin']) in found.origin):
+            seen = 'no such parameter' if found is None else f'{value!r}, from {found.origin}'
+            bounds = [f'at least {low:g}'] * ('at_least' in wanted) + [f'at most {high:g}'] * ('at_most' in wanted)
+            asked = ' and '.join(bounds + [f'from {wanted["origin"]}'] * ('origin' in wanted))
+            raise Mismatch(f'{name} of {node}', asked, seen, where=run.source.place, try_=advice)
+
+
+def _defined(run: Evidence, wanted: Wanted) -> None:
+    """A cell has defined this name, with this value."""
+    name, asked = wanted['name'], wanted['is']
+    if name not in run.names:
+        raise Missing(name, expected=f'{name} = ...', try_=wanted.try_ or f'run the cell that defines {name}')
+    if run.names[name] != asked:
+        raise Mismatch(name, repr(asked), repr(run.names[name])[:1000], try_=wanted.try_)
+
+
+def _logs(run: Evidence, wanted: Wanted) -> None:
+    """A node says a line that fits."""
+    pattern = re.compile(str(wanted['pattern']))
+    for scenario, recording in run.items():
+        node = wanted.text('node', run, scenario).strip('/').replace('/', '.')
+        said = [log.message for log in recording.logs if log.logger.replace('/', '.') == node]
+        if not any(pattern.search(text[:1000]) for text in said):
+            raise Missing(
+                f'such a line of {wanted["node"]}',
+                expected=wanted['example'] or wanted['pattern'],
+                seen='\n'.join(text[:200] for text in said[-4:]) or 'it says nothing',
+                where=run.source.place,
+                try_=wanted.try_,
+            )
+
+
 def _place(run: Evidence, wanted: Wanted) -> None:
     for scenario in run:
         track = turtle_track(run[scenario], f'/{wanted["turtle"].strip("/")}/pose')
@@ -203,8 +245,16 @@ def _frame(run: Evidence, wanted: Wanted) -> None:
                     )
             if 'yaw' in wanted:
                 asked = wanted.number('yaw', run, scenario)
+                turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
                 require_close(
-                    run, scenario, f'the yaw of {child}', yaw(sent.frame), asked, tolerance, *_near(wanted), try_=advice
+                    run,
+                    scenario,
+                    f'the yaw of {child}',
+                    yaw(sent.frame) + turns * tau,
+                    asked,
+                    tolerance,
+                    *_near(wanted),
+                    try_=advice,
                 )
 
 
@@ -319,6 +369,14 @@ KINDS = {
         ('node', 'package', 'name', 'value'),
         'The parameter {name} of {node} has its value',
     ),
+    'measured_parameter': Kind(
+        _measured_parameter,
+        ('node', 'package', 'name', 'at_least', 'at_most', 'origin'),
+        ('node', 'package', 'name'),
+        'The parameter {name} of {node} is as it should be',
+    ),
+    'defined': Kind(_defined, ('name', 'is'), ('name', 'is'), '{name} has its value'),
+    'logs': Kind(_logs, ('node', 'pattern', 'example'), ('node', 'pattern'), '{node} says {pattern}'),
     'place': Kind(_place, ('turtle', 'x', 'y', *_MEASURE), ('turtle',), '{turtle} stands in its place at the end'),
     'frame': Kind(
         _frame,

@@ -16,6 +16,7 @@ from .scenario import Scenario
 from .yaml_checks import ARGUMENT, KINDS, Wanted
 
 Problem = Callable[[yaml.Node, str], RubricMistake]
+TURN = ('of', 'launch', 'beside', 'names')
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
@@ -35,11 +36,12 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     def problem(node: yaml.Node, words: str) -> RubricMistake:
         return RubricMistake(f'{path}:{node.start_mark.line + 1}: {words}')
 
-    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks'))
-    missing = [name for name in ('title', 'runs', 'checks') if name not in parts]
+    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks', *TURN))
+    wanted = ('title', 'checks') if 'names' in parts else ('title', 'runs', 'checks')
+    missing = [name for name in wanted if name not in parts]
     if missing:
         raise problem(root, f'the rubric lacks {" and ".join(missing)}')
-    runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')]
+    runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')] if 'runs' in parts else []
     _choose(runs, Random(0))  # a mistake is found now, and not when the first submission is graded
     names = [scenario.name for scenario in _choose(runs, Random(0))]
     checks: dict[str, Check] = {}
@@ -48,9 +50,11 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
         checks[check.name] = check
     _refuse_unknown_arguments(parts['checks'], runs, problem)
     title = _value(parts['title'], problem)
-    rubric = Rubric(title=str(title), scenarios=lambda random: _choose(runs, random), checks=list(checks.values()))
+    turn = {name: _value(parts[name], problem) for name in TURN if name in parts}
+    rubric = Rubric(title=str(title), scenarios=lambda random: _choose(runs, random), checks=list(checks.values()), **turn)
     try:
-        rubric.scenarios(0)
+        if runs:
+            rubric.scenarios(0)
     except RubricMistake as mistake:
         raise problem(parts['runs'], str(mistake).split(': ', 1)[1]) from None
     return rubric
@@ -142,7 +146,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     if strange:
         raise problem(parts['needs'], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
     only = _value(parts['only'], problem) if 'only' in parts else runs
-    if not isinstance(only, list) or not only or any(each not in runs for each in only):
+    if 'only' in parts and (not isinstance(only, list) or not only or any(each not in runs for each in only)):
         raise problem(parts['only'], f'only is a list of names of runs; there are {", ".join(runs)}')
     return Check(
         name,

@@ -23,7 +23,8 @@ def walk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Wal
 
     def begin(name: str) -> Walk:
         monkeypatch.setenv('USER', 'student')
-        shutil.copytree(LESSONS / 'checkpoints', tmp_path / 'checkpoints')
+        for folder in ('checkpoints', 'checks'):
+            shutil.copytree(LESSONS / folder, tmp_path / folder)
         return Walk(Lesson(name), tmp_path)
 
     return begin

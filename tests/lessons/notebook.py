@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import contextlib
 import io
 import json
@@ -91,7 +92,7 @@ class Lesson:
 
 
 class Walk:
-    """A student in a folder: runs cells in any order, and changes files. Magics are left out."""
+    """A student in a folder: runs cells in any order, and changes files. Magics are left out; `_` is what a cell shows."""
 
     def __init__(self, lesson: Lesson, folder: Path) -> None:
         self.lesson = lesson
@@ -104,13 +105,15 @@ class Walk:
         if cell.file is not None:
             self.write(*cell.file)
             return ''
-        source = re.sub(r'(?m)^%.*$', '', cell.source)
+        tree = ast.parse(re.sub(r'(?m)^%.*$', '', cell.source))
+        if tree.body and isinstance(tree.body[-1], ast.Expr):  # what a notebook shows
+            tree.body[-1] = ast.Assign([ast.Name('_', ast.Store())], tree.body[-1].value)
         told = io.StringIO()
         with (
             contextlib.chdir(self.folder) if hasattr(contextlib, 'chdir') else _chdir(self.folder),
             contextlib.redirect_stdout(told),
         ):
-            exec(compile(source, f'<cell {ident}>', 'exec'), self.names)
+            exec(compile(ast.fix_missing_locations(tree), f'<cell {ident}>', 'exec'), self.names)
         return told.getvalue()
 
     def run_all(self, *, until: str) -> None:

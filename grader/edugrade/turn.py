@@ -1,0 +1,155 @@
+"""``check('radio')`` of a lesson's "Your turn": its rubric lies beside the notebook, in ``checks/``, and says what it looks at.
+
+A turn is run where the student works, as the cells above it are: in the notebook's own process and folder. It gives the same
+form of report as an exercise, is recorded as one is, and never ends in a traceback.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from hashlib import sha256
+from typing import Any
+
+from edulaunch.errors import EdulaunchError, UnusableInput
+
+from .catalogue import load_rubric, rubrics_in
+from .course import HIGHEST
+from .judging import judge
+from .outcome import Outcome
+from .place import Place
+from .recorded import come_to
+from .results import Report
+from .rubric import Rubric
+from .scenario import Scenario
+from .source import Source
+from .submission import Submission
+
+FOLDER = 'checks'
+
+
+def find_turn(name: str) -> str | None:
+    """The rubric of a turn: in ``checks/`` beside the notebook, or of ``lessons`` here or above; None: there is none."""
+    return turns().get(name)
+
+
+def turns() -> dict[str, str]:
+    """The rubrics of all turns of the lessons around, by name."""
+    above = os.curdir
+    for _ in range(HIGHEST):
+        for folder in (above, os.path.join(above, 'lessons')):
+            if os.path.isdir(os.path.join(folder, FOLDER)):
+                return rubrics_in(os.path.join(folder, FOLDER))
+        above = os.path.join(above, os.pardir)
+    return {}
+
+
+def grade_turn(name: str, path: str, names: Mapping[str, Any]) -> Report:
+    """The report of a turn.
+
+    :param path: of its rubric.
+    :param names: what the cells of the notebook have defined, for a rubric that looks at that.
+    :raises UnusableInput: when the file that is looked at is not there, or cannot be read.
+    """
+    rubric = load_rubric(path)
+    return _of_values(name, rubric, names) if rubric.names else _of_file(name, rubric, os.path.dirname(os.path.dirname(path)))
+
+
+def _of_values(name: str, rubric: Rubric, names: Mapping[str, Any]) -> Report:
+    """Of what a cell has defined."""
+    source = Source(os.path.abspath('cell.py'), '')
+    defined = {each: names[each] for each in rubric.names if each in names}
+    results = judge(rubric.checks, (), source, defined)[1:]
+    text = '\0'.join(f'{key}={_text_of(value)}' for key, value in defined.items())
+    digest = sha256(text.encode('utf-8', 'replace')).hexdigest()
+    given = ', '.join(rubric.names)
+    here = os.path.dirname(source.file)
+    return Report(source.file, given, here, '', None, digest, name, rubric.title, 0, (), tuple(results))
+
+
+def _text_of(value: object) -> str:
+    import inspect
+
+    try:
+        return inspect.getsource(value)  # type: ignore[arg-type]
+    except (OSError, TypeError):
+        return repr(value)[:1000]
+
+
+def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
+    """Of a launch file, or of the file that the rubric's own launch file starts."""
+    path = os.path.normpath(os.path.join(folder, rubric.of))
+    try:
+        submission = Submission(path)
+    except UnusableInput as error:
+        help = 'run the cell that writes it (its first line is %%writefile)'
+        raise UnusableInput(error.message, help=help if error.message.endswith('does not exist') else error.help) from None
+    launch = path if not rubric.launch else _write(os.path.splitext(path)[0] + '.launch.py', rubric.launch)
+    digest = sha256(submission.sha256.encode())
+    for beside in rubric.beside:
+        digest.update(_bytes(os.path.join(folder, beside)))
+    seed = submission.seed
+    outcomes = [_outcome(scenario, launch) for scenario in rubric.scenarios(seed)]
+    results = judge(rubric.checks, outcomes, submission.source)
+    return Report(
+        file=submission.file,
+        given=submission.given,
+        folder=submission.folder,
+        shown=submission.shown_folder,
+        package=submission.package.name if submission.package else None,
+        sha256=digest.hexdigest(),
+        rubric=name,
+        title=rubric.title,
+        seed=seed,
+        outcomes=tuple(outcomes),
+        results=tuple(results),
+    )
+
+
+def _outcome(scenario: Scenario, launch: str) -> Outcome:
+    from edulaunch.session import run
+
+    try:
+        recording = run(
+            *_target(launch),
+            arguments=dict(scenario.arguments),
+            duration_s=scenario.duration_s,
+            seed=scenario.seed,
+            workspaces=_workspaces(launch),
+            console=lambda stream, text: None,
+        )
+    except EdulaunchError as error:
+        file, line = getattr(error, 'file', None), getattr(error, 'line', None)
+        where = Place(file, line) if isinstance(file, str) else None
+        return Outcome(scenario, 'unusable', text=error.message, try_=error.help, where=where)
+    if recording.launch.returncode == 0:  # it may have started nothing, as some shall: the checks say what is missing
+        return Outcome(scenario, 'recorded', recording=recording)
+    return come_to(scenario, recording)
+
+
+def _target(launch: str) -> list[str]:
+    """A launch file by its path; one of a package by the package, so that what is not installed is not found."""
+    package = Submission(launch).package
+    return [launch] if package is None else [package.name, os.path.basename(launch)]
+
+
+def _workspaces(launch: str) -> list[str] | None:
+    package = Submission(launch).package
+    return None if package is None else [os.path.relpath(package.workspace)]
+
+
+def _write(path: str, text: str) -> str:
+    try:
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(text)
+    except OSError as error:
+        raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None
+    return path
+
+
+def _bytes(path: str) -> bytes:
+    try:
+        with open(path, 'rb') as file:
+            return file.read()
+    except OSError:
+        return b''

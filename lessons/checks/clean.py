@@ -1,0 +1,59 @@
+"""Your turn of lesson 14: a client that waits for its service."""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Failure, Rubric, Scenario, check
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, TimerAction
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=['python3', 'my_launch/clean.py']),
+        TimerAction(period=1.0, actions=[Node(package='turtlesim', executable='turtlesim_node', name='sim')]),
+    ])
+"""
+
+
+@check(points=2)
+def turtle1_is_removed(run: Evidence) -> None:
+    """/kill is called once, for turtle1, and is answered"""
+    calls = [call.request.name for call in run.first.service_calls if call.service == '/kill' and call.served]
+    if calls != ['turtle1']:
+        raise Failure(
+            '/kill is not called as it should be',
+            expected='one call, for turtle1',
+            seen=f'answered calls for {", ".join(calls)}' if calls else 'no answered call',
+            where=run.source.place,
+            try_=[
+                'a client of a service',
+                'the three steps of two_more.py: make the client, wait, call',
+                'node.create_client(Kill, "kill")',
+            ],
+        )
+
+
+@check(points=1, needs=[turtle1_is_removed])
+def it_says_so(run: Evidence) -> None:
+    """Then it writes the line gone"""
+    said = [log.message for log in run.first.logs if log.logger == 'clean']
+    if said[-1:] != ['gone']:
+        raise Failure(
+            'the last line is another one',
+            expected='gone',
+            seen='\n'.join(said) or 'it says nothing',
+            where=run.source.place,
+            try_="node.get_logger().info('gone')",
+        )
+
+
+RUBRIC = Rubric(
+    title='A client that waits',
+    of='my_launch/clean.py',
+    launch=LAUNCH,
+    scenarios=lambda random: [Scenario('run', {}, 5.0)],
+    checks=[turtle1_is_removed, it_says_so],
+)

@@ -1,0 +1,45 @@
+"""Your turn of lesson 7: a setting that belongs to the package."""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Mismatch, Rubric, Scenario, check
+from edugrade.library.node_graph import require_topic
+
+
+@check(points=1)
+def hello_speaks(run: Evidence) -> None:
+    """hello publishes on /greeting"""
+    require_topic(run, 'run', '/greeting', 'std_msgs/msg/String', 'my_robot', 'start hello in loud.launch.py')
+
+
+@check(points=1, needs=[hello_speaks])
+def it_says_it_loud(run: Evidence) -> None:
+    """What it publishes is HELLO"""
+    said = sorted({message.data for _, message in run.first.messages('/greeting')})
+    if said != ['HELLO']:
+        raise Mismatch(
+            'what is published', 'HELLO', ', '.join(said), where=run.source.place, try_='which word does config/loud.yaml give?'
+        )
+
+
+@check(points=1, needs=[hello_speaks])
+def the_word_is_a_parameter(run: Evidence) -> None:
+    """The word comes from a file of parameters"""
+    found = run.first.parameters('/hello').get('word')
+    if found is None or '.yaml' not in found.origin:
+        seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
+        raise Mismatch(
+            'the parameter word of /hello',
+            'HELLO, from config/loud.yaml',
+            seen,
+            where=run.source.place,
+            try_='declare it in hello.py; give the Node parameters=[the path of the file]',
+        )
+
+
+RUBRIC = Rubric(
+    title='A loud package',
+    of='my_ws/src/my_robot/launch/loud.launch.py',
+    scenarios=lambda random: [Scenario('run', {}, 2.0)],
+    checks=[hello_speaks, it_says_it_loud, the_word_is_a_parameter],
+)

@@ -1,0 +1,61 @@
+"""Lesson 14: a newcomer that looks whether it got its name."""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Mismatch, Rubric, Scenario, check
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+PROGRAM = ['python3', 'my_launch/newcomer.py', '--ros-args', '-p', 'me:=turtle3']
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        ExecuteProcess(cmd=PROGRAM),
+        ExecuteProcess(cmd=PROGRAM),
+    ])
+"""
+
+
+def said(run: Evidence) -> list[str]:
+    """What the two of them say."""
+    return sorted(log.message for log in run.first.logs if log.logger == 'newcomer')
+
+
+@check(points=1)
+def the_first_is_there(run: Evidence) -> None:
+    """Of two newcomers that want to be turtle3, one says: here is turtle3"""
+    if said(run).count('here is turtle3') != 1:
+        raise Mismatch(
+            'what they say',
+            'once: here is turtle3',
+            '\n'.join(said(run)) or 'nothing',
+            where=run.source.place,
+            try_='the three steps of two_more.py, and a log',
+        )
+
+
+@check(points=1, needs=[the_first_is_there])
+def the_second_finds_no_place(run: Evidence) -> None:
+    """The other one says: no place for turtle3"""
+    if said(run) != ['here is turtle3', 'no place for turtle3']:
+        raise Mismatch(
+            'what they say',
+            'here is turtle3\nno place for turtle3',
+            '\n'.join(said(run)),
+            where=run.source.place,
+            try_='which name does the response have when there is no place?',
+        )
+
+
+RUBRIC = Rubric(
+    title='A newcomer',
+    of='my_launch/newcomer.py',
+    launch=LAUNCH,
+    scenarios=lambda random: [Scenario('run', {}, 3.0)],
+    checks=[the_first_is_there, the_second_finds_no_place],
+)

@@ -1,0 +1,66 @@
+"""Lesson 17: everything that one follower needs."""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Mismatch, Missing, Rubric, Scenario, check
+
+
+def given(run: Evidence, scenario: str, name: str) -> list[object]:
+    """The values that nodes have of a parameter."""
+    nodes = dict.fromkeys(node.name for node in run[scenario].nodes)
+    return [found.value for node in nodes if (found := run[scenario].parameters(node).get(name)) is not None]
+
+
+def require(run: Evidence, name: str, prefix: str, argument: str, node: str) -> None:
+    for scenario in run:
+        wanted, seen = prefix + run.scenario(scenario).arguments[argument], given(run, scenario, name)
+        if not seen:
+            raise Missing(
+                f'the parameter {name}', seen='no node has it', where=run.source.place, try_=f'start {node}, with its parameters'
+            )
+        if wanted not in seen:
+            words = f'{name}, when launched with {run.scenario(scenario).words}'
+            raise Mismatch(words, wanted, ', '.join(map(str, seen)), where=run.source.place, try_=f'parameters of {node}')
+
+
+@check(points=1)
+def it_knows_its_target(run: Evidence) -> None:
+    """The follower's parameter target is the carrot of its leader"""
+    require(run, 'target', 'carrot_', 'leader', 'follower of fleet')
+
+
+@check(points=1)
+def it_knows_itself(run: Evidence) -> None:
+    """Its parameter me is its own turtle"""
+    require(run, 'me', '', 'me', 'follower of fleet')
+
+
+@check(points=1)
+def its_turtle_is_broadcast(run: Evidence) -> None:
+    """The parameter turtlename of a broadcaster is that turtle"""
+    require(run, 'turtlename', '', 'me', 'turtle_tf2_broadcaster of turtle_tf2_py')
+
+
+@check(points=1, needs=[it_knows_its_target])
+def names_differ(run: Evidence) -> None:
+    """The nodes of two followers have different names"""
+    one, two = ({node.name for node in run[scenario].nodes if 'ros2' not in node.name} for scenario in run)
+    if one & two:
+        raise Mismatch(
+            'the names of the nodes',
+            'other names for another turtle',
+            f'both have {", ".join(sorted(one & two))}',
+            where=run.source.place,
+            try_="name=['follower_', me]",
+        )
+
+
+RUBRIC = Rubric(
+    title='One follower',
+    of='my_ws/src/fleet/launch/follower.launch.py',
+    scenarios=lambda random: [
+        Scenario('second', {'me': 'turtle2', 'leader': 'turtle1'}, 1.0),
+        Scenario('third', {'me': 'turtle3', 'leader': 'turtle2'}, 1.0),
+    ],
+    checks=[it_knows_its_target, it_knows_itself, its_turtle_is_broadcast, names_differ],
+)

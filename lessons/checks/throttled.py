@@ -1,0 +1,27 @@
+"""Lesson 11: a watcher that says "not yet" every two seconds, and not ten times a second."""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Mismatch, Rubric, Scenario, check
+
+
+@check(points=1)
+def it_is_said_every_two_seconds(run: Evidence) -> None:
+    """A frame that is missing is told of every two seconds"""
+    told = [log.time_s for log in run.first.logs if 'Could not transform' in log.message]
+    if not 3 <= len(told) <= 4:
+        raise Mismatch(
+            'how often it is told in 7 s',
+            '3 or 4 times',
+            f'{len(told)} times',
+            where=run.source.place_in('watching.py', r'\.info\('),
+            try_=['an argument of info', 'throttle_duration_sec is in seconds, and a number with a point'],
+        )
+
+
+RUBRIC = Rubric(
+    title='Not ten times a second',
+    of='my_ws/src/learning_tf2_py/launch/turtle_tf2_demo.launch.py',
+    scenarios=lambda random: [Scenario('run', {'target_frame': 'nobody'}, 7.5)],
+    checks=[it_is_said_every_two_seconds],
+)

@@ -1,0 +1,36 @@
+"""Lesson 15: how far did the turtle of the bag go?"""
+
+from __future__ import annotations
+
+from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
+from edugrade.library.movement import length, turtle_track
+
+
+@check(points=1)
+def the_way_is_right(run: Evidence) -> None:
+    """way says how far the turtle went"""
+    said = [log.message for log in run.first.logs if log.logger == 'way']
+    wanted = length(turtle_track(run.first, '/turtle1/pose'))
+    try:
+        seen = float(said[-1])
+    except (IndexError, ValueError):
+        raise Failure(
+            'way says no number', seen='\n'.join(said[-3:]) or 'it says nothing', try_='run the cells of way.py once more'
+        ) from None
+    if not abs(seen - wanted) < 0.4:
+        raise Mismatch(
+            'the way in m',
+            f'{wanted:.2f}',
+            f'{seen:.2f}',
+            where=run.source.place_in('way.py', 'way'),
+            try_='hypot(dx, dy) of this pose and the last one',
+        )
+
+
+RUBRIC = Rubric(
+    title='The way of the turtle',
+    of='my_launch/way.launch.py',
+    beside=['my_launch/way.py'],
+    scenarios=lambda random: [Scenario('run', {}, 20.0)],
+    checks=[the_way_is_right],
+)
