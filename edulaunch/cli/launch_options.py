@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -39,3 +43,29 @@ def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
         raise UnusableInput('--launch-prefix must be specified if --launch-prefix-filter is provided')
     options = {'launch-prefix': arguments.launch_prefix, 'launch-prefix-filter': arguments.launch_prefix_filter}
     return {name: value for name, value in options.items() if value is not None}
+
+
+def add_network(parser: argparse.ArgumentParser) -> None:
+    """Whether it runs on a real network."""
+    parser.add_argument('--network', action='store_true', help='join a real ROS 2 network while it runs (ROS_DOMAIN_ID)')
+    parser.add_argument(
+        '--network-topics',
+        action='append',
+        default=[],
+        metavar='NAMES',
+        help='topics and namespaces that cross, with commas; all',
+    )
+    parser.add_argument('--network-link', default='cyclonedds', metavar='LINK', help='what carries them: cyclonedds or rclpy')
+
+
+def join_network(arguments: argparse.Namespace, process: Process) -> None:
+    """Join the network that the options ask for, until the program ends.
+
+    :raises EdulaunchError: when that cannot be.
+    """
+    if not (arguments.network or arguments.network_topics):
+        return
+    if process.host.join_network is None:
+        raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
+    names = [name for names in arguments.network_topics for name in names.split(',') if name]
+    process.at_exit.append(process.host.join_network(process.env, names, arguments.network_link))

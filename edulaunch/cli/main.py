@@ -21,7 +21,7 @@ VERBS = {
     'explain': 'Show what a launch file would start, and where every value comes from, without starting anything',
     'launch': 'Run a launch file, as `ros2 launch` does',
     'machine': 'Look at the machine that the terminals share, pause or stop it',
-    'network': 'The real ROS 2 network: install the real rclpy, see what is there',
+    'network': 'Join the machine to a real ROS 2 network, let it leave, or install the real rclpy',
     'pkg': 'Make a package, or look for common mistakes in packages',
     'plan': 'The same as explain; with --json, the plan of a launch file for programs',
     'python': 'Run Python with rclpy and the packages of the workspace',

@@ -1,32 +1,46 @@
-"""`edulaunch network`: the real ROS 2 network, and what reaches it."""
+"""`edulaunch network`: joins the machine that the terminals of this user and domain share to a real ROS 2 network."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 
-from edulaunch.native import environment
-
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to do."""
-    parser.add_argument('word', choices=('status', 'install'), nargs='?', default='status')
+    """On or off, and what crosses."""
+    parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
+    parser.add_argument('--topics', nargs='+', default=[], metavar='NAME', help='topics, services and namespaces that cross')
+    parser.add_argument('--link', default='cyclonedds', help='what carries the messages: cyclonedds (default) or rclpy')
 
 
 def main(arguments: argparse.Namespace) -> int:
-    """Do it. `status` is 1 when the real rclpy is not installed."""
+    """Tell the machine (`on` starts one when there is none), or install the real rclpy."""
+    from edulaunch.machine.client import run
+
     if arguments.word == 'install':
         return _install()
+    if arguments.word == 'status':
+        _say_what_is_installed()
+    words = ['machine', 'network', arguments.word]
+    if arguments.word == 'on':
+        words += ['--link', arguments.link, *(['--topics', *arguments.topics] if arguments.topics else [])]
+    return run(words, start=arguments.word == 'on')
+
+
+def _say_what_is_installed() -> None:
+    from edulaunch.native import environment
+
     there = environment.found()
     if there is None:
-        print(f'real rclpy: not installed ({environment.unsuited() or "edulaunch network install"})')
-        return 1
-    print(f'real rclpy: {there.version} in {there.place}')
-    return 0
+        print(f'real rclpy: not installed ({environment.unsuited() or "edulaunch network install"})', flush=True)
+    else:
+        print(f'real rclpy: {there.version} in {there.place}', flush=True)
 
 
 def _install() -> int:
     """Make the environment; on a terminal its steps overwrite each other."""
+    from edulaunch.native import environment
+
     live = sys.stderr.isatty()
     made = environment.install(lambda step: print(f'\r\x1b[K{step}' if live else step, end='' if live else '\n', file=sys.stderr))
     if live:

@@ -40,8 +40,8 @@ class Server:
     def __init__(self, session: Session, listener: socket.socket, token: str) -> None:
         self.session = session
         self.time = RealTime(session.sim)
-        self.terminals = Terminals(session, self.time)
         self.selector = selectors.DefaultSelector()
+        self.terminals = Terminals(session, self.time, self.selector)
         self.is_asked_to_end = False
         self.is_listening = False
         self.rounds = 0
@@ -58,6 +58,8 @@ class Server:
     def run_due(self) -> float | None:
         """Run what is due and hand on what was said; returns the seconds until something is due again (None: nothing is)."""
         wait_s = self.time.advance()
+        if self.terminals.network is not None:
+            self.terminals.network.after_turn()
         self.flush()
         return wait_s
 
@@ -109,13 +111,18 @@ class Server:
 
     def move_to(self, session: Session) -> None:
         """Let whoever comes from now on find another session."""
+        self._leave_network()
         self.session = session
         self.time = RealTime(session.sim)
-        self.terminals = Terminals(session, self.time)
+        self.terminals = Terminals(session, self.time, self.selector)
+
+    def _leave_network(self) -> None:
+        if self.terminals.network is not None:
+            self.terminals.network.off()
 
     def has_connections(self) -> bool:
-        """Whether anybody is connected, known or not."""
-        return bool(self._connections)
+        """Whether anybody is connected, known or not; a real network counts."""
+        return bool(self._connections) or (self.terminals.network is not None and self.terminals.network.bridge is not None)
 
     def has_terminals(self) -> bool:
         """Whether anybody is connected who may be."""
@@ -153,6 +160,7 @@ class Server:
 
     def close(self) -> None:
         """Let every terminal go."""
+        self._leave_network()
         for connection in list(self._connections):
             connection.close()
         self.selector.close()

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import selectors
 import signal
 from codecs import getincrementaldecoder
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.reader import reader_of
@@ -23,6 +25,7 @@ from edulaunch.sim.pacing import RealTime
 if TYPE_CHECKING:
     from edulaunch.machine.connection import Connection
     from edulaunch.machine.desk import Desk
+    from edulaunch.network.switch import Switch
     from edulaunch.recording import Recording
 
 NOT_FOUND = 127
@@ -40,13 +43,33 @@ class Terminals:
 
     can_continue = False
 
-    def __init__(self, session: Session, time: RealTime) -> None:
+    def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
         self.session = session
         self.time = time
+        self.network: Switch | None = None
+        self._selector = selector
+        session.host.join_network = self._join_network
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
         self.said: set[str] = set()
         self._count = 0
+
+    def switch(self) -> Switch:
+        """What joins this machine to a real network; loaded when first asked for."""
+        if self.network is None:
+            from edulaunch.network.switch import Switch
+
+            self.network = Switch(self.session, self.time, self._selector)
+        return self.network
+
+    def tell(self, text: str) -> None:
+        """Say something to everybody who has a command running, and for the record."""
+        self.session.recorder.note(None, 'network', text)
+        for terminal in self.open_ones:
+            terminal.show('stderr', f'warning: {text}\n')
+
+    def _join_network(self, env: Mapping[str, str], topics: Sequence[str], link: str) -> Callable[[], object]:
+        return self.switch().join(env, topics, link, self.tell)
 
     def recording(self) -> Recording:
         """What happened until now."""
@@ -77,7 +100,7 @@ class Terminals:
         terminal.words = words
         terminal.number = self._count
         if words[0] == 'machine':
-            code = run_words(self, words[1:], lambda text: connection.send(wire.OUTPUT, text.encode()))
+            code = run_words(self, words[1:], env, lambda text: connection.send(wire.OUTPUT, text.encode()))
             terminal.ended(code)
         else:
             terminal.start(words, cwd, env)
@@ -114,14 +137,15 @@ class Terminal:
             return
         self._reader = reader_of(env, cwd)
         self._began_s = self._terminals.session.sim.elapsed_s
-        process = host.start(spec, self._show, self._finished, index=index)
+        process = host.start(spec, self.show, self._finished, index=index)
         assert isinstance(process, Process)
         process.stdin = self.input
         process.stdout.is_terminal, process.stderr.is_terminal = (sign == '1' for sign in self._terminals_there[1:])
         self.process = process
         self._terminals.open_ones.append(self)
 
-    def _show(self, stream: str, text: str) -> None:
+    def show(self, stream: str, text: str) -> None:
+        """Write in this terminal."""
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
 
     def _finished(self, code: int) -> None:
@@ -130,10 +154,10 @@ class Terminal:
             said = said_at_the_end(
                 glance(self._terminals.session), self._reader, self._began_s, self._terminals.session.host.asides.helped
             )
-            self._show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
+            self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)
         elif is_doctor(self.words):
-            self._show('stdout', doctors_text(self._terminals.session, self._reader))
+            self.show('stdout', doctors_text(self._terminals.session, self._reader))
         self.ended(code)
 
     def ended(self, code: int) -> None:

@@ -1,9 +1,9 @@
-"""What can be said to a machine itself: `edulaunch machine status|stop|pause|resume|speed X`."""
+"""What can be said to a machine itself: `edulaunch machine status|stop|pause|resume|speed X`, `edulaunch network ...`."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -12,9 +12,16 @@ if TYPE_CHECKING:
 FASTEST, SLOWEST = 100.0, 0.01
 
 
-def run_words(terminals: Terminals, words: list[str], say: Callable[[str], object]) -> int:
+def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
     """Do what the words say; returns the exit code."""
     word, value = (words + ['status', ''])[:2] if words else ('status', '')
+    if word == 'network':
+        from edulaunch.network.switch import run_network
+
+        return run_network(terminals.switch(), words[1:], env, say, terminals.tell)
+    if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
+        say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
+        return 1
     if word == 'status':
         say(status(terminals))
     elif word == 'stop':

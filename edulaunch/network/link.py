@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
+from edulaunch.errors import EdulaunchError
+
 if TYPE_CHECKING:
     from edulaunch.graph.qos import QoS
     from edulaunch.interfaces.registry import Registry
@@ -129,8 +131,8 @@ class Trouble(NamedTuple):
 Event = Message | Request | Response | GraphChanged | Trouble
 
 
-class LinkError(Exception):
-    """The link cannot be opened, or not make an endpoint: the text is for the user."""
+class LinkError(EdulaunchError):
+    """The link cannot be opened, or not make an endpoint."""
 
 
 class Link(Protocol):

@@ -77,6 +77,25 @@ class RealTime:
         self._speed = speed
         self._paused = False
         self._began = sim.now_ns, clock()
+        self._is_wall = False
+
+    @property
+    def is_wall(self) -> bool:
+        """Whether the simulated time *is* that of the clock on the wall, as for whoever talks with the real world.
+
+        Then nothing stays lost: after a second in which the computer was too slow it is a second later. Neither pause nor speed
+        have an effect.
+        """
+        return self._is_wall
+
+    @is_wall.setter
+    def is_wall(self, is_wall: bool) -> None:
+        self._is_wall = is_wall
+        if is_wall:
+            self._began = time.time_ns(), self._clock()
+            self.sim.leap(self._due_ns())
+        else:
+            self.go_on()
 
     @property
     def speed(self) -> float:
@@ -100,23 +119,32 @@ class RealTime:
 
     def go_on(self) -> None:
         """Let simulated time follow from here: the real time that has passed is not made up for."""
-        self._began = self.sim.now_ns, self._clock()
+        if not self._is_wall:
+            self._began = self.sim.now_ns, self._clock()
 
     def advance(self) -> float | None:
         """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
         sim = self.sim
-        if self._paused:
+        if self._paused and not self._is_wall:
             sim.run(sim.now_ns)  # what was just started may show that it waits
             return None
         next_ns = sim.next_time_ns()
-        if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._speed:
-            self._began = next_ns, self._clock() - FALLS_BEHIND_S
+        if next_ns is not None and self._due_ns() - next_ns > FALLS_BEHIND_S * 1e9 * self._pace:
+            if self._is_wall:
+                sim.leap(sim.now_ns + self._due_ns() - next_ns)
+                next_ns = sim.next_time_ns() or sim.now_ns
+            else:
+                self._began = next_ns, self._clock() - FALLS_BEHIND_S
         due_ns = max(sim.now_ns, self._due_ns())
-        sim.run(due_ns if next_ns is None else min(due_ns, max(next_ns, sim.now_ns) + round(SLICE_S * 1e9 * self._speed)))
+        sim.run(due_ns if next_ns is None else min(due_ns, max(next_ns, sim.now_ns) + round(SLICE_S * 1e9 * self._pace)))
         next_ns = sim.next_time_ns()
-        return None if next_ns is None else max(0.0, (next_ns - self._due_ns()) / 1e9 / self._speed)
+        return None if next_ns is None else max(0.0, (next_ns - self._due_ns()) / 1e9 / self._pace)
+
+    @property
+    def _pace(self) -> float:
+        return 1.0 if self._is_wall else self._speed
 
     def _due_ns(self) -> int:
         """The simulated time that belongs to the present real time."""
         began_ns, began_s = self._began
-        return began_ns + round((self._clock() - began_s) * 1e9 * self._speed)
+        return began_ns + round((self._clock() - began_s) * 1e9 * self._pace)

@@ -16,6 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What to launch, how, and with which arguments."""
     launch_options.add_arguments(parser)
     parser.add_argument('--view', action='store_true', help='open the live page in a browser while it runs')
+    launch_options.add_network(parser)
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
     parser.add_argument('launch_file_name', nargs='?', help='Name of the launch file')
     parser.add_argument(
@@ -37,6 +38,7 @@ def main(arguments: argparse.Namespace) -> int:
     if arguments.show_args or arguments.print:
         (api.print_arguments_of_launch_file if arguments.show_args else api.print_a_launch_file)(launch_file_path=path)
         return 0
+    launch_options.join_network(arguments, process)
     if arguments.view:
         say('to see what runs, type in another terminal: edulaunch view')
     if arguments.show_all_subprocesses_output:

@@ -1,0 +1,1 @@
+"""The default link: cyclonedds in this process."""

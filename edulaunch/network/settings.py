@@ -1,0 +1,38 @@
+"""How a terminal's environment says that a machine joins the network: ROS 2's own variables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from edulaunch.nearest import did_you_mean
+from edulaunch.network.link import LinkError, Settings
+
+RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
+
+
+def settings_of(env: Mapping[str, str]) -> Settings:
+    """ROS_DOMAIN_ID, ROS_AUTOMATIC_DISCOVERY_RANGE and ROS_STATIC_PEERS.
+
+    Where ROS 2 would look around on the whole subnet because nothing is said, this stays on the loopback.
+
+    :raises LinkError: for what makes no sense.
+    """
+    domain = env.get('ROS_DOMAIN_ID', '').strip() or '0'
+    if not domain.isdigit():
+        raise LinkError(f'ROS_DOMAIN_ID is {domain!r}, not a number')
+    wide = env.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').strip() or 'LOCALHOST'
+    if wide not in RANGES:
+        text = f'ROS_AUTOMATIC_DISCOVERY_RANGE is {wide!r}: LOCALHOST, SUBNET, OFF and SYSTEM_DEFAULT are known'
+        raise LinkError(text, help=did_you_mean(wide, RANGES) or None)
+    if env.get('ROS_LOCALHOST_ONLY') == '1' or wide == 'SYSTEM_DEFAULT':
+        wide = 'LOCALHOST'
+    peers = tuple(filter(None, (peer.strip() for peer in env.get('ROS_STATIC_PEERS', '').split(';'))))
+    return Settings(int(domain), wide, peers if wide != 'OFF' else ())
+
+
+def chooser(names: Sequence[str]) -> Callable[[str], bool]:
+    """Whether a topic or service crosses: one of these, or in one of these namespaces; all when none is named."""
+    wanted = ['/' + name.strip('/') for name in names]
+    if not wanted or '/' in wanted:
+        return lambda name: True
+    return lambda name: any(name == each or name.startswith(each + '/') for each in wanted)
