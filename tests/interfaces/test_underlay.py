@@ -7,9 +7,12 @@ MORE = [
     'actionlib_msgs/msg/GoalStatus',
     'actionlib_msgs/msg/GoalStatusArray',
     'nav_msgs/msg/Goals',
+    'rmw_dds_common/msg/Gid',
+    'rmw_dds_common/msg/NodeEntitiesInfo',
+    'rmw_dds_common/msg/ParticipantEntitiesInfo',
     'stereo_msgs/msg/DisparityImage',
 ]
-"""What Jazzy's common_interfaces has beyond the list; test_msgs is there for tests that use it."""
+"""What Jazzy's common_interfaces has beyond the list, and what its nodes tell each other of themselves; test_msgs is there for tests that use it."""
 
 
 def test_the_underlay_is_one_registry():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from edulaunch.sim.pacing import RealTime
 from edulaunch.sim.simulation import Simulation
 
@@ -94,3 +96,32 @@ def test_a_short_delay_is_made_up_for_in_slices_a_long_one_is_lost() -> None:
     world.clock.now_s += 60.0
     world.let(0.05)
     assert 0.3 < world.sim.elapsed_s < 0.5
+
+
+def test_on_the_wall_it_is_the_time_of_the_wall_at_once_and_nothing_stays_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = World()
+    world.each(0.1)
+    world.let(0.3)
+    monkeypatch.setattr('time.time_ns', lambda: 50 * S)
+    world.time.is_wall = True
+    assert world.sim.now_ns == 50 * S
+    world.said.clear()
+    world.let(0.2)
+    assert world.said == [50.1, 50.2]
+    world.clock.now_s += 7.0
+    world.let(0.1)
+    assert world.sim.now_ns == round(57.3 * S)
+    assert world.said == [50.1, 50.2, 57.2, 57.3]
+    world.time.is_wall = False
+    world.clock.now_s += 7.0
+    world.let(0.1)
+    assert world.sim.now_ns < 58 * S  # a part is made up for, the rest stays lost
+
+
+def test_on_the_wall_neither_speed_nor_pause_change_anything() -> None:
+    world = World(speed=4.0)
+    world.time.is_wall = True
+    world.time.paused = True
+    began_ns = world.sim.now_ns
+    world.let(0.5)
+    assert world.sim.now_ns - began_ns == 5 * S // 10

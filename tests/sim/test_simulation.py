@@ -75,3 +75,16 @@ def test_random_generators_depend_on_seed_and_name_only() -> None:
     draws = {(seed, name): Simulation(seed).random(name).random() for seed in (1, 2) for name in ('a', 'b')}
     assert len(set(draws.values())) == 4
     assert Simulation(1).random('a').random() == draws[1, 'a']
+
+
+def test_a_leap_takes_the_agenda_along() -> None:
+    sim, log = Simulation(start_ns=0), []
+    for at_ns in (30, 10, 20, 10):
+        sim.schedule(at_ns, lambda at_ns=at_ns: log.append((sim.now_ns, at_ns)))
+    gone = sim.schedule(15, lambda: log.append(None))
+    sim.leap(100)
+    sim.leap(50)
+    sim.cancel(gone)
+    assert sim.now_ns == 100 and sim.next_time_ns() == 110
+    sim.run()
+    assert log == [(110, 10), (110, 10), (120, 20), (130, 30)]

@@ -154,7 +154,7 @@ class CycloneLink:
         name, type_name = topic_name(prefix, end.name), end.interface.name + part
         if (name, type_name) not in self._topics:
             self._topics[name, type_name] = Topic(
-                self._participant, name, idl_class(type_name, end.interface.registry), qos=Qos(PLAIN)
+                self._participant, name, idl_class(type_name, end.interface.registry, bool(part)), qos=Qos(PLAIN)
             )
         return self._topics[name, type_name]
 
@@ -174,9 +174,11 @@ class CycloneLink:
         self._write(self._ends[handle], cdr[:HEADER] + who + cdr[HEADER:])
 
     def _write(self, end: End, cdr: bytes) -> None:
-        if end.writer is not None and ddspy_write(end.writer._ref, padded(cdr)) < 0:
-            text = f'{end.name}: a message was not sent, since somebody who wants all of them (reliable) takes them too slowly'
-            self._events.append(Trouble(f'slow {end.name}', text))
+        code = 0 if end.writer is None else ddspy_write(end.writer._ref, padded(cdr))
+        if code < 0:
+            slow = 'somebody who wants all of them (reliable) takes them too slowly'
+            why = slow if code == DDSException.DDS_RETCODE_TIMEOUT else str(DDSException(code))
+            self._events.append(Trouble(f'not sent {end.name} {code}', f'{end.name}: a message was not sent: {why}'))
             self._ring()
 
     def flush(self) -> None:
