@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from edulaunch.network.bridge import Bridge
 from edulaunch.network.link import LinkError, Settings
-from edulaunch.network.links import DEFAULT, LINKS, make_link
+from edulaunch.network.links import DEFAULT, make_link
 from edulaunch.network.settings import chooser, settings_of
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
@@ -120,5 +120,5 @@ def options_of(words: Sequence[str]) -> argparse.Namespace:
     """`--topics NAME...` and `--link NAME`."""
     parser = argparse.ArgumentParser()
     parser.add_argument('--topics', nargs='*', default=[])
-    parser.add_argument('--link', choices=LINKS, default=DEFAULT)
+    parser.add_argument('--link', default=DEFAULT)
     return parser.parse_args(list(words))

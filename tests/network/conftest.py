@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from tests.network.places import Air, MemoryLink, Place
+from tests.network.wires import Wire, own_domain
 
 Places = Callable[..., Place]
 
@@ -30,3 +31,19 @@ def place(air: Air) -> Iterator[Places]:
     yield make
     for each in made:
         each.close()
+
+
+@pytest.fixture
+def domain() -> Iterator[int]:
+    """A domain that nobody else on this computer has."""
+    pytest.importorskip('cyclonedds', reason="cyclonedds is not installed: pip install 'edulaunch[network]'")
+    with own_domain() as number:
+        yield number
+
+
+@pytest.fixture
+def wire(domain: int) -> Iterator[Wire]:
+    """Who is on one domain of the loopback."""
+    made = Wire(domain)
+    yield made
+    made.close()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from html import escape
 
 from cyclonedds.core import DDSException
@@ -15,24 +14,42 @@ MOST_PARTICIPANTS = 32
 """How many participants on one computer find each other without multicast, as in ROS 2's own configuration of Cyclone DDS."""
 LOCALHOST = '127.0.0.1'
 
-_domains: weakref.WeakValueDictionary[tuple[int, str], Domain] = weakref.WeakValueDictionary()
+
+class _Joined:
+    """A domain that this program is in: with which configuration, and how many links use it."""
+
+    def __init__(self, number: int, text: str) -> None:
+        self.text, self.domain, self.links = text, Domain(number, text), 0
 
 
-def domain_of(settings: Settings) -> Domain:
-    """The domain; whoever joins it keeps it. Two links of one program share it.
+_joined: dict[int, _Joined] = {}
+
+
+def join(settings: Settings) -> None:
+    """Be in a domain until :func:`leave`. Several links of one program share it.
 
     :raises LinkError: when there is none of that number, or this program is in it already with other settings.
     """
-    if not 0 <= settings.domain <= LAST_DOMAIN:
-        raise LinkError(f'ROS_DOMAIN_ID {settings.domain} is not a domain: they go from 0 to {LAST_DOMAIN}')
-    key = settings.domain, configuration(settings)
-    found = _domains.get(key)
-    if found is None:
+    number, text = settings.domain, configuration(settings)
+    if not 0 <= number <= LAST_DOMAIN:
+        raise LinkError(f'ROS_DOMAIN_ID {number} is not a domain: they go from 0 to {LAST_DOMAIN}')
+    if number not in _joined:
         try:
-            found = _domains[key] = Domain(*key)
+            _joined[number] = _Joined(number, text)
         except DDSException as error:
-            raise LinkError(f'cannot join domain {settings.domain}: {error}') from None
-    return found
+            raise LinkError(f'cannot join domain {number}: {error}') from None
+    if _joined[number].text != text:
+        raise LinkError(f'this program is in domain {number} already, with other settings')
+    _joined[number].links += 1
+
+
+def leave(number: int) -> None:
+    """A link has gone, and all that belonged to it."""
+    joined = _joined[number]
+    joined.links -= 1
+    if not joined.links:
+        joined.domain.__del__()  # cyclonedds has no other way, and may forget it when the collector comes
+        del _joined[number]
 
 
 def configuration(settings: Settings) -> str:

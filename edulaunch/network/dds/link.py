@@ -20,7 +20,7 @@ from cyclonedds.topic import Topic
 
 from edulaunch.graph.qos import QoS
 from edulaunch.network.dds.discovery import ANY, Discovery, padded
-from edulaunch.network.dds.domain import domain_of
+from edulaunch.network.dds.domain import join, leave
 from edulaunch.network.dds.mangling import REPLY, REQUEST, TOPIC, topic_name
 from edulaunch.network.dds.qos import PLAIN, to_dds
 from edulaunch.network.dds.service_peers import ServicePeers, is_fast_dds
@@ -89,10 +89,12 @@ class CycloneLink:
 
     def open(self, settings: Settings) -> None:
         """See `Link.open`."""
-        self._domain = domain_of(settings)
+        join(settings)
+        self._domain = settings.domain
         try:
             self._participant = DomainParticipant(settings.domain, qos=Qos(Policy.Userdata(b'enclave=/;')))
         except DDSException as error:
+            leave(settings.domain)
             raise LinkError(f'cannot join domain {settings.domain}: {error}') from None
         self._discovery = Discovery(self._participant, self._news)
 
@@ -287,6 +289,7 @@ class CycloneLink:
         if self._participant is not None:
             self._participant.__del__()  # cyclonedds has no other way; all that belongs to it goes with it
             self._participant = None
+            leave(self._domain)
         self._ends.clear()
         self._topics.clear()
         self._heard.close()

@@ -181,7 +181,7 @@ def test_messages_of_all_sizes_and_histories_cross_between_links(wire: Any) -> N
     assert [len(words) for words in came if words != 'begin'] == sizes
 
 
-def test_a_domain_that_is_none_is_told() -> None:
+def test_a_domain_that_is_none_is_told(domain: int) -> None:
     from edulaunch.network.dds.link import CycloneLink
 
     link = CycloneLink()
@@ -190,7 +190,7 @@ def test_a_domain_that_is_none_is_told() -> None:
     link.close()
 
 
-def test_the_network_of_a_machine_is_the_loopback_unless_asked_for_more() -> None:
+def test_the_network_of_a_machine_is_the_loopback_unless_asked_for_more(domain: int) -> None:
     from edulaunch.network.dds.domain import configuration
 
     alone = configuration(Settings())

@@ -7,6 +7,7 @@ import select
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +16,13 @@ import pytest
 from edulaunch.network.link import Settings
 from tests.network.places import Place
 
-pytest.importorskip('cyclonedds', reason="cyclonedds is not installed: pip install 'edulaunch[network]'")
 DOMAINS = range(60, 100)
 LIMIT_S = 120.0
 """When a condition has not come true by then it never will; nothing is measured by it."""
 
 
-@pytest.fixture
-def domain() -> Iterator[int]:
+@contextmanager
+def own_domain() -> Iterator[int]:
     """A number of a domain, kept by a lock until the test is over."""
     place = Path(tempfile.gettempdir()) / 'edulaunch-test-domains'
     place.mkdir(exist_ok=True)
@@ -78,11 +78,3 @@ class Wire:
             place.close()
         for link in self.links:
             link.close()
-
-
-@pytest.fixture
-def wire(domain: int) -> Iterator[Wire]:
-    """A domain of the loopback."""
-    made = Wire(domain)
-    yield made
-    made.close()
