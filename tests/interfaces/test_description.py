@@ -42,7 +42,9 @@ def test_every_hash_equals_that_of_rosbags(registry):
     """Except for `char`, which rosbags keeps. ROS makes it uint8: AddTwoInts above has one in its event."""
     typesys = pytest.importorskip('rosbags.typesys', reason='rosbags, the oracle, is not installed')
     store = typesys.get_typestore(typesys.Stores.ROS2_JAZZY)
-    common = [name for name in registry.types('msg') if name in store.fielddefs and 'char' not in registry.text(name)]
-    assert len(common) == 157
+    odd = ('rmw_dds_common/',)  # there a Gid is of char
+    names = [name for name in registry.types('msg') if not name.startswith(odd)]
+    common = [name for name in names if name in store.fielddefs and 'char' not in registry.text(name)]
+    assert len(common) == 154
     differing = [name for name in common if type_hash(name, registry.spec) != store.hash_rihs01(name)]
     assert differing == []
