@@ -32,6 +32,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     release.add_argument('folder', metavar='DIR')
     release.add_argument('out', metavar='OUT', help='a folder, or the name of a file that ends in .zip')
     release.add_argument('--with-rubrics', action='store_true', help="students get the rubrics too: check('...') needs them")
+    template = verbs.add_parser('template', help='Put the files into a course with which a platform opens, checks or grades it')
+    template.add_argument(
+        'name', metavar='NAME', help='github, classroom, gradescope, devcontainer, binder, docker or jupyterhub'
+    )
+    template.add_argument('folder', nargs='?', default='.', metavar='DIR')
     lite = verbs.add_parser('lite', help='Make the edition that runs in a browser, for any web server')
     lite.add_argument('out', metavar='OUT')
     lite.add_argument('--pyodide', metavar='FOLDER', required=True, help='of Pyodide, such as node_modules/pyodide')
@@ -145,6 +150,15 @@ def _not_into_itself(course: str, target: str) -> None:
 
     if os.path.realpath(course) == os.path.realpath(target):
         raise UnusableInput(f'{target} is the course itself', help='give another folder')
+
+
+def _template(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.templates import NEXT, write_template
+
+    for path in write_template(arguments.name, arguments.folder):
+        print(f'  {path}')
+    print(f'Next: {NEXT[arguments.name]}')
+    return 0
 
 
 def _lite(arguments: argparse.Namespace) -> int:

@@ -12,6 +12,7 @@ import pytest
 from edugrade import Scenario
 from edugrade.limits import Limits
 from edugrade.outcome import Outcome
+from edugrade.readable import readable_by_all
 from edugrade.runner import Runner
 from edugrade.submission import Submission
 
@@ -234,3 +235,16 @@ def test_a_private_folder_full_of_folders_is_removed(tmp_path: Path, monkeypatch
         'import posix as os\nfor _ in range(30):\n    os.mkdir("d" * 200, 0o700)\n    os.chdir("d" * 200)\nos._exit(0)\n',
     )
     assert os.listdir(tmp_path) == ['circle.launch.py']
+
+
+def test_a_run_needs_no_file_open_for_each_installed_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Beside an installed edugrade every entry of site-packages is a place of its own; JupyterLab brings hundreds."""
+    many = [tmp_path / 'packages' / f'package{number}' for number in range(400)]
+    for place in many:
+        place.mkdir(parents=True)
+    read, listed = readable_by_all([])
+    monkeypatch.setattr('edugrade.starter_link.readable_by_all', lambda path: ([*read, *map(str, many)], listed))
+    outcome = run(
+        tmp_path, 'from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])\n'
+    )
+    assert outcome.kind == 'stopped' and outcome.text == 'launch ended with exit code 0 and had started nothing'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Sequence
 
 from . import landlock, seccomp
@@ -54,6 +55,11 @@ class Confinement:
         if isinstance(filtered, str):
             state['network'] = state['processes'] = filtered
         return state
+
+    def let_go(self) -> None:
+        """Close what stands for the places: where many packages are installed it is more than a run may have open."""
+        for descriptor in (*self._readable, *self._listable, *self._devices):
+            os.close(descriptor)
 
     def _restrict_files(self, readable: Sequence[str], home: str) -> int:
         rules = [

