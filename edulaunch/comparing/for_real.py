@@ -25,7 +25,8 @@ from edulaunch.comparing.observation import (
 )
 from edulaunch.errors import EdulaunchError
 from edulaunch.interfaces.cdr import decode
-from edulaunch.native.host import NativeHost, NativeSession, command
+from edulaunch.native.command import command
+from edulaunch.native.host import NativeHost, NativeSession
 from edulaunch.packages import Program
 from edulaunch.packages.importable import interfaces_of
 from edulaunch.processes.spec import ProcessSpec

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
 import time
 from functools import cached_property
 from typing import Any
 
-from edulaunch.interfaces.registry import Registry
+from edulaunch.native.command import command
 from edulaunch.native.environment import Environment, needed
 from edulaunch.packages import Index, Program
-from edulaunch.packages.importable import interfaces_of
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.real import RealProcess
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 
-HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 HERE_VERBS = ('launch', 'run')
 """Commands of ros2 that only start programs: they stay in this process."""
@@ -105,34 +101,6 @@ class NativeRun:
         self.returncode = returncode
         if self._on_exit is not None:
             self._on_exit(returncode)
-
-
-def command(environment: Environment, program: Program, spec: ProcessSpec, index: Index) -> tuple[str, ...]:
-    """The words that run a program in the environment of the real rclpy; the program's own words follow."""
-    return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), told(program, spec, index)
-
-
-def told(program: Program, spec: ProcessSpec, index: Index) -> str:
-    """What :mod:`edulaunch.native.program` has to know, as JSON."""
-    what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
-    return json.dumps(
-        {
-            'home': HOME,
-            'path': [*index.python_roots(), *(folder for folder in sys.path if folder.endswith('-packages'))],
-            'interfaces': interface_layers(index),
-            'program': what,
-        }
-    )
-
-
-def interface_layers(index: Index) -> list[tuple[list[str], list[str]]]:
-    """The share folders with the interfaces that one sees over an index, and what they leave to those before; lowest first."""
-    layers: list[tuple[list[str], list[str]]] = []
-    registry: Registry | None = interfaces_of(index)[1]
-    while registry is not None:
-        layers.insert(0, (list(registry.roots), sorted(registry.leave)))
-        registry = registry.base
-    return layers
 
 
 class NativeSession(Session):

@@ -41,16 +41,22 @@ class _Finder(InterfaceFinder):
         return None if fullname.partition('.')[0] in ITS_OWN else super().find_spec(fullname, path, target)
 
 
-def install(layers: Sequence[tuple[Sequence[str], Sequence[str]]]) -> SupportedClasses:
-    """Make interfaces importable for the real rclpy.
+Layers = Sequence[tuple[Sequence[str], Sequence[str]]]
+"""Share folders, and the packages in them that a lower layer has; the lowest layer first."""
 
-    Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not the same.
 
-    :param layers: share folders, and the packages in them that a lower layer has; the lowest layer first.
-    """
+def layered(layers: Layers) -> SupportedClasses:
+    """A registry over all the layers."""
     registry: SupportedClasses | None = None
     for roots, leave in layers:
         registry = SupportedClasses(roots, registry, leave)
     assert registry is not None
-    sys.meta_path.insert(0, _Finder(registry))
     return registry
+
+
+def install(layers: Layers) -> None:
+    """Make interfaces importable for the real rclpy.
+
+    Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not the same.
+    """
+    sys.meta_path.insert(0, _Finder(layered(layers)))

@@ -1,0 +1,44 @@
+"""The words that run a program in the environment of the real rclpy."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from typing import Any
+
+from edulaunch.interfaces.registry import Registry
+from edulaunch.native.environment import Environment
+from edulaunch.packages import Index, Program
+from edulaunch.packages.importable import interfaces_of
+from edulaunch.processes.spec import ProcessSpec
+
+HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
+    """The share folders of a registry and those below it, and what each leaves to those before it; lowest first."""
+    layers: list[tuple[list[str], list[str]]] = []
+    below: Registry | None = registry
+    while below is not None:
+        layers.insert(0, (list(below.roots), sorted(below.leave)))
+        below = below.base
+    return layers
+
+
+def command(environment: Environment, program: Program, spec: ProcessSpec, index: Index) -> tuple[str, ...]:
+    """The words that run a program in the environment of the real rclpy; the program's own words follow."""
+    return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), told(program, spec, index)
+
+
+def told(program: Program, spec: ProcessSpec, index: Index) -> str:
+    """What :mod:`edulaunch.native.program` has to know, as JSON."""
+    what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
+    return json.dumps(
+        {
+            'home': HOME,
+            'path': [*index.python_roots(), *(folder for folder in sys.path if folder.endswith('-packages'))],
+            'interfaces': interface_layers(interfaces_of(index)[1]),
+            'program': what,
+        }
+    )

@@ -1,0 +1,336 @@
+"""The side process of the full link: on the real rclpy it makes the nodes and endpoints that it is told of.
+
+Frames (`rclpy_wire`) come on the socket whose number is the first word of the command line, and go there. Messages pass as bytes;
+everything of rclpy happens in the thread of its executor, which another thread wakes when there is something to read.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+import sys
+import threading
+import time
+from collections import Counter, deque
+from collections.abc import Callable
+from contextlib import suppress
+from hashlib import sha256
+from importlib import import_module
+from typing import Any
+
+import rclpy
+from rclpy.duration import Duration
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.parameter import Parameter
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import deserialize_message, serialize_message
+
+from edulaunch.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
+from edulaunch.network import rclpy_wire as wire
+
+LOOK_EVERY_S = 0.1
+ECHO_S = 5.0
+"""A message of ours that has not come back by then does not."""
+MOST_ECHOES = 10_000
+FOREVER_NS = 2**62
+"""Infinite, as rclpy says it, is more."""
+_NOT_YET = object()
+_HELPER = '_edulaunch_link'
+
+
+class Subscription:
+    """One subscription of ours, and the messages of our own that will come to it, too."""
+
+    def __init__(self) -> None:
+        self.echoes: Counter[bytes] = Counter()
+        self.order: deque[tuple[float, bytes]] = deque()
+
+    def expect(self, data: bytes) -> None:
+        """We have published this, on its topic."""
+        now = time.monotonic()
+        self.echoes[data] += 1
+        self.order.append((now, data))
+        while self.order and (now - self.order[0][0] > ECHO_S or len(self.order) > MOST_ECHOES):
+            self._forget(self.order.popleft()[1])
+
+    def is_echo(self, data: bytes) -> bool:
+        """Whether this is one of them; each comes once."""
+        if not self.echoes[data]:
+            return False
+        self._forget(data)
+        return True
+
+    def _forget(self, data: bytes) -> None:
+        self.echoes[data] -= 1
+        if self.echoes[data] <= 0:
+            del self.echoes[data]
+
+
+class Side:
+    """Mirrors what the link says."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self.connection = connection
+        self.executor = SingleThreadedExecutor()
+        self.helper = _node(_HELPER, '/')
+        self.executor.add_node(self.helper)
+        self.inbox: deque[tuple[int, int, int, bytes]] = deque()
+        self.nodes: dict[int, Any] = {}
+        self.ends: dict[int, tuple[str, Any, int]] = {}
+        self.topics: dict[int, str] = {}
+        self.heard: dict[str, dict[int, Subscription]] = {}
+        self.kept: dict[int, deque[bytes]] = {}
+        self.pending: dict[int, tuple[Any, Any]] = {}
+        self.serial = 0
+        self.registries: dict[str, SupportedClasses] = {}
+        self.told = ''
+        self.own = self._own_prefix()
+        self.guard = self.helper.create_guard_condition(self.work)
+
+    def _own_prefix(self) -> bytes:
+        """How the gids of our own participant begin."""
+        while True:
+            for info in self.helper.get_publishers_info_by_topic('/parameter_events'):
+                if info.node_name == _HELPER:
+                    return bytes(info.endpoint_gid)[:12]
+            time.sleep(0.01)
+
+    def say(self, kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> None:
+        """Send a frame."""
+        self.connection.sendall(wire.frame(kind, handle, number, data))
+
+    def read(self) -> None:
+        """In a thread: take frames, until the link goes."""
+        frames = wire.Frames()
+        while data := self.connection.recv(1 << 16):
+            self.inbox.extend(frames.feed(data))
+            self.guard.trigger()
+        rclpy.try_shutdown()
+
+    def work(self) -> None:
+        """Do what we were told."""
+        while self.inbox:
+            kind, handle, number, data = self.inbox.popleft()
+            try:
+                _WORK[kind](self, handle, number, data)
+            except Exception as error:  # whatever rclpy refuses is told, and the rest goes on
+                self.say(wire.TROUBLE, handle, 0, f'{type(error).__name__}: {error}'.encode())
+
+    def add_node(self, handle: int, number: int, data: bytes) -> None:
+        namespace, name = json.loads(data)
+        self.nodes[handle] = made = _node(name, namespace)
+        self.executor.add_node(made)
+
+    def remove_node(self, handle: int, number: int, data: bytes) -> None:
+        node = self.nodes.pop(handle)
+        self.executor.remove_node(node)
+        node.destroy_node()
+
+    def add(self, handle: int, number: int, data: bytes) -> None:
+        told = json.loads(data)
+        node, kind, name = self.nodes[number], told['kind'], told['name']
+        cls, qos = self._class(told['type'], told['layers']), _profile(told['qos'])
+        end = getattr(self, f'_add_{kind}')(handle, node, name, cls, qos)
+        self.ends[handle] = kind, end, number
+        self.topics[handle] = name
+
+    def _class(self, type_name: str, layers: list[Any]) -> Any:
+        package, kind, name = type_name.split('/')
+        if package in ITS_OWN:
+            return getattr(import_module(f'{package}.{kind}'), name)
+        key = json.dumps(layers)
+        if key not in self.registries:
+            self.registries[key] = layered(layers)
+        return self.registries[key].get(type_name)
+
+    def _add_publisher(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
+        if qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+            self.kept[handle] = deque(maxlen=qos.depth if qos.history == HistoryPolicy.KEEP_LAST else MOST_ECHOES)
+        silent = PublisherEventCallbacks(use_default_callbacks=False)
+        return node.create_publisher(cls, name, qos, event_callbacks=silent)
+
+    def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
+        mine = self.heard.setdefault(name, {})[handle] = Subscription()
+        if qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+            for publisher, messages in self.kept.items():
+                for data in messages if self.topics[publisher] == name else ():
+                    mine.expect(data)
+
+        def heard(data: bytes, info: Any) -> None:
+            if not (mine.echoes and mine.is_echo(data)):
+                self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
+
+        silent = SubscriptionEventCallbacks(use_default_callbacks=False)
+        return node.create_subscription(cls, name, heard, qos, raw=True, event_callbacks=silent)
+
+    def _add_service(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
+        def asked(request: Any, response: Any) -> Any:
+            self.serial += 1
+            self.say(wire.REQUEST, handle, self.serial, bytes(serialize_message(request)))
+            return _NOT_YET
+
+        service = node.create_service(cls, name, asked, qos_profile=qos)
+        answer = service.send_response
+
+        def kept(response: Any, header: Any) -> None:
+            if response is _NOT_YET:
+                self.pending[self.serial] = header, answer
+            else:
+                answer(response, header)
+
+        service.send_response = kept
+        return service
+
+    def _add_client(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
+        return node.create_client(cls, name, qos_profile=qos)
+
+    def remove(self, handle: int, number: int, data: bytes) -> None:
+        kind, end, node = self.ends.pop(handle)
+        self.heard.get(self.topics.pop(handle), {}).pop(handle, None)
+        self.kept.pop(handle, None)
+        getattr(self.nodes[node], f'destroy_{kind}')(end)
+
+    def publish(self, handle: int, number: int, data: bytes) -> None:
+        for subscription in self.heard.get(self.topics[handle], {}).values():
+            subscription.expect(data)
+        if handle in self.kept:
+            self.kept[handle].append(data)
+        self.ends[handle][1].publish(data)
+
+    def ask(self, handle: int, number: int, data: bytes) -> None:
+        client = self.ends[handle][1]
+        future = client.call_async(deserialize_message(data, client.srv_type.Request))
+        future.add_done_callback(
+            lambda done: (
+                self.say(wire.RESPONSE, handle, number, bytes(serialize_message(done.result()))) if done.result() else None
+            )
+        )
+
+    def answer(self, handle: int, number: int, data: bytes) -> None:
+        header, answer = self.pending.pop(number)
+        answer(deserialize_message(data, self.ends[handle][1].srv_type.Response), header)
+
+    def look(self) -> None:
+        """Tell who else is there, when that has changed."""
+        mine = {f'{node.get_namespace().rstrip("/")}/{node.get_name()}' for node in (*self.nodes.values(), self.helper)}
+        ends: list[list[Any]] = []
+        participants: dict[str, str] = {}
+        for topic, _ in self.helper.get_topic_names_and_types():
+            for kind, infos in (
+                ('publisher', self.helper.get_publishers_info_by_topic(topic)),
+                ('subscription', self.helper.get_subscriptions_info_by_topic(topic)),
+            ):
+                for info in infos:
+                    gid = bytes(info.endpoint_gid)[:16]
+                    if gid[:12] != self.own:
+                        node = info.node_namespace, info.node_name
+                        participants.setdefault(_full(*node), gid[:12].hex())
+                        what = kind, topic, info.topic_type, str(info.topic_type_hash), _policies(info.qos_profile)
+                        ends.append([gid.hex(), *what, *node])
+        nodes = []
+        for name, namespace in self.helper.get_node_names_and_namespaces():
+            full = _full(namespace, name)
+            if full not in mine or full in participants:
+                nodes.append([participants.get(full, ''), namespace, name])
+                if full not in mine:
+                    ends += self._services(name, namespace)
+        text = json.dumps([sorted(nodes), sorted(ends, key=lambda end: end[0])])
+        if text != self.told:
+            self.told = text
+            self.say(wire.GRAPH, 0, 0, text.encode())
+
+    def _services(self, name: str, namespace: str) -> list[list[Any]]:
+        """The services and clients of a node; they tell no gid, so that one is made of their names."""
+        try:
+            found = {
+                'service': self.helper.get_service_names_and_types_by_node(name, namespace),
+                'client': self.helper.get_client_names_and_types_by_node(name, namespace),
+            }
+        except Exception:  # the node left meanwhile; which error that is depends on the middleware
+            return []
+        made = [(kind, service, types[0]) for kind, rows in found.items() for service, types in rows]
+        return [[_made_gid(*row[:2], _full(namespace, name)), *row, '', None, namespace, name] for row in made]
+
+    def run(self) -> None:
+        """Until the link goes."""
+        threading.Thread(target=self.read, daemon=True).start()
+        self.say(wire.READY)
+        looked = 0.0
+        while rclpy.ok():
+            self.executor.spin_once(timeout_sec=LOOK_EVERY_S)
+            if time.monotonic() - looked > LOOK_EVERY_S:
+                self.look()
+                looked = time.monotonic()
+
+
+def _node(name: str, namespace: str) -> Any:
+    """A node without anything of its own, as far as that is possible: it publishes /parameter_events."""
+    return rclpy.create_node(
+        name,
+        namespace=namespace,
+        start_parameter_services=False,
+        enable_rosout=False,
+        use_global_arguments=False,
+        parameter_overrides=[Parameter('start_type_description_service', value=False)],
+    )
+
+
+def _full(namespace: str, name: str) -> str:
+    return f'{namespace.rstrip("/")}/{name}'
+
+
+def _made_gid(*words: str) -> str:
+    return sha256(' '.join(words).encode()).hexdigest()[:32]
+
+
+def _profile(row: list[Any]) -> QoSProfile:
+    """A QoS of ours for the real rclpy."""
+    depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
+    return QoSProfile(
+        depth=max(1, depth),
+        reliability=ReliabilityPolicy[reliability.upper()],
+        durability=DurabilityPolicy[durability.upper()],
+        history=HistoryPolicy[history.upper()],
+        deadline=Duration(nanoseconds=deadline_ns),
+        lifespan=Duration(nanoseconds=lifespan_ns),
+        liveliness=LivelinessPolicy[liveliness.upper()],
+        liveliness_lease_duration=Duration(nanoseconds=lease_ns),
+    )
+
+
+def _policies(profile: QoSProfile) -> list[Any]:
+    """The other way round; what is not known of a far endpoint is as by default."""
+    history = profile.history.name.lower()
+    durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
+    times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]
+    return [
+        profile.depth or 10,
+        profile.reliability.name.lower(),
+        profile.durability.name.lower(),
+        history if history != 'unknown' else 'keep_last',
+        times[0],
+        times[1],
+        profile.liveliness.name.lower(),
+        times[2],
+    ]
+
+
+_WORK: dict[int, Callable[[Side, int, int, bytes], None]] = {
+    wire.NODE: Side.add_node,
+    wire.NODE_GONE: Side.remove_node,
+    wire.ADD: Side.add,
+    wire.REMOVE: Side.remove,
+    wire.PUBLISH: Side.publish,
+    wire.ASK: Side.ask,
+    wire.ANSWER: Side.answer,
+}
+
+
+def main() -> int:
+    """Serve the link on the socket of the given number."""
+    connection = socket.socket(fileno=int(sys.argv[1]))
+    rclpy.init(args=[], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+    with suppress(ExternalShutdownException, BrokenPipeError):  # the link has gone
+        Side(connection).run()
+    return 0
