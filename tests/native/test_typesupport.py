@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.native.environment import Environment
 from edulaunch.native.command import HOME, told
+from edulaunch.native.environment import Environment
 from edulaunch.packages import Program
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import index_for
