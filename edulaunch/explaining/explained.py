@@ -7,16 +7,31 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.explaining.declared import declared_parameters
 from edulaunch.explaining.tree_html import html_tree
 from edulaunch.explaining.tree_text import drawn
 from edulaunch.launching import find_launch_file
 from edulaunch.packages.discovery import workspaces_of_command
+from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
     from edulaunch.plan.explanation import Entry
+
+MOMENT_S = 0.5
+
+
+def declared_parameters(package: str, executable: str, workspaces: Sequence[str]) -> dict[str, Any]:
+    """Parameter -> default value of the first node of a program; empty when it does not come so far by itself."""
+    with Session(workspaces=workspaces) as session:
+        session.host.start(ProcessSpec(argv=('ros2', 'run', package, executable), name=executable))
+        session.run(MOMENT_S)
+        recording = session.recording()
+        for node in recording.nodes:
+            found = recording.parameters(node.name)
+            if found:
+                return {name: parameter.value for name, parameter in found.items()}
+    return {}
 
 
 class Tree:

@@ -76,7 +76,7 @@ def test_what_is_not_there_is_told_in_the_words_of_ros(stage: Any, package: str,
 
 
 def test_every_component_of_every_package_can_be_loaded(stage: Any) -> None:
-    from rclcpp_components._registry import components_of, packages_with_components
+    from rclcpp_components.component_container import components_of, packages_with_components
 
     stage.start('rclcpp_components', 'component_container')
     stage.until(10)

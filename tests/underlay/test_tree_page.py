@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tf2_tools._tree_page import _places
+from tf2_tools.view_frames import _places
 
 
 def test_parents_stand_over_the_middle_of_their_children_and_leaves_side_by_side() -> None:

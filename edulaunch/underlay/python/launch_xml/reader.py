@@ -10,10 +10,23 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
 
-from .element import Element
-
 if TYPE_CHECKING:
     from xml.etree.ElementTree import ParseError
+
+
+class Element(list['Element']):
+    """The child elements, in order, with the same attributes as `xml.etree.ElementTree.Element` and the line.
+
+    The standard library's fast element has no room for a line number; this one is as small.
+    """
+
+    __slots__ = ('tag', 'attrib', 'line')
+
+    def __init__(self, tag: str, attrib: dict[str, str], line: int) -> None:
+        self.tag = tag
+        self.attrib = attrib
+        self.line = line
+
 
 MAX_DEPTH = 100
 """How deep elements may be nested."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 from geometry_msgs.msg import TransformStamped
@@ -10,13 +11,47 @@ from edulaunch.tf import TransformBuffer, TransformFailure
 from edulaunch.tf.buffer import DEFAULT_CACHE_NS
 from edulaunch.tf.transforms import Transform
 from edulaunch.tf.velocity import lookup_velocity
-from tf2_py._duck import wire_of
 from tf2_py._reports import report
 from tf2_py._times import nanoseconds
 from tf2_py.exceptions import TransformException, exception_of
 
+
+def wire_of(transform: Any) -> tuple[Any, ...]:
+    """(sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or its look-alike.
+
+    :raises TypeError: the translation is not a Vector3; a rotation that is not a Quaternion is a warning
+        only.
+    """
+    from geometry_msgs.msg import Quaternion, Vector3
+
+    stamp = transform.header.stamp
+    translation, rotation = transform.transform.translation, transform.transform.rotation
+    if not isinstance(translation, Vector3):
+        warnings.warn('translation should be of type Vector3', UserWarning, stacklevel=4)
+        raise TypeError('transform.translation must have members x, y, z')
+    if not isinstance(rotation, Quaternion):
+        warnings.warn('rotation should be of type Quaternion', UserWarning, stacklevel=4)
+    return (
+        stamp.sec,
+        stamp.nanosec,
+        transform.header.frame_id,
+        transform.child_frame_id,
+        translation.x,
+        translation.y,
+        translation.z,
+        rotation.x,
+        rotation.y,
+        rotation.z,
+        rotation.w,
+    )
+
+
 NS_PER_S = 1_000_000_000
+
+
 to_wire = TransformStamped.to_wire
+
+
 from_wire = TransformStamped.from_wire
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from math import cos, sin
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.logging import get_logger
@@ -11,7 +12,15 @@ from rclpy.utilities import remove_ros_args
 from tf2_ros import StaticTransformBroadcaster
 
 from turtle_tf2_py._programs import spin
-from turtle_tf2_py._quaternion import quaternion_from_euler
+
+
+def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
+    """Quaternion (x, y, z, w) of turning about the fixed axes x, then y, then z; angles in radians."""
+    sr, cr = sin(roll / 2.0), cos(roll / 2.0)
+    sp, cp = sin(pitch / 2.0), cos(pitch / 2.0)
+    sy, cy = sin(yaw / 2.0), cos(yaw / 2.0)
+    return (sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy, cr * cp * cy + sr * sp * sy)
+
 
 USAGE = (
     'Invalid number of parameters. Usage: \n'

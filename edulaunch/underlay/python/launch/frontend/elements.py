@@ -1,4 +1,4 @@
-"""The elements of launch: what may stand in them, and the action that each makes. Those of ROS are in `launch_ros._elements`."""
+"""The elements of launch: what may stand in them, and the action each makes. `launch_ros.launch_extension` has those of ROS."""
 
 from __future__ import annotations
 

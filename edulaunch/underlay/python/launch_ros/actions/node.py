@@ -16,8 +16,7 @@ from launch.utilities.ensure_argument_type_impl import ensure_argument_type
 from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
 from launch.utilities.perform_substitutions_impl import perform_substitutions
 
-from .._names import validated_name, validated_namespace
-from .._node_words import NODE_NAME, NODE_NAMESPACE
+from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
 from ..parameters_type import SomeParameters
 from ..remap_rule_type import SomeRemapRules
