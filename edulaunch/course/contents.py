@@ -27,4 +27,5 @@ def contents(course: str) -> str:
 
 
 def _line(exercise: Exercise) -> str:
-    return f'    {exercise.name:<18} {exercise.points:>3} points  {exercise.title}'
+    line = f'    {exercise.name:<18} {exercise.points:>3} points  {exercise.title}'
+    return f'{line}\n{" " * 23}{exercise.why}' if exercise.why else line

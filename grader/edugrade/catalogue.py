@@ -30,11 +30,20 @@ def course_rubrics(inside: str = '') -> str | None:
 
     Only the current folder (or the given one) and those above it are looked into: never what was handed in.
     """
+    path = course_manifest(inside)
+    if path is None:
+        return None
+    manifest = os.path.dirname(path)
+    place = next((place for place in (manifest, os.path.dirname(manifest)) if _has_rubrics(place)), None)
+    return None if place is None else os.path.join(place, RUBRICS)
+
+
+def course_manifest(inside: str = '') -> str | None:
+    """The course.toml of the course that the current folder (or the given one) lies in, if it lies in one."""
     for folder in _above(os.path.abspath(inside)):
-        for manifest in (folder, os.path.join(folder, 'exercises')):
-            if os.path.isfile(os.path.join(manifest, MANIFEST)):
-                place = next((place for place in (manifest, folder, os.path.dirname(folder)) if _has_rubrics(place)), None)
-                return None if place is None else os.path.join(place, RUBRICS)
+        for place in (folder, os.path.join(folder, 'exercises')):
+            if os.path.isfile(os.path.join(place, MANIFEST)):
+                return os.path.join(place, MANIFEST)
     return None
 
 
@@ -83,7 +92,7 @@ def find_rubric(exercise: str, given: str | None = None, submission: str = '') -
                 f'the rubric {known[name]} lies in the folder that is graded',
                 help='keep exercises and rubrics in folders of their own',
             )
-        return name, load_rubric(known[name])
+        return name, _by_the_course(name, load_rubric(known[name]))
     from edulaunch.nearest import nearest
 
     close = nearest(name, list(known))
@@ -92,6 +101,29 @@ def find_rubric(exercise: str, given: str | None = None, submission: str = '') -
         f'there is no rubric for "{name}"; there are: {", ".join(sorted(known)) or "none"}',
         help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
     )
+
+
+def _by_the_course(name: str, rubric: Rubric) -> Rubric:
+    """A rubric that comes with edugrade, with the points that the course around the current folder gives for its checks.
+
+    :raises UnusableInput: when the manifest gives points for a check that there is not.
+    """
+    path = course_manifest()
+    if path is None or os.path.dirname(rubric.file) != rubrics_folder():
+        return rubric
+    from .course import read_course
+
+    points = next((item.check_points for item in read_course(path) if item.name == name), None)
+    if not points:
+        return rubric
+    try:
+        found = rubric.with_points(points)
+    except (ValueError, TypeError, AttributeError) as error:
+        raise UnusableInput(f'{path}: check_points of {name}: {error}') from None
+    table = {key: points[key] for key in sorted(points)}
+    words = f'RUBRIC = RUBRIC.with_points({table})' if rubric.file.endswith('.py') else f'points: {table}'
+    found.text = rubric.text + f'\n{words}\n'.encode()  # what is sent elsewhere, and hashed, gives these points too
+    return found
 
 
 def _is_file(given: str) -> bool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
@@ -24,6 +26,8 @@ class Exercise(NamedTuple):
     :param lesson: the notebook, without its ending, after which the exercise can be done; '' without lessons.
     :param points: all of them.
     :param hints: LEVELS texts: a question, where to look, almost the answer.
+    :param why: one sentence: why it matters on a robot; '' when nobody says it.
+    :param check_points: points of single checks, other than those of the rubric.
     """
 
     file: str
@@ -31,6 +35,8 @@ class Exercise(NamedTuple):
     lesson: str
     points: int
     hints: tuple[str, ...]
+    why: str = ''
+    check_points: Mapping[str, int] = MappingProxyType({})
 
     @property
     def name(self) -> str:
@@ -62,7 +68,15 @@ def read_course(path: str) -> list[Exercise]:
     try:
         entries = read_toml(path)['exercise']
         return [
-            Exercise(entry['file'], entry['title'], entry.get('lesson', ''), entry['points'], tuple(entry.get('hints', ())))
+            Exercise(
+                entry['file'],
+                entry['title'],
+                entry.get('lesson', ''),
+                entry['points'],
+                tuple(entry.get('hints', ())),
+                entry.get('why', ''),
+                entry.get('check_points', {}),
+            )
             for entry in entries
         ]
     except KeyError as error:

@@ -71,6 +71,8 @@ def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
             yield from _against_the_rubric(item, rubrics[item.name])
         if len(item.hints) != LEVELS or any(len(hint) < SHORTEST_HINT for hint in item.hints):
             yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
+        if not item.why and course_rubrics(folder) is None:
+            yield f'{item.name} does not say why it matters on a robot: why = "..." in {MANIFEST}'
         lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
         if item.lesson and os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
             yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
@@ -104,6 +106,10 @@ def _files(folder: str) -> list[str]:
 
 def _against_the_rubric(item: Exercise, file: str) -> Iterator[str]:
     rubric = find_rubric(item.name, file)[1]
+    try:
+        rubric = rubric.with_points(item.check_points)
+    except (ValueError, TypeError, AttributeError) as error:
+        yield f'{item.name}: check_points in {MANIFEST}: {error}'
     points = sum(check.points for check in rubric.checks)
     if item.title != rubric.title:
         yield f'{item.name} is called {item.title!r} in {MANIFEST} and {rubric.title!r} in its rubric'

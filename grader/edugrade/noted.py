@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from dataclasses import replace
 
 from edulaunch.errors import UnusableInput
 
-from .course import HIGHEST, MANIFEST
+from .course import HIGHEST, MANIFEST, find_course, read_course
 from .progress_file import NAME, ProgressFile
 from .results import ALL_PASSED, Report
 from .steps import KIND, level_of
@@ -21,6 +22,7 @@ def noted(report: Report, folder: str | None) -> Report:
 
     :param folder: of the progress file; None: nothing is kept, and only the kind of what is missing is told.
     """
+    report = replace(report, why=why_of(report))
     if folder is None or report.earned is None:
         return replace(report, level=KIND)
     passed = report.exit_code == ALL_PASSED
@@ -33,6 +35,15 @@ def noted(report: Report, folder: str | None) -> Report:
     except UnusableInput as error:
         return replace(report, level=KIND, word=f'Your progress is not kept: {error.message}.')
     return replace(report, level=level, word=file.word or (UNCHANGED if is_same and not passed else ''))
+
+
+def why_of(report: Report) -> str:
+    """Why an exercise that is done matters on a robot, by the course's manifest; '' for one that is not done or of no course."""
+    if report.exit_code != ALL_PASSED:
+        return ''
+    with suppress(UnusableInput):
+        return next((item.why for item in read_course(find_course(report.folder)) if item.name == report.rubric), '')
+    return ''
 
 
 def opened(exercise: str, level: int, folder: str | None) -> str:

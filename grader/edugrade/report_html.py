@@ -10,7 +10,7 @@ from .markup import Markup, element, joined
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Report
 from .short_paths import ShortPaths
 from .steps import at_level
-from .terminal import MARKS, MORE, next_step, points_line, says_less
+from .terminal import MARKS, MORE, next_step, points_line, says_less, why_line
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
@@ -42,6 +42,7 @@ def report_html(report: Report) -> Markup:
         *repair,
         *_not_run(results, reader),
         *right,
+        *([element('p', why_line(report), style='margin:.8em 0 .2em')] if report.why else []),
         element('p', reader.retells(points_line(report)), style='margin:.8em 0 .2em'),
         element('p', element('b', reader.retells(next_step(report))), style='margin:.2em 0'),
         *([element('p', reader.retells(MORE), style='margin:.2em 0')] if says_less(report) else []),

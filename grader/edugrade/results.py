@@ -69,6 +69,7 @@ class Report:
     :param secret: names the course secret that chose the seed, if one did.
     :param student: whose it is; '' where nobody asked.
     :param level: how much of the advice people see, see `steps`; data has all of it.
+    :param why: why it matters on a robot, said when all is passed.
     :param word: what the student must be told besides: that the file is unchanged, that progress cannot be kept.
     """
 
@@ -89,6 +90,7 @@ class Report:
     student: str = ''
     level: int = 3
     word: str = ''
+    why: str = ''
 
     @property
     def sandbox(self) -> dict[str, str]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from random import Random
 from typing import Any
 
@@ -73,9 +74,28 @@ class Rubric:
         for check in reversed(self.checks):  # what a check needs stands before it
             if check.name in wanted:
                 wanted |= {need.name for need in check.needs}
-        part = Rubric(title=self.title, scenarios=self._scenarios, checks=[item for item in self.checks if item.name in wanted])
-        part.file, part.text = self.file, self.text
+        part = copy(self)
+        part.checks = tuple(item for item in self.checks if item.name in wanted)
         return part
+
+    def with_points(self, points: Mapping[str, int]) -> Rubric:
+        """The same rubric with other points for some of its checks.
+
+        :raises ValueError: for a check that it does not have, or points that are none.
+        """
+        odd = [name for name in points if name not in {check.name for check in self.checks}]
+        if odd:
+            raise ValueError(f'there is no check {odd[0]}; there are {", ".join(check.name for check in self.checks)}')
+        wrong = [value for value in points.values() if not isinstance(value, int) or isinstance(value, bool) or value < 0]
+        if wrong:
+            raise ValueError(f'{wrong[0]!r} points; points are whole numbers, and never negative')
+        made: dict[str, Check] = {}
+        for check in self.checks:
+            needs = tuple(made[need.name] for need in check.needs)
+            made[check.name] = check._replace(points=points.get(check.name, check.points), needs=needs)
+        known = copy(self)
+        known.checks = tuple(made.values())
+        return known
 
     def scenarios(self, seed: int) -> tuple[Scenario, ...]:
         """The runs for this seed: the same seed gives the same runs."""

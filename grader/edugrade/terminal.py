@@ -38,6 +38,7 @@ def render(report: Report, *, colour: bool = False) -> str:
     lines += _not_run(results, mark, reader)
     lines += [mark(PASSED) + _title(result, reader) for result in _of(PASSED, results)]
     next_ = printable(reader.retells(next_step(report)))
+    lines += ['', *textwrap.wrap(printable(why_line(report)), WIDTH)] if report.why else []
     lines += ['', reader.retells(points_line(report)), *textwrap.wrap(next_, WIDTH, break_on_hyphens=False)]
     lines += [reader.retells(MORE)] if says_less(report) else []
     return '\n'.join(lines) + '\n'
@@ -93,6 +94,11 @@ def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Rea
         yield f'{mark(NOT_RUN)}{reason}:'
         folded = (result for result in _of(NOT_RUN, results) if result.reason == reason)
         yield from (f'{INDENT}  {_title(result, reader)}' for result in folded)
+
+
+def why_line(report: Report) -> str:
+    """Why it matters, for whoever has done it."""
+    return f'On a robot: {report.why}'
 
 
 def says_less(report: Report) -> bool:

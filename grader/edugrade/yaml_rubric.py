@@ -36,7 +36,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     def problem(node: yaml.Node, words: str) -> RubricMistake:
         return RubricMistake(f'{path}:{node.start_mark.line + 1}: {words}')
 
-    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks', *TURN))
+    parts = _mapping(root, problem, 'a rubric', ('title', 'runs', 'checks', 'points', *TURN))
     wanted = ('title', 'checks') if 'names' in parts else ('title', 'runs', 'checks')
     missing = [name for name in wanted if name not in parts]
     if missing:
@@ -52,6 +52,11 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     title = _value(parts['title'], problem)
     turn = {name: _value(parts[name], problem) for name in TURN if name in parts}
     rubric = Rubric(title=str(title), scenarios=lambda random: _choose(runs, random), checks=list(checks.values()), **turn)
+    if 'points' in parts:
+        try:
+            rubric = rubric.with_points(_value(parts['points'], problem))
+        except (ValueError, TypeError, AttributeError) as error:
+            raise problem(parts['points'], str(error)) from None
     try:
         if runs:
             rubric.scenarios(0)

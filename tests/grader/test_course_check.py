@@ -57,6 +57,11 @@ def test_a_stray_file_is_found(copy: Path) -> None:
     assert problems(copy) == ['exercises/notes.txt belongs to no exercise of course.toml']
 
 
+def test_an_exercise_that_does_not_say_why_is_found(copy: Path) -> None:
+    edit(copy / 'exercises' / 'course.toml', 'why = "The newest', 'what = "The newest')
+    assert problems(copy) == ['where_now does not say why it matters on a robot: why = "..." in course.toml']
+
+
 def test_a_short_hint_is_found(copy: Path) -> None:
     text = (copy / 'exercises' / 'course.toml').read_text()
     start = text.index("'A launch file describes")

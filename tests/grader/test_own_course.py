@@ -11,6 +11,9 @@ import pytest
 from edugrade.cli import main
 from edugrade.notebook import CheckReport, check
 
+from edulaunch.course.contents import contents
+from edulaunch.errors import UnusableInput
+
 ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(r'`my_course/([\w./]+)`[^\n]*\n```\w+\n(.*?)```\n', re.S)
 
@@ -86,3 +89,34 @@ def test_a_rubric_that_was_handed_in_is_not_run(
     monkeypatch.chdir(handed)
     assert main(['spin.launch.py']) == 2
     assert 'lies in the folder that is graded' in capsys.readouterr().err
+
+
+def test_a_course_gives_other_points_for_a_rubric_of_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from edugrade.catalogue import find_rubric
+
+    entry = "[[exercise]]\nfile = '{}'\ntitle = 'T'\npoints = {}\ncheck_points = {}\n"
+    course = tmp_path / 'course.toml'
+    course.write_text(
+        entry.format('water.launch.py', 13, '{alive = 2}') + entry.format('circle.launch.py', 9, '{circle_is_driven = 1}')
+    )
+    before = {name: find_rubric(name)[1] for name in ('water', 'circle')}
+    monkeypatch.chdir(tmp_path)
+    for name, total in (('water', 13), ('circle', 9)):
+        found = find_rubric(name)[1]
+        assert sum(check.points for check in found.checks) == total
+        assert found.sha256 != before[name].sha256
+        (tmp_path / 'sent').mkdir(exist_ok=True)
+        sent = tmp_path / 'sent' / Path(found.file).name
+        sent.write_bytes(found.text)  # as it goes to Gradescope and to a cluster
+        assert sum(check.points for check in find_rubric('', str(sent))[1].checks) == total
+    course.write_text(entry.format('water.launch.py', 13, '{no_such = 2}'))
+    with pytest.raises(UnusableInput, match='check_points of water: there is no check no_such; there are alive, green'):
+        find_rubric('water')
+
+
+def test_whoever_is_done_reads_why_it_matters(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(ROOT / 'solutions' / 'water.launch.py'), '--sandbox', 'off']) == 0
+    assert 'On a robot: Speeds, gains and limits' in capsys.readouterr().out
+    assert main([str(ROOT / 'exercises' / 'water.launch.py'), '--sandbox', 'off']) == 1
+    assert 'On a robot' not in capsys.readouterr().out
+    assert 'Speeds, gains and limits' in contents(str(ROOT))

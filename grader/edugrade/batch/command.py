@@ -11,7 +11,7 @@ from ..catalogue import exercises, find_rubric
 from ..results import BROKEN_GRADER
 from ..submission import exercise_of
 from ..whole_file import write_whole
-from .entries import Entry, Finder
+from .entries import Entry, Finder, refuse_nothing
 from .names import ARCHIVES
 from .store import Result, Store
 from .work import Options, grade_here, work_to_do
@@ -25,9 +25,10 @@ def main(words: Sequence[str]) -> int:
 
     options = read_batch_options(words)
     how = Options.of(options)
+    wanted = [find_rubric('', how.rubric)[0]] if how.rubric else exercises()
+    refuse_nothing(options.folder)
     store = Store(options.out or _beside(options.folder))
     with store.locked():
-        wanted = [find_rubric('', how.rubric)[0]] if how.rubric else exercises()
         entries = Finder(
             options.folder,
             store.unpacked,

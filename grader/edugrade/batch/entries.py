@@ -44,6 +44,17 @@ class Entry(NamedTuple):
     origin: str = ''
 
 
+def refuse_nothing(given: str) -> None:
+    """Refuse what is no folder, no archive and no table: before anything is made for its results.
+
+    :raises UnusableInput: naming it.
+    """
+    if not os.path.isdir(given) and not (given.lower().endswith(('.csv', *ARCHIVES)) and os.path.isfile(given)):
+        raise UnusableInput(
+            f'{given} is not a folder', help='give the folder that has a folder, an archive or a launch file for each student'
+        )
+
+
 class Finder:
     """Finds the submissions.
 
@@ -75,10 +86,7 @@ class Finder:
         if given.lower().endswith(ARCHIVES) and os.path.isfile(given):
             unpack(given, os.path.join(self._unpacked, 'all'), OF_A_CLASS)
             given = os.path.join(self._unpacked, 'all')
-        if not os.path.isdir(given):
-            raise UnusableInput(
-                f'{given} is not a folder', help='give the folder that has a folder, an archive or a launch file for each student'
-            )
+        refuse_nothing(given)
         student_of = namer(given, self._pattern)
         return [entry for item in _sorted(given) for entry in self._of_item(item, student_of)]
 

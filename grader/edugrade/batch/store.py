@@ -14,12 +14,13 @@ from edulaunch.errors import UnusableInput
 
 from ..document import json_text
 from ..regular_file import read_regular
+from ..sandbox.remove_tree import remove_tree
 from ..whole_file import write_whole
 from .entries import Entry
 
 LARGEST_RESULT = 10_000_000
 LONGEST_PART = 240  # bytes of a file name, with our ending
-UNPACKED = '.unpacked'
+UNPACKED, LOCK = '.unpacked', '.lock'
 
 Result = dict[str, Any]
 
@@ -41,9 +42,10 @@ class Store:
 
         :raises UnusableInput: when another batch is at work on them, or they cannot be written.
         """
+        is_new = not os.path.lexists(self.folder)
         try:
             os.makedirs(self.folder, exist_ok=True)
-            lock = os.open(os.path.join(self.folder, '.lock'), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+            lock = os.open(os.path.join(self.folder, LOCK), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
         except OSError as error:
             raise UnusableInput(
                 f'results cannot be written to {self.folder}: {error.strerror}', help='give --out FOLDER'
@@ -56,6 +58,10 @@ class Store:
                     if name.endswith('.part'):
                         os.unlink(os.path.join(place, name))
             yield
+        except UnusableInput:
+            if is_new and set(os.listdir(self.folder)) <= {LOCK, UNPACKED}:  # nothing was graded: nothing is left behind
+                remove_tree(self.folder)
+            raise
         except BlockingIOError:
             raise UnusableInput(f'another batch writes its results to {self.folder}', help='wait for it, or give --out') from None
         finally:

@@ -126,9 +126,35 @@ def test_a_text_of_a_student_is_no_formula_and_no_markup() -> None:
     assert 'href="%3Dx/%3Cb%3E.launch.py.html"' in page
 
 
-def test_a_folder_that_is_none_is_an_error(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(['batch', 'nowhere']) == 2
-    assert 'nowhere is not a folder' in capsys.readouterr().err
+@pytest.mark.parametrize(
+    'words',
+    [
+        ['nowhere'],
+        ['nowhere.csv'],
+        ['nowhere.zip'],
+        ['empty'],
+        ['empty', '--out', 'marks'],
+        ['odd.zip'],
+        ['empty', '--rubric', 'no'],
+    ],
+)
+def test_what_cannot_be_graded_leaves_nothing_behind(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'empty').mkdir()
+    (tmp_path / 'odd.zip').write_text('no archive')
+    before = sorted(tmp_path.iterdir())
+    assert main(['batch', *words]) == 2
+    assert sorted(tmp_path.iterdir()) == before
+    assert capsys.readouterr().err.startswith('edugrade: ')
+
+
+def test_results_that_were_there_stay_when_nothing_can_be_graded(tmp_path: Path) -> None:
+    (tmp_path / 'empty').mkdir()
+    (tmp_path / 'empty.results').mkdir()
+    assert main(['batch', str(tmp_path / 'empty')]) == 2
+    assert (tmp_path / 'empty.results').is_dir()
 
 
 RUBRIC = """
