@@ -28,6 +28,7 @@ from edulaunch.network.link import (
     Settings,
 )
 from edulaunch.session import Session
+from edulaunch.sim.pacing import RealTime
 
 STRING = 'std_msgs/msg/String'
 TRIGGER = 'std_srvs/srv/Trigger'
@@ -149,6 +150,7 @@ class Place:
     def __init__(self, link: Any, settings: Settings = Settings(), name: str = 'node', **options: Any) -> None:
         self.session = Session()
         self.graph, self.sim = self.session.graph, self.session.sim
+        self.time = RealTime(self.sim)
         self.said: list[str] = []
         self.link = link
         self.node = self.graph.add_node(SimpleNamespace(name=name, pid=1, state={}), name, '/')

@@ -67,7 +67,9 @@ class Wire:
             assert time.monotonic() < end_s, 'it never came'
             select.select([*(place.link for place in self.places), *self.links], [], [], 0.01)
             for place in self.places:
-                place.sim.leap(time.time_ns())
+                if not place.time.is_wall:
+                    place.time.is_wall = True
+                place.time.advance()
                 place.turn()
             for link in self.links:
                 link.flush()
