@@ -35,9 +35,9 @@ class Peer(Node):
         publisher = self.create_publisher(String, topic, 10)
         self.create_timer(0.05, lambda: publisher.publish(String(data=text)))
 
-    def raw(self, topic, data):
+    def raw(self, topic, *data):
         publisher = self.create_publisher(String, topic, 10)
-        self.create_timer(0.05, lambda: publisher.publish(bytes.fromhex(data)))
+        self.create_timer(0.05, lambda: [publisher.publish(bytes.fromhex(each)) for each in data])
 
     def hear(self, topic, stays=''):
         self.create_subscription(String, topic, lambda message: tell('heard', message.data), STAYS if stays else 10)

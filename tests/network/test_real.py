@@ -124,12 +124,16 @@ def test_a_service_that_could_not_answer_fast_dds_is_not_seen_and_that_is_said(w
     ]
 
 
-@pytest.mark.parametrize('data', ['', '0001', '00010000', '00010000ffffff7f', '0001000004000000ffffffff', '00000000' + '00' * 5])
-def test_bytes_that_are_no_message_do_no_harm(wire: Any, peer: Any, data: str) -> None:
-    here, evil, good = wire.place('sim'), peer(f'raw=/chatter,{data}'), peer('say=/chatter,good')
+def test_bytes_that_are_no_message_do_no_harm(wire: Any, peer: Any) -> None:
+    bad = ['', '0001', '00010000', '00010000ffffff7f', '0001000004000000ffffffff', '00000000' + '00' * 5]
+    here, evil, good = wire.place('sim'), peer(','.join(['raw=/chatter', *bad])), peer('say=/chatter,good')
     here.subscription('/chatter')
-    wire.until(lambda: evil.said and good.said and here.graph.publishers.get('/chatter'), lambda: (evil.read(), good.read()))
-    wire.until(lambda: len(here.heard) > 10)
+    wire.until(
+        lambda: evil.said and good.said and len(here.graph.publishers.get('/chatter', ())) == 2,
+        lambda: (evil.read(), good.read()),
+    )
+    here.heard.clear()
+    wire.until(lambda: here.heard.count(('good',)) > 20)
     assert set(here.heard) <= {('good',), ('',)}
 
 

@@ -28,7 +28,7 @@ from edulaunch.network.dds.types import idl_class
 from edulaunch.network.link import FarEndpoint, FarGraph, FarNode, Trouble
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
-MOST_ENDPOINTS, MOST_NODES = 4000, 1000
+MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
 AT_ONCE = 200
 """How many pieces of news are looked at in one turn of the machine."""
 ANY = 0x7F
@@ -138,10 +138,15 @@ class Discovery:
             return
         if participant == self.own:
             return
+        if participant not in self._nodes and len(self._nodes) >= MOST_PARTICIPANTS:
+            self.troubles.append(
+                Trouble('participants', f'more than {MOST_PARTICIPANTS} programs tell of their nodes: the others are not shown')
+            )
+            return
         claimed: dict[FarNode, Sequence[bytes]] = {}
         for namespace, name, readers, writers in nodes[:MOST_NODES]:
             node = FarNode(participant, namespace, name)
-            claimed[node] = [gid for (gid,) in (*readers, *writers)]
+            claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
         if len(nodes) > MOST_NODES:
             self.troubles.append(Trouble('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown'))
         self._claim(participant, claimed)
