@@ -85,7 +85,7 @@ def test_topics_cross_both_ways_and_each_sees_the_other(wire: Any, peer: Any) ->
     text_hash = 'TypeHash(version=1, value='
     rows = {row[0]: row for row in real.last('sees')[1]}
     assert rows['PUBLISHER'][1:3] == ['sim', STRING] and rows['PUBLISHER'][3] == rows['SUBSCRIPTION'][3] != text_hash
-    assert '/lab/real_peer' in here.nodes()
+    wire.until(lambda: '/lab/real_peer' in here.nodes() and '/down' in here.graph.publishers, each)
     [mirrored] = here.graph.publishers['/down']
     assert (mirrored.node.name, mirrored.type_name) == ('real_peer', STRING)
     far = {end.name: end for end in here.link.graph().endpoints}
