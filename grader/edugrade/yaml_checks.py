@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from math import inf, isfinite, tau
 from typing import Any, NamedTuple
 
+from .arithmetic import calculated
 from .evidence import Evidence
 from .failure import Failure, Mismatch, Missing
 from .library.arguments import require_argument, require_default
@@ -32,14 +33,22 @@ class Wanted(dict[str, Any]):
     def __missing__(self, key: str) -> str:
         return ''
 
+    @property
+    def shown(self) -> Wanted:
+        """As a sentence says it: ``$(arg speed)`` is speed, and the parts of a list have commas between them."""
+        parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
+        return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
+
     def refuse_odd_values(self) -> None:
         """Raise ValueError for a tolerance or another measure that is no number, or a share that is none."""
         for key in ('tolerance', 'within', 'since', 'rate', 'near'):
             if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
         for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at'):
-            if key in self and not isinstance(self[key], (int, float)) and not ARGUMENT.fullmatch(str(self[key])):
-                raise ValueError(f'{key} is {self[key]!r}, and neither a number nor $(arg NAME)')
+            try:
+                calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
+            except ValueError:
+                raise ValueError(f'{key} is {self[key]!r}; a number, $(arg NAME), or such with + - * / between them') from None
         if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
             raise ValueError(f'share is {self["share"]!r}, and no number between 0 and 1')
         for key in ('pattern',):
@@ -55,8 +64,8 @@ class Wanted(dict[str, Any]):
         return ARGUMENT.sub(lambda found: arguments[found[1]], str(self[key]))
 
     def number(self, key: str, run: Evidence, scenario: str) -> float:
-        """A value as a number, for one run."""
-        return float(self.text(key, run, scenario))
+        """A value as a number, for one run; it may have to be calculated."""
+        return calculated(self.text(key, run, scenario))
 
     def same_type(self, key: str, run: Evidence, scenario: str) -> Any:
         """A value as YAML reads it, for one run: ``$(arg radius)`` is 0.5 when radius:=0.5."""

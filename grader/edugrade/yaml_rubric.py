@@ -155,7 +155,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
         raise problem(parts['only'], f'only is a list of names of runs; there are {", ".join(runs)}')
     return Check(
         name,
-        words.get('say') or kind.sentence.format_map(wanted),
+        words.get('say') or kind.sentence.format_map(wanted.shown),
         _with_steps(lambda run: kind.function(run.only(only), wanted), steps),
         points,
         tuple(known[each] for each in names),

@@ -18,7 +18,7 @@ runs:
 checks:
   - alive: {}
     name: lives
-  - travels: {turtle: turtle1, at_least: $(arg speed)}
+  - travels: {turtle: turtle1, at_least: 2 * $(arg speed)}
     points: 2
     needs: [lives]
 """
@@ -37,7 +37,7 @@ def test_runs_are_chosen_by_the_seed() -> None:
 def test_checks_have_names_sentences_and_needs() -> None:
     lives, travels = read_yaml_rubric('a.yaml', GOOD.encode()).checks
     assert (lives.name, lives.sentence, lives.points) == ('lives', 'No node dies before the end', 0)
-    assert (travels.name, travels.sentence, travels.needs) == ('travels_2', 'turtle1 moves by at least $(arg speed) m', (lives,))
+    assert (travels.name, travels.sentence, travels.needs) == ('travels_2', 'turtle1 moves by at least 2 * speed m', (lives,))
 
 
 MISTAKES = {
@@ -49,7 +49,7 @@ MISTAKES = {
     'a kind that is none': ('7: a check has no alve; did you mean alive?', GOOD.replace('alive', 'alve')),
     'no kind': ('7: a check is one of', GOOD.replace('alive: {}', 'points: 1')),
     'a field that is none': ('9: travels has no turtel; did you mean turtle?', GOOD.replace('turtle:', 'turtel:')),
-    'a field that lacks': ('9: travels lacks at_least', GOOD.replace(', at_least: $(arg speed)', '')),
+    'a field that lacks': ('9: travels lacks at_least', GOOD.replace(', at_least: 2 * $(arg speed)', '')),
     'an argument that no run has': ('9: the run one has no argument sped', GOOD.replace('(arg speed)', '(arg sped)')),
     'a need that is none': ('11: travels_2 needs live, which is not before it', GOOD.replace('[lives]', '[live]')),
     'points': ('10: -2 points', GOOD.replace('points: 2', 'points: -2')),
@@ -63,6 +63,7 @@ MISTAKES = {
         '7: pattern is no regular expression',
         GOOD.replace('alive: {}', 'prints: {package: a, executable: b, pattern: "("}'),
     ),
+    'a sum that is none': ('9: at_least is', GOOD.replace('2 * $(arg speed)', '2 ** $(arg speed)')),
     'a tolerance': ("7: tolerance is 'x'", GOOD.replace('alive: {}', 'circle: {radius: 1, tolerance: x}')),
 }
 
