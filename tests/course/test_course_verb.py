@@ -66,7 +66,7 @@ def test_our_course_for_students_gives_nothing_away(tmp_path: Path) -> None:
     assert not [
         name
         for name in found
-        if any(word in name for word in ('solutions', 'rubrics', '.outputs', 'conftest', 'coverage', 'checks'))
+        if any(word in name for word in ('solutions', 'rubrics', '.outputs', 'conftest', 'coverage', 'checks', 'notes'))
         and not name.startswith('lessons/checks/')  # what check('radio') in a cell asks: a lesson is nothing without them
     ]
     assert {name.split('/')[0] for name in found} == {'.edulaunch_course.json', 'exercises', 'lessons'}
