@@ -55,6 +55,7 @@ def add_network(parser: argparse.ArgumentParser) -> None:
         metavar='NAMES',
         help='topics and namespaces that cross, with commas; all',
     )
+    parser.add_argument('--network-clock', action='store_true', help="publish the machine's time on /clock")
     parser.add_argument('--network-link', default='cyclonedds', metavar='LINK', help='what carries them: cyclonedds or rclpy')
 
 
@@ -63,9 +64,9 @@ def join_network(arguments: argparse.Namespace, process: Process) -> None:
 
     :raises EdulaunchError: when that cannot be.
     """
-    if not (arguments.network or arguments.network_topics):
+    if not (arguments.network or arguments.network_topics or arguments.network_clock):
         return
     if process.host.join_network is None:
         raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
     names = [name for names in arguments.network_topics for name in names.split(',') if name]
-    process.at_exit.append(process.host.join_network(process.env, names, arguments.network_link))
+    process.at_exit.append(process.host.join_network(process.env, arguments.network_link, arguments.network_clock, names))

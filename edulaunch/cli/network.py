@@ -10,6 +10,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """On or off, and what crosses."""
     parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
     parser.add_argument('--topics', nargs='+', default=[], metavar='NAME', help='topics, services and namespaces that cross')
+    parser.add_argument('--clock', action='store_true', help="publish the machine's time on /clock, for use_sim_time")
     parser.add_argument('--link', default='cyclonedds', help='what carries the messages: cyclonedds (default) or rclpy')
 
 
@@ -23,7 +24,7 @@ def main(arguments: argparse.Namespace) -> int:
         _say_what_is_installed()
     words = ['machine', 'network', arguments.word]
     if arguments.word == 'on':
-        words += ['--link', arguments.link, *(['--topics', *arguments.topics] if arguments.topics else [])]
+        words += [arguments.link, 'clock' if arguments.clock else '-', *arguments.topics]
     return run(words, start=arguments.word == 'on')
 
 

@@ -68,8 +68,10 @@ class Terminals:
         for terminal in self.open_ones:
             terminal.show('stderr', f'warning: {text}\n')
 
-    def _join_network(self, env: Mapping[str, str], topics: Sequence[str], link: str) -> Callable[[], object]:
-        return self.switch().join(env, topics, link, self.tell)
+    def _join_network(self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str]) -> Callable[[], object]:
+        from edulaunch.network.switch import Wish
+
+        return self.switch().join(env, Wish(link, clock, topics), self.tell)
 
     def recording(self) -> Recording:
         """What happened until now."""

@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
-import argparse
 import selectors
+import sys
 import time as wall
+import traceback
 from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
 
+from edulaunch.errors import EdulaunchError
 from edulaunch.network.bridge import Bridge
+from edulaunch.network.clock import ClockNode
 from edulaunch.network.link import LinkError, Settings
 from edulaunch.network.links import DEFAULT, make_link
 from edulaunch.network.settings import chooser, settings_of
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
 
+MOST_MISTAKES = 20
 FARTHEST_NS = 24 * 3600 * 10**9
 """A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
+
+
+class Wish(NamedTuple):
+    """What somebody who joins asks for.
+
+    :ivar link: what carries the messages.
+    :ivar clock: whether the machine's time is published on /clock.
+    :ivar topics: what crosses; nothing named: everything.
+    """
+
+    link: str = DEFAULT
+    clock: bool = False
+    topics: Sequence[str] = ()
 
 
 class Switch:
@@ -29,55 +47,71 @@ class Switch:
         self._session, self._time, self._selector = session, time, selector
         self.bridge: Bridge | None = None
         self._settings = Settings()
-        self._topics: Sequence[str] = ()
+        self._wish = Wish()
+        self._clock: ClockNode | None = None
+        self._mistakes = 0
+        self._tell: Callable[[str], object] = print
 
-    def on(self, env: Mapping[str, str], topics: Sequence[str], link: str, tell: Callable[[str], object]) -> None:
+    def on(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> None:
         """Join; an earlier bridge leaves before.
 
-        :raises LinkError: when that cannot be.
+        :raises EdulaunchError: when that cannot be.
         """
         settings = settings_of(env)
-        made = make_link(link)
-        self.off()
         if not -(10**9) < wall.time_ns() - self._session.sim.now_ns < FARTHEST_NS:
             raise LinkError("this machine's clock is not that of the wall", help='edulaunch machine stop, and begin anew')
-        bridge = Bridge(self._session, made, chooser(topics), tell)
+        made = make_link(wish.link)
+        self.off()
+        bridge = Bridge(self._session, made, chooser(wish.topics), tell)
         self._time.is_wall = True
         try:
             bridge.open(settings)
-        except LinkError:
+        except EdulaunchError:
             self._time.is_wall = False
+            made.close()
             raise
-        self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: bridge.take())
-        self.bridge, self._settings, self._topics = bridge, settings, topics
+        self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: self._safely(bridge.take))
+        self.bridge, self._settings, self._wish, self._mistakes, self._tell = bridge, settings, wish, 0, tell
+        self._clock = ClockNode(self._session.graph) if wish.clock else None
+
+    def _safely(self, act: Callable[[], object]) -> None:
+        """A mistake of ours must not end the machine: what happened is in its log, and after some the network is off."""
+        try:
+            act()
+        except Exception:
+            traceback.print_exc(file=sys.__stderr__)
+            self._mistakes += 1
+            if self._mistakes >= MOST_MISTAKES:
+                self.off()
+                self._tell('the network is off: edulaunch made mistakes with what came from there, see the log of the machine')
 
     def off(self) -> bool:
         """Leave; whether it was on."""
         bridge, self.bridge = self.bridge, None
         if bridge is None:
             return False
+        if self._clock is not None:
+            self._clock.stop()
         self._selector.unregister(bridge.link.fileno())
         bridge.close()
         self._time.is_wall = False
         return True
 
-    def join(
-        self, env: Mapping[str, str], topics: Sequence[str], link: str, tell: Callable[[str], object]
-    ) -> Callable[[], object]:
+    def join(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> Callable[[], object]:
         """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
 
-        :raises LinkError: when that cannot be.
+        :raises EdulaunchError: when that cannot be.
         """
         if self.bridge is not None:
             return lambda: None
-        self.on(env, topics, link, tell)
+        self.on(env, wish, tell)
         joined = self.bridge
         return lambda: self.off() if self.bridge is joined else None
 
     def after_turn(self) -> None:
         """Called after each turn of the machine."""
         if self.bridge is not None:
-            self.bridge.after_turn()
+            self._safely(self.bridge.after_turn)
 
     def status(self) -> str:
         """What crosses, in words."""
@@ -88,7 +122,7 @@ class Switch:
         peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
         lines = [
             f'network: domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {bridge.link.title}',
-            f'crossing: {" ".join(self._topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
+            f'crossing: {" ".join(self._wish.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
             f'real nodes: {len(far.nodes)}, with {len(far.endpoints)} endpoints',
             *(f'  {"" if node.namespace == "/" else node.namespace}/{node.name}' for node in far.nodes),
             *(f'warning: {line}' for line in bridge.troubles.lines()),
@@ -99,26 +133,17 @@ class Switch:
 def run_network(
     switch: Switch, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
 ) -> int:
-    """`edulaunch network on|off|status`; returns the exit code."""
+    """`edulaunch network on LINK CLOCK TOPICS...`, `off` or `status`, as the command hands them on; returns the exit code."""
     word = words[0] if words else 'status'
     if word == 'off':
         say('the network is off\n' if switch.off() else 'the network was off\n')
-    elif word == 'on':
-        options = options_of(words[1:])
+        return 0
+    if word == 'on':
+        link, clock, *topics = [*words[1:], DEFAULT, ''][: max(2, len(words) - 1)]
         try:
-            switch.on(env, options.topics, options.link, tell)
-        except LinkError as error:
+            switch.on(env, Wish(link, clock == 'clock', topics), tell)
+        except EdulaunchError as error:
             say(f'error: {error}\n')
             return 1
-        say(switch.status())
-    else:
-        say(switch.status())
+    say(switch.status())
     return 0
-
-
-def options_of(words: Sequence[str]) -> argparse.Namespace:
-    """`--topics NAME...` and `--link NAME`."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument('--topics', nargs='*', default=[])
-    parser.add_argument('--link', default=DEFAULT)
-    return parser.parse_args(list(words))

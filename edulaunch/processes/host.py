@@ -90,8 +90,8 @@ class Host:
     :param stdin: what programs may read, by launch name ('game-2', or 'game' for each so called) or executable: a text, a list
         of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
-    :ivar join_network: joins a real ROS 2 network, with an environment, the topics that cross, and the name of a link; returns
-        what leaves it. None where that cannot be.
+    :ivar join_network: joins a real ROS 2 network, with an environment, the name of a link, whether time goes there on /clock,
+        and the topics that cross; returns what leaves it. None where that cannot be.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
@@ -119,7 +119,7 @@ class Host:
         self.asides = Asides()
         self.watchdog: Watchdog | None = None
         self.is_paced = False
-        self.join_network: Callable[[Mapping[str, str], Sequence[str], str], Callable[[], object]] | None = None
+        self.join_network: Callable[[Mapping[str, str], str, bool, Sequence[str]], Callable[[], object]] | None = None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
         """By path: what launch made for programs to read, which is on the disk only for real programs."""
