@@ -7,12 +7,14 @@ import pytest
 from tests.advice.precision import NAMES, TWINS, is_named_first, remarks
 
 
+@pytest.mark.whole
 def test_the_planted_mistake_is_named_first_in_nine_of_ten() -> None:
     missed = [name for name in NAMES if not is_named_first(name)]
     assert len(NAMES) >= 40
     assert len(missed) <= len(NAMES) // 10, missed
 
 
+@pytest.mark.whole
 def test_there_is_at_most_one_further_remark_on_average() -> None:
     further = {name: len(remarks(name)) - 1 for name in NAMES if len(remarks(name)) > 1}
     assert sum(further.values()) <= len(NAMES), further

@@ -111,6 +111,7 @@ def test_without_the_trick_it_has_its_honest_points(tmp_path: Path) -> None:
     assert graded(tmp_path, LAZY).earned == HONEST
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize('name', ATTACKS)
 def test_a_trick_earns_nothing(tmp_path: Path, name: str) -> None:
     report = graded(tmp_path, LAZY + ATTACKS[name], 2.0 if name == 'never answers' else 8.0)

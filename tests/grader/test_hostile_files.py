@@ -87,6 +87,7 @@ def launch_file_is_a_device(folder: Path) -> Path:
 ODD = [many_digits, half_a_character, odd_entries, nested, manifest_is_a_pipe, launch_file_is_a_pipe, launch_file_is_a_device]
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize('make', ODD, ids=[make.__name__ for make in ODD])
 def test_the_next_submission_gets_its_report(
     tmp_path: Path, make: Callable[[Path], Path], capsys: pytest.CaptureFixture[str]

@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -44,6 +46,7 @@ def environment() -> dict[str, str]:
     return {**os.environ, 'PYTHONPATH': os.pathsep.join(filter(None, sys.path))}
 
 
+@pytest.mark.whole
 def test_checks_pass_fail_and_are_skipped(tmp_path: Path) -> None:
     (tmp_path / 'right').mkdir()
     shutil.copy(ROOT / 'solutions' / 'static_frame.launch.py', tmp_path / 'right')

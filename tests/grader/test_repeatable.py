@@ -44,6 +44,7 @@ def report(file: Path, hash_seed: str) -> tuple[bytes, bytes]:
     return printed, data.read_bytes() + file.with_suffix('.html').read_bytes()
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize('body', [SET_DECIDES, SHOWS_ITS_PROCESS], ids=['a set decides', 'it shows what differs'])
 def test_two_processes_report_the_same_bytes(tmp_path: Path, body: str) -> None:
     file = tmp_path / 'circle.launch.py'

@@ -337,6 +337,7 @@ def test_it(proc, launch_context):
     assert done.outcomes == [('test_it', 'passed')], done.text
 
 
+@pytest.mark.whole
 def test_a_run_of_its_own_finds_ros_for_conftests_and_inner_runs_do_not_disturb_each_other(tmp_path: Path) -> None:
     (tmp_path / 'conftest.py').write_text('from std_msgs.msg import String\nimport launch_pytest\n')
     (tmp_path / 'test_outer.py').write_text(f"""

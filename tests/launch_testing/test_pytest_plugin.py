@@ -37,6 +37,7 @@ def test_a_launch_test_is_a_marked_function(source: bytes, answer: bool, tmp_pat
     assert (entrypoint is not None and entrypoint.is_ours()) is answer
 
 
+@pytest.mark.whole
 def test_pytest_runs_launch_tests_among_others(tmp_path: Path) -> None:
     for name in ('talker', 'failing', 'forgetful'):
         (tmp_path / f'test_{name}.py').write_bytes((CORPUS / f'{name}.py').read_bytes())

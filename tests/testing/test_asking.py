@@ -38,7 +38,13 @@ def test_a_project_that_does_not_ask_is_left_alone(tmp_path: Path) -> None:
     assert '1 passed' in run(tmp_path)
 
 
-@pytest.mark.parametrize('way', ['-p edulaunch', 'addopts', 'package', 'workspace', 'a file of a package'])
+@pytest.mark.parametrize(
+    'way',
+    [
+        'package',
+        *(pytest.param(way, marks=pytest.mark.whole) for way in ('-p edulaunch', 'addopts', 'workspace', 'a file of a package')),
+    ],
+)
 def test_a_project_asks(way: str, tmp_path: Path) -> None:
     tests, words = tmp_path, []
     if way == '-p edulaunch':
@@ -55,6 +61,7 @@ def test_a_project_asks(way: str, tmp_path: Path) -> None:
     assert '1 passed' in run(tmp_path, *words)
 
 
+@pytest.mark.whole
 @pytest.mark.parametrize('below', ['', 'launch_testing'])
 def test_the_sources_of_ros_beside_the_tests_are_not_taken_for_an_installed_ros(below: str, tmp_path: Path) -> None:
     for name in ('launch', 'launch_testing'):

@@ -77,6 +77,7 @@ def test_each_submission_has_its_result_and_a_line_in_the_table(group: Path, tmp
     assert os.listdir(tmp_path / 'private') == []
 
 
+@pytest.mark.whole
 def test_a_killed_grader_goes_on_where_it_was(group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert main(['batch', str(group)]) == 0
     whole = results(group)
