@@ -119,14 +119,14 @@ def _print(tree: Tree, arguments: argparse.Namespace) -> None:
         return
     from edulaunch.explaining.tree_text import ASCII_TWIGS, TWIGS, drawn, print_in_colour
 
-    if sys.stdout.isatty():
-        print_in_colour(tree.title, tree.entries)
-        return
     try:
         ''.join(TWIGS).encode(sys.stdout.encoding or 'ascii')
         twigs = TWIGS
     except UnicodeEncodeError:
         twigs = ASCII_TWIGS
+    if sys.stdout.isatty():
+        print_in_colour(tree.title, tree.entries, twigs)
+        return
     print('\n'.join((tree.title, *drawn(tree.entries, twigs))))
 
 

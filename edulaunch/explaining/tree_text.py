@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from typing import Any
+import shutil
+import textwrap
+from collections.abc import Callable, Iterator, Sequence
 
 from edulaunch.plan.explanation import Entry
 
 TWIGS = ('├── ', '└── ', '│   ', '    ')
 ASCII_TWIGS = ('|-- ', '`-- ', '|   ', '    ')
 STYLES = {
-    'node': 'bold green',
-    'process': 'bold green',
-    'include': 'bold cyan',
-    'parameter': '',
-    'event': 'magenta',
-    'timer': 'magenta',
-    'event_handler': 'magenta',
-    'argument': 'yellow',
-    'missing': 'red',
+    'node': '1;32',
+    'process': '1;32',
+    'include': '1;36',
+    'parameter': '0',
+    'event': '35',
+    'timer': '35',
+    'event_handler': '35',
+    'argument': '33',
+    'missing': '31',
 }
-SIGNS = {'+': 'green', '-': 'red', '~': 'yellow'}
+SIGNS = {'+': '32', '-': '31', '~': '33'}
+BOLD, DIM, NOT_TAKEN = '1', '2', '2;9'
+"""Styles are the numbers that a terminal knows them by."""
 
 
 def place_of(entry: Entry) -> str:
@@ -47,31 +50,48 @@ def _other_words(before: str, after: str) -> str:
     return rest[:-1] if '[' in before and '[' not in rest else rest
 
 
-def drawn(entries: Sequence[Entry], twigs: Sequence[str] = TWIGS, indent: str = '') -> Iterator[str]:
-    """The tree with its branches drawn, for where there is no colour."""
+def label_of(entry: Entry) -> str:
+    """The line of an entry, and where it stands."""
+    place = place_of(entry)
+    return text_of(entry) + (f'  <{place}>' if place else '')
+
+
+def _plain(entry: Entry, branch: str, below: str) -> Iterator[str]:
+    yield branch + label_of(entry)
+
+
+def drawn(
+    entries: Sequence[Entry],
+    twigs: Sequence[str] = TWIGS,
+    indent: str = '',
+    shown: Callable[[Entry, str, str], Iterator[str]] = _plain,
+) -> Iterator[str]:
+    """The tree with its branches drawn.
+
+    :param shown: gives the lines of an entry, of its branch, and of what stands before its further lines.
+    """
     through, last, beside, nothing = twigs
     for number, entry in enumerate(entries, 1):
         is_last = number == len(entries)
-        place = place_of(entry)
-        yield f'{indent}{last if is_last else through}{text_of(entry)}' + (f'  <{place}>' if place else '')
-        yield from drawn(entry['children'], twigs, indent + (nothing if is_last else beside))
+        below = indent + (nothing if is_last else beside)
+        yield from shown(entry, indent + (last if is_last else through), below)
+        yield from drawn(entry['children'], twigs, below, shown)
 
 
-def print_in_colour(title: str, entries: Sequence[Entry]) -> None:
-    """The same for a terminal; long lines go on below their own beginning."""
-    from rich.console import Console
-    from rich.text import Text
-    from rich.tree import Tree
+def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] = TWIGS) -> None:
+    """The same for a terminal: in colour unless NO_COLOR asks for none; long lines go on below their own beginning."""
+    is_coloured = not os.environ.get('NO_COLOR') and os.environ.get('TERM') != 'dumb'
+    width = shutil.get_terminal_size().columns
 
-    def grow(tree: Any, below: Sequence[Entry]) -> None:
-        for entry in below:
-            style = SIGNS.get(entry.get('sign', ''), STYLES.get(entry['kind'], 'dim'))
-            label = Text(text_of(entry), style=style if entry['is_taken'] else 'dim strike')
-            place = place_of(entry)
-            if place:
-                label.append(f'  <{place}>', style='dim')
-            grow(tree.add(label), entry['children'])
+    def paint(style: str, text: str) -> str:
+        return f'\x1b[{style}m{text}\x1b[0m' if is_coloured and text else text
 
-    root = Tree(Text(title, style='bold'), guide_style='dim')
-    grow(root, entries)
-    Console(highlight=False).print(root)
+    def shown(entry: Entry, branch: str, below: str) -> Iterator[str]:
+        style = SIGNS.get(entry.get('sign', ''), STYLES.get(entry['kind'], DIM)) if entry['is_taken'] else NOT_TAKEN
+        place = f'<{place_of(entry)}>'
+        for line in textwrap.wrap(label_of(entry), max(width - len(branch), 8), break_on_hyphens=False) or ['']:
+            text = line.removesuffix(place)
+            yield paint(DIM, branch) + paint(style, text) + paint(DIM, line[len(text) :])
+            branch = below
+
+    print('\n'.join((paint(BOLD, title), *drawn(entries, twigs, shown=shown))))

@@ -6,6 +6,8 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+WIDTH = 40
+
 
 @contextmanager
 def progress_bar(total: int) -> Iterator[Callable[[], None]]:
@@ -13,10 +15,21 @@ def progress_bar(total: int) -> Iterator[Callable[[], None]]:
     if total == 0 or not sys.stderr.isatty():
         yield lambda: None
         return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    done = 0
 
-    columns = (TextColumn('running the launch files'), BarColumn(), MofNCompleteColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True, auto_refresh=False) as bar:  # it would have a thread
-        task = bar.add_task('', total=total)
-        yield lambda: bar.update(task, advance=1, refresh=True)
+    def show() -> None:
+        filled = WIDTH * done // total
+        sys.stderr.write(f'\r\x1b[Krunning the launch files [{"#" * filled}{"-" * (WIDTH - filled)}] {done}/{total}')
+        sys.stderr.flush()
+
+    def advance() -> None:
+        nonlocal done
+        done += 1
+        show()
+
+    show()
+    try:
+        yield advance
+    finally:
+        sys.stderr.write('\r\x1b[K')
+        sys.stderr.flush()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -200,3 +201,16 @@ def test_a_narrow_terminal_keeps_the_branches(file: Path, width: str) -> None:
     lines = subprocess.run([sys.executable, '-c', code], capture_output=True, check=True, env=env).stdout.decode().splitlines()
     assert all(len(line) <= int(width) for line in lines)
     assert all(line[0] in '├└│ ' for line in lines[1:])
+
+
+def test_a_terminal_shows_colours_and_only_colours_more(
+    file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain = lines_of(capsys, file)
+    monkeypatch.setattr('sys.stdout.isatty', lambda: True)
+    monkeypatch.delenv('NO_COLOR', raising=False)
+    monkeypatch.setenv('TERM', 'xterm')
+    monkeypatch.setenv('COLUMNS', '300')
+    shown = lines_of(capsys, file)
+    assert [re.sub(r'\x1b\[[0-9;]*m', '', line) for line in shown] == plain
+    assert any('\x1b[1;32mnode ' in line for line in shown)
