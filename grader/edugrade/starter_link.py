@@ -53,10 +53,10 @@ class StarterLink:
         self._socket, theirs = socket.socketpair()
         path = import_path()
         readable, listable = readable_by_all(path)
-        settings = json.dumps({'control': theirs.fileno(), 'path': path, 'readable': readable, 'listable': listable})
+        settings = json.dumps({'path': path, 'readable': readable, 'listable': listable}).encode()
         with theirs, same_addresses():
             self._process = subprocess.Popen(
-                [sys.executable, '-s', '-S', _STARTER, settings],
+                [sys.executable, '-s', '-S', _STARTER, str(theirs.fileno())],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
@@ -65,6 +65,10 @@ class StarterLink:
                 env={**environment(home), 'PYTHONSAFEPATH': '1'},
                 start_new_session=True,
             )
+        try:  # not as an argument: of many installed packages these are more than one may hold
+            self._socket.sendall(len(settings).to_bytes(LENGTH_BYTES, 'big') + settings)
+        except OSError:
+            self.is_alive = False
 
     def begin(self, job: Job, channel: int, output: int) -> socket.socket:
         """Begin a run, which answers on `channel` and prints on `output`. Gives the link to its guard."""

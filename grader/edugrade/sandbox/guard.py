@@ -57,11 +57,12 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[],
 
 def _watch(link: socket.socket, pid: int, memory_bytes: int) -> dict[str, object]:
     """Wait until the run ends, the runner lets go, or too much is used."""
-    ends = [link.fileno()]
+    ends = select.poll()  # not `select`, which knows no numbers above 1023
+    ends.register(link, select.POLLIN)
     with suppress(OSError, AttributeError):
-        ends.append(os.pidfd_open(pid))
+        ends.register(os.pidfd_open(pid), select.POLLIN)
     while True:
-        if link.fileno() in select.select(ends, [], [], LOOK_S)[0]:
+        if any(end == link.fileno() for end, _ in ends.poll(LOOK_S * 1000)):
             return {}
         ended, status = os.waitpid(pid, os.WNOHANG)
         if ended:

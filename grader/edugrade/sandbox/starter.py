@@ -7,7 +7,8 @@ every run begins from the same clean state, and loading 400 modules is paid for 
 The standard library's forkserver does less: its children inherit the caller's environment and hash seed, it unpickles what it is
 sent, forgets a child's pid before the group could be killed, and has no place for a guard.
 
-A message is JSON with its length in four bytes before it, and three descriptors: the channel, the output and the guard's link.
+A message is JSON with its length in four bytes before it: first what every run may read, then for each run its job, and with that
+three descriptors: the channel, the output and the guard's link.
 """
 
 from __future__ import annotations
@@ -27,14 +28,16 @@ from typing import Any, NoReturn
 
 LENGTH_BYTES = 4
 LAST_LOOKS = 300
+MOST_DESCRIPTORS = 4096  # as many as a run closes before it begins
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def main() -> NoReturn:
-    settings: dict[str, Any] = json.loads(sys.argv[1])
-    sys.argv[1:] = []
-    control = socket.socket(fileno=int(settings['control']))
+    control = socket.socket(fileno=int(sys.argv[1]))
     control.set_inheritable(False)
+    sys.argv[1:] = []
+    settings: dict[str, Any] = json.loads(_exactly(control, int.from_bytes(_exactly(control, LENGTH_BYTES), 'big')))
+    open_many()
     sys.path[:] = settings['path']
     confine, guard, trusted_half = _load_sandbox()
     child = _load_child()
@@ -56,6 +59,16 @@ def main() -> NoReturn:
             )
         for descriptor in descriptors:
             os.close(descriptor)
+
+
+def open_many() -> None:
+    """Let this process have a file open for each installed package."""
+    with suppress(ImportError, ValueError, OSError):
+        import resource
+
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        if 0 <= soft < MOST_DESCRIPTORS:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (MOST_DESCRIPTORS if hard < 0 else min(MOST_DESCRIPTORS, hard), hard))
 
 
 def leave_nothing() -> NoReturn:
@@ -131,7 +144,10 @@ def _load_child() -> Any:
 def _exactly(control: socket.socket, count: int) -> bytes:
     data = b''
     while len(data) < count:
-        data += control.recv(count - len(data))
+        more = control.recv(count - len(data))
+        if not more:
+            leave_nothing()
+        data += more
     return data
 
 
