@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from itertools import islice
@@ -25,6 +26,8 @@ FAILS = 'launch.fails'
 """Is not told beside a rule that knows why."""
 ODD = (ArithmeticError, AssertionError, AttributeError, EdulaunchError, LookupError, RecursionError, TypeError, ValueError)
 """What a rule may trip over in data that nobody has foreseen; whoever limits its time is heard."""
+_LOOKUP_ERROR = re.compile(r'(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform|Timeout)Exception')
+"""How the end of a program begins that died of a lookup."""
 MOST = 20
 """Findings of one rule: more of the same tell nobody anything."""
 
@@ -109,6 +112,9 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
     """Whether both are about one node or program, as far as that is known. Frames of tf belong to all nodes."""
+    error = other.facts.get('error') if other.rule == DIED and cause.rule.startswith('tf.') else None
+    if error and not _LOOKUP_ERROR.match(error):
+        return False
     of_cause, of_other = _nodes(cause), _nodes(other)
     shared = cause.rule.startswith('tf.') and other.rule.startswith('tf.')
     return not of_cause or not of_other or bool(of_cause & of_other) or shared

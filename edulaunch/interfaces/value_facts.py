@@ -54,6 +54,8 @@ def _one(field_type: FieldType, message: type[Message] | None, name: str, value:
         return {'value': _brief(value)}
     if kind.python is float and type(value) is int:
         return {'write': f'{value}.0' if abs(value) < 10**15 else 'float(value)'}
+    if kind.python is float and type(value) is tuple:
+        return {'commas': len(value)}
     if kind.python is bytes:
         return {'write': f'bytes([{value}])'} if type(value) is int and 0 <= value < 256 else {}
     return {'write': f'{kind.python.__name__}(value)'} if _converts(kind.python, value) else {}

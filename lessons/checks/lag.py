@@ -21,6 +21,7 @@ def generate_launch_description():
     ])
 """
 AGO_S = 2.0
+EARLY = 'now, minus a Duration, and only if buffer.can_transform'
 SAID = re.compile(r'\s*(\d+\.\d+) (\d+\.\d+)\s*')
 
 
@@ -58,7 +59,16 @@ def it_says_only_that(run: Evidence) -> None:
 def it_was_there_two_seconds_ago(run: Evidence) -> None:
     """turtle1 was there two seconds before"""
     for time_s, text in said(run):
-        x, y, _ = run.first.frames_at(time_s - AGO_S)['turtle1'].translation
+        frame = run.first.frames_at(max(time_s - AGO_S, 0.0)).get('turtle1')
+        if frame is None:
+            raise Mismatch(
+                f'what lag says at {time_s:.2f} s',
+                'nothing: two seconds ago nobody knew',
+                text,
+                where=run.source.place,
+                try_=EARLY,
+            )
+        x, y, _ = frame.translation
         numbers = [float(word) for word in text.split()]
         if not abs(numbers[0] - x) + abs(numbers[1] - y) <= 0.1:
             raise Mismatch(

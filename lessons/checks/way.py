@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from math import hypot
+
 from edugrade import Evidence, Failure, Mismatch, Rubric, Scenario, check
-from edugrade.library.movement import length, turtle_track
 
 
 @check(points=1)
 def the_way_is_right(run: Evidence) -> None:
     """way says how far the turtle went"""
     said = [log.message for log in run.first.logs if log.logger == 'way']
-    wanted = length(turtle_track(run.first, '/turtle1/pose'))
+    poses = [pose for _, pose in run.first.messages('/turtle1/pose')] if '/turtle1/pose' in run.first.topics else []
+    wanted = sum(
+        hypot(new.x - old.x, new.y - old.y) for old, new in zip(poses, poses[1:], strict=False)
+    )  # a bag speaks here, no turtlesim
     try:
         seen = float(said[-1])
     except (IndexError, ValueError):

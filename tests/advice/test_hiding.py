@@ -36,3 +36,13 @@ def test_a_death_is_explained_for_the_same_program_only() -> None:
         ('programs.died', 'other-2'),
         ('tf.lookup-early', 'camera'),
     ]
+
+
+@pytest.mark.parametrize(
+    ('error', 'rules'),
+    [('LookupException: "x" ...', ['tf.unknown-frame']), ('TypeError: no', ['programs.died', 'tf.unknown-frame'])],
+)
+def test_a_death_of_another_error_is_no_consequence_of_a_lookup(error: str, rules: list[str]) -> None:
+    lookup = found('frame', 'x', node='/where', process='where-1')._replace(rule='tf.unknown-frame')
+    died = found('process', 'where-1', error=error)._replace(rule='programs.died')
+    assert sorted(one.rule for one in in_order([lookup, died])) == rules

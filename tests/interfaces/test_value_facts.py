@@ -14,6 +14,7 @@ from edulaunch.facts import facts_of
         ('geometry_msgs/msg/Point', 'x', 'far', {'given': 'str', 'write': None}),
         ('geometry_msgs/msg/Point', 'x', None, {'given': 'None', 'write': None}),
         ('geometry_msgs/msg/Point', 'x', numpy.float32(1), {'given': 'numpy.float32', 'write': 'float(value)'}),
+        ('geometry_msgs/msg/Point', 'x', (1, 5.0), {'given': 'tuple', 'write': None, 'commas': 2}),
         ('std_msgs/msg/Bool', 'data', 1, {'given': 'int', 'write': 'bool(value)'}),
         ('std_msgs/msg/Bool', 'data', 'no', {'given': 'str', 'write': None}),
         ('std_msgs/msg/Byte', 'data', 7, {'given': 'int', 'write': 'bytes([7])'}),

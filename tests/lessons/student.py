@@ -26,7 +26,8 @@ class Student:
         self.lesson = Lesson(lesson)
         self.folder = folder / 'lessons'
         self.folder.mkdir()
-        shutil.copytree(LESSONS / 'checkpoints', self.folder / 'checkpoints')
+        for part in ('checkpoints', 'checks'):
+            shutil.copytree(LESSONS / part, self.folder / part)
         shutil.copy(LESSONS / 'questions.toml', self.folder)
         shutil.copytree(LESSONS.parent / 'exercises', folder / 'exercises')
         self.restart()

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from math import dist
+from pathlib import Path
 
 import pytest
 
 from edulaunch.jupyter.terminal import Terminal
 from tests.lessons.notebook import LESSONS, Walk
+from tests.lessons.student import Student
+from tests.lessons.test_your_turn import turn
 
 Begin = Callable[[str], Walk]
 PACKAGE = 'my_ws/src/learning_tf2_py/'
@@ -94,11 +96,10 @@ def test_the_gap_is_not_yet_and_what_the_hints_lead_to_is_done(
     student = walk(lesson)
     student.run_all(until=check)
     student.run('set-up')
-    assert 'not yet' in student.run(check)
+    assert 'not yet' in turn(student, check)
     for path, old, new in edits:
         student.write(path, new) if not old else student.edit(path, old, new)
-    told = student.run(check)
-    assert 'not yet' not in told and re.search(r'\bdone\b', told)
+    assert set(turn(student, check)) == {'done'}
 
 
 ON_TIMER = """goal = self.watcher.find(self.target, seen_from=self.me)
@@ -122,14 +123,14 @@ def test_the_fleet_is_built_of_the_parts_of_the_lessons_before(walk: Begin, monk
     student.write(NODES + 'steering.py', checkpoint('fleet/steering.py').replace('4.0', '5.0'))
     assert student.run('folders').splitlines()[0].split() == ['fleet/steering.py', 'yours']
     student.run_all(until='one-check')
-    assert student.run('one-check').count('not yet') == 2
+    assert 'not yet' in turn(student, 'one-check')
     student.edit(
         FLEET + 'fleet/follower.py', 'pass  # TODO: where is the target, as seen from me? Publish what steer says\n', ON_TIMER
     )
     student.edit(
         FLEET + 'launch/follower.launch.py', "# TODO: its broadcaster, and its node, which follows ['carrot_', leader]\n", PARTS
     )
-    assert 'not yet' not in student.run('one-check')
+    assert set(turn(student, 'one-check')) == {'done'}
     top = FLEET + 'launch/fleet.launch.py'
     student.write(top, dict([student.lesson['top-py'].file or ('', '')])['my_ws/src/fleet/launch/fleet.launch.py'])
     student.edit(top, '*[follower(number) for number in (2, 3, 4)], sim,', AFTER)
@@ -145,3 +146,11 @@ def test_the_fleet_is_built_of_the_parts_of_the_lessons_before(walk: Begin, monk
     places = fleet.frames_at(25.0)
     gaps = [dist(places[f'turtle{n}'].translation, places[f'turtle{n - 1}'].translation) for n in (2, 3, 4)]
     assert all(1.5 < gap < 1.8 for gap in gaps)
+
+
+def test_the_way_that_a_bag_tells_can_be_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its poses come from the player of the bag, and not from turtlesim."""
+    monkeypatch.setenv('USER', 'student')
+    cells = 'set-up record-py record-run stop way-py way-launch way-run'
+    right = {'way-py': [['way += 0.0', 'way += hypot(pose.x - last.x, pose.y - last.y)']]}
+    assert 'way: all passed' in Student('15_bags', tmp_path).walk(cells, right)

@@ -16,6 +16,7 @@ from rclpy.task import Future
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
+from edulaunch.facts import facts_of
 from edulaunch.processes.current import current_process
 from edulaunch.sim.sync import sleep
 
@@ -766,3 +767,12 @@ def test_a_node_that_moves_takes_what_is_ready_along(ros: Ros, world: World) -> 
             second.spin_once(timeout_sec=0)
 
     assert ros(body) == ['a', 'b', 'c']
+
+
+def test_an_executor_without_its_brackets_is_refused_as_rclpy_refuses_it(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.raises(TypeError, match=r"Executor\.add_node\(\) missing 1 required positional argument: 'node'") as refused:
+            rclpy.spin(Node('a'), MultiThreadedExecutor)
+        world.say(facts_of(refused.value)['about'])
+
+    assert ros(body) == ['messages.class-given']

@@ -202,6 +202,10 @@ JOINT = '<joint name="j" type="fixed"><parent link="{}"/><child link="arm"/></jo
         (LINK + JOINT.format('bas'), r"parent link \[bas\] of joint \[j\] not found; did you mean 'base'\?"),
         (LINK, r'Two root links found: \[base\] and \[arm\]'),
         ('<link name="arm"/>' + JOINT.format('arm'), 'No root link found'),
+        (
+            LINK + JOINT.format('base').replace('fixed', 'revolute'),
+            r'Joint \[j\] is of type REVOLUTE but it does not specify limits',
+        ),
     ],
 )
 def test_links_that_do_not_hang_together_refuse_the_description(body: str, text: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 ENDED_WELL = (None, 0, -2, -15)
 """Still running, finished, ended by Ctrl-C or by launch."""
 LONGEST = 160
+_ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
 
 @rule(
@@ -51,8 +53,33 @@ def died(recording: Recording) -> Iterator[Finding]:
             code=process.returncode,
             at=error.get('line'),
             error=_short(f'{error["type"]}: {error["message"]}') if error else None,
-            said=_short(said[-1]) if said else None,
+            said=_short(_telling(said)) if said else None,
         )
+    yield from _outside(recording)
+
+
+def _outside(recording: Recording) -> Iterator[Finding]:
+    """Programs that are not simulated, such as `python3 misspelt.py`: known by what launch says of their end."""
+    ours = {process.name for process in recording.processes}
+    lines = [line for row in recording.output if row.process == 'launch' for line in row.text.splitlines()]
+    for end in filter(None, map(_ENDED.match, lines)):
+        name, code = end['name'], int(end['code'])
+        if name not in ours and code not in ENDED_WELL:
+            said = [line.removeprefix(f'[{name}] ') for line in lines if line.startswith(f'[{name}] ')]
+            yield found(
+                'process',
+                name,
+                file=recording.launch.file,
+                code=code,
+                at=None,
+                error=None,
+                said=_short(_telling(said)) if said else None,
+            )
+
+
+def _telling(said: list[str]) -> str:
+    """The last line with an error: a C++ program ends with `terminate called ...`, which tells less than its log."""
+    return next((line for line in reversed(said) if '[ERROR]' in line or '[FATAL]' in line), said[-1])
 
 
 def _short(text: str) -> str:

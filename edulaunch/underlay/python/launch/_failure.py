@@ -137,7 +137,10 @@ def _about_file(path: str) -> dict[str, Any]:
     folder = os.path.dirname(path) or '.'
     if not os.path.isdir(folder):
         return {'wanted': path, 'no_folder': folder}
-    return {'wanted': path, 'near': nearest(os.path.basename(path), os.listdir(folder))}
+    name, ending = os.path.basename(path), os.path.splitext(path)[1]
+    stems = {other.partition('.')[0]: other for other in os.listdir(folder) if other.endswith(ending)}
+    near = nearest(name.partition('.')[0], stems)  # without endings: two names are not alike because both end in .launch.py
+    return {'wanted': path, 'near': stems[near] if near else None}
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:

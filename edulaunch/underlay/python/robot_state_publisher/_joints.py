@@ -10,6 +10,8 @@ from edulaunch.tf.quaternions import multiply
 
 MOVING = ('revolute', 'continuous', 'prismatic')
 """Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
+LIMITED = ('revolute', 'prismatic')
+"""Kinds that the original refuses without <limit>."""
 Quaternion = tuple[float, float, float, float]
 
 
@@ -71,6 +73,9 @@ def read_joints(description: str) -> list[Joint]:
         robot = URDF.from_xml_string(description.encode())
     except Exception as error:
         raise ValueError(' '.join(str(error).split()) or type(error).__name__) from error
+    for found in robot.joints:
+        if found.joint_type in LIMITED and found.limit is None:
+            raise ValueError(f'Joint [{found.name}] is of type {found.joint_type.upper()} but it does not specify limits')
     joints = [_joint(found) for found in robot.joints]
     _check_tree([link.name for link in robot.links], joints)
     return joints

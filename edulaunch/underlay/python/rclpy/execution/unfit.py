@@ -35,7 +35,10 @@ def check_future(future: Any) -> None:
 
 
 def check_executor(executor: Any, attribute: str) -> None:
-    """Raise what rclpy raises for a thing that is no executor, most often a timeout without its name."""
+    """Raise what rclpy raises for a thing that is no executor, most often a timeout without its name, or a class."""
+    if isinstance(executor, type):
+        no_self = TypeError("Executor.add_node() missing 1 required positional argument: 'node'")
+        raise with_facts(no_self, 'messages.class-given', wanted=executor.__name__)
     if not hasattr(executor, 'add_node'):
         error = AttributeError(f'{type(executor).__name__!r} object has no attribute {attribute!r}')
         if isinstance(executor, (int, float)):

@@ -1,0 +1,15 @@
+import rclpy
+from rclpy.node import Node
+
+
+class Ticker(Node):
+    def __init__(self):
+        super().__init__('ticker')
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.get_logger().info('tick')
+
+
+rclpy.init()
+rclpy.spin_once(Ticker())
