@@ -20,6 +20,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     copy.add_argument(
         '--course', metavar='COURSE', help='the folder of another course (default: the one that comes with edulaunch)'
     )
+    copy.add_argument(
+        '--student', metavar='NAME', help="make it one student's own: with names and numbers of exercises chosen for NAME"
+    )
+    copy.add_argument('--course-secret-file', metavar='FILE', help='the secret that chooses them; edugrade batch takes the same')
     lint = verbs.add_parser('lint', help='Check that lessons, exercises, solutions and rubrics belong together')
     lint.add_argument('folder', nargs='?', default='.', metavar='DIR')
     lint.add_argument('--quick', action='store_true', help='launch nothing')
@@ -71,11 +75,25 @@ def _copy(arguments: argparse.Namespace) -> int:
 
     course = given_course(arguments.course or our_course())
     _not_into_itself(course, arguments.folder)
-    done = copy_files(student_files(course), arguments.folder, update=arguments.update)
+    files = student_files(course)
+    if arguments.student:
+        files = _personal(files, course, arguments.student, arguments.course_secret_file)
+    done = copy_files(files, arguments.folder, update=arguments.update)
     for name in done.left_alone:
         print(f'left alone, for you changed it: {name}')
     print(f'{arguments.folder}: {len(done.written)} files copied. Begin: edulaunch course open {arguments.folder}')
     return 0
+
+
+def _personal(files: dict[str, bytes], course: str, student: str, secret: str | None) -> dict[str, bytes]:
+    from edugrade.course_secret import CourseSecret
+
+    from edulaunch.course.personal import personal_files
+    from edulaunch.errors import UnusableInput
+
+    if secret is None:
+        raise UnusableInput('whose variant it is is chosen by the secret of the course', help='--course-secret-file FILE')
+    return personal_files(files, course, student, CourseSecret(secret))
 
 
 def _lint(arguments: argparse.Namespace) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib.util import module_from_spec, spec_from_loader
 from types import ModuleType
 
@@ -75,16 +75,19 @@ def rubrics_in(folder: str) -> dict[str, str]:
     return {stem: os.path.join(folder, name) for stem, ending, name in parts if ending in ENDINGS}
 
 
-def find_rubric(exercise: str, given: str | None = None, submission: str = '') -> tuple[str, Rubric]:
+def find_rubric(
+    exercise: str, given: str | None = None, submission: str = '', personal: Callable[[str], str] | None = None
+) -> tuple[str, Rubric]:
     """The rubric of an exercise and its name.
 
     :param given: a rubric's file, or an exercise's name, instead of the one of the submission's file name.
     :param submission: the folder that was handed in: a rubric in it would be the student's own.
+    :param personal: makes the text of a student's own variant of its text.
     :raises UnusableInput: when there is none, naming those there are.
     :raises RubricMistake: when it cannot be loaded.
     """
     if given is not None and _is_file(given):
-        return os.path.splitext(os.path.basename(given))[0], load_rubric(given)
+        return os.path.splitext(os.path.basename(given))[0], load_rubric(given, personal)
     known, name = _rubrics(), given or exercise
     if name in known:
         if submission and os.path.realpath(known[name]).startswith(os.path.join(os.path.realpath(submission), '')):
@@ -92,7 +95,7 @@ def find_rubric(exercise: str, given: str | None = None, submission: str = '') -
                 f'the rubric {known[name]} lies in the folder that is graded',
                 help='keep exercises and rubrics in folders of their own',
             )
-        return name, _by_the_course(name, load_rubric(known[name]))
+        return name, _by_the_course(name, load_rubric(known[name], personal))
     from edulaunch.nearest import nearest
 
     close = nearest(name, list(known))
@@ -130,7 +133,7 @@ def _is_file(given: str) -> bool:
     return given.endswith(ENDINGS) or os.sep in given
 
 
-def load_rubric(path: str) -> Rubric:
+def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubric:
     """The rubric in a file.
 
     :raises UnusableInput: when it cannot be read, or is none.
@@ -144,6 +147,8 @@ def load_rubric(path: str) -> Rubric:
         ) from None
     except OSError as error:
         raise UnusableInput(f'the rubric {path} cannot be read: {error.strerror}') from None
+    if personal is not None:
+        data = personal(data.decode('utf-8')).encode()
     if path.endswith('.py'):
         rubric = getattr(_module(path, data), 'RUBRIC', None)
     else:

@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 
 from .grading import Work, grade, plan_work
 from .limits import CAN_FORK, Limits
-from .options import read_options
+from .options import is_personal, read_options
 from .rubric import RubricMistake
 from .submission import Submission
 
@@ -105,7 +105,9 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
         secret = CourseSecret(options.course_secret_file)
     for path in options.paths:
         try:
-            works.append(plan_work(Submission(path), options.rubric, options.seed, secret, options.student, options.only))
+            student, called = options.student, options.student if is_personal(options) else ''
+            work = plan_work(Submission(path), options.rubric, options.seed, secret, student, options.only, called=called)
+            works.append(work)
         except UnusableInput as error:
             if not several:
                 raise

@@ -27,6 +27,7 @@ class Exercise(NamedTuple):
     :param points: all of them.
     :param hints: LEVELS texts: a question, where to look, almost the answer.
     :param why: one sentence: why it matters on a robot; '' when nobody says it.
+    :param variants: rows of texts, of which each student has one; first the usual one. See `variant`.
     :param check_points: points of single checks, other than those of the rubric.
     """
 
@@ -37,6 +38,7 @@ class Exercise(NamedTuple):
     hints: tuple[str, ...]
     why: str = ''
     check_points: Mapping[str, int] = MappingProxyType({})
+    variants: tuple[tuple[str, ...], ...] = ()
 
     @property
     def name(self) -> str:
@@ -76,6 +78,7 @@ def read_course(path: str) -> list[Exercise]:
                 tuple(entry.get('hints', ())),
                 entry.get('why', ''),
                 entry.get('check_points', {}),
+                tuple(tuple(map(str, row)) for row in entry.get('variants', ())),
             )
             for entry in entries
         ]

@@ -10,19 +10,26 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from itertools import islice
+from tempfile import TemporaryDirectory
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import course_rubrics, find_rubric, rubrics_folder, rubrics_in
+from .catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .course import LEVELS, MANIFEST, Exercise, read_course
+from .course_secret import CourseSecret
 from .grading import grade, plan_work
 from .submission import Submission
+from .variant import Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 SHORTEST_HINT = 40
 MOST_GAPS = 3
+TRIED = b'no secret: the variants that are tried'
 LONGEST_GAP = 10  # lines that a solution adds or changes, on average for each gap
-_BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml')
+_BY_THE_WAY = ('__pycache__', '.ipynb_checkpoints', 'my_progress.toml', 'my_variant.toml')
+MOST_STUDENTS, TRIES = 2, 400
+"""For how many students variants are tried, and among how many they are looked for."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -35,7 +42,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
         problems = [*check_files(folder, course), *check_entries(folder, course)]
         if not quick and not problems:
-            problems = list(check_runs(folder, course))
+            problems = [*check_runs(folder, course), *check_variants(folder, course)]
     except UnusableInput as error:
         problems, course = [str(error)], []
     for problem in problems:
@@ -73,10 +80,65 @@ def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
             yield f'{item.name} needs {LEVELS} hints of at least {SHORTEST_HINT} characters'
         if not item.why and course_rubrics(folder) is None:
             yield f'{item.name} does not say why it matters on a robot: why = "..." in {MANIFEST}'
+        yield from _variants(folder, item, rubrics.get(item.name))
         lesson = os.path.join(folder, LESSONS, f'{item.lesson}.ipynb')
         if item.lesson and os.path.isdir(os.path.join(folder, LESSONS)) and not os.path.isfile(lesson):
             yield f'{item.name} names the lesson {item.lesson}, which is not in {LESSONS}/'
         yield from _gaps(folder, item)
+
+
+def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
+    """Each row of variants has several texts, and the first of them stands in the stub, in the solution and in the rubric."""
+    if not item.variants or rubric is None:
+        return
+    texts = [Submission(os.path.join(folder, kind, item.path)).source.texts().values() for kind in (STUBS, SOLUTIONS)]
+    with open(rubric, encoding='utf-8') as file:
+        places = zip((STUBS, SOLUTIONS, 'its rubric'), (*texts, [file.read()]), strict=True)
+    for place, found in places:
+        for row in item.variants:
+            if len(set(row)) < 2 or len(set(row)) < len(row):
+                yield f'{item.name}: a row of variants has different texts, and more than one: {", ".join(row)}'
+            elif not any(Variant('', '', {row[0]: '\0'}).of(text) != text for text in found):
+                yield f'{item.name}: the variant {row[0]} does not stand in {place}'
+    names = [check.name for check in load_rubric(rubric).checks]
+    for variant in _tried(item, CourseSecret.of(TRIED)):
+        if [check.name for check in load_rubric(rubric, variant.of).checks] != names:
+            yield f'{item.name}: a variant changes the name of a check: {", ".join(variant.values)}'
+
+
+def _tried(item: Exercise, secret: CourseSecret) -> list[Variant]:
+    """Variants in which everything differs from the usual one."""
+    found = (personal(item, f'student {number}', secret) for number in range(TRIES))
+    other = (variant for variant in found if variant is not None and all(key != text for key, text in variant.values.items()))
+    return list(islice(other, MOST_STUDENTS))
+
+
+def check_variants(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
+    """The solution of a student's variant passes everything by that student's rubric, and the usual solution does not."""
+    rubrics, secret = _rubrics(folder), CourseSecret.of(TRIED)
+    with TemporaryDirectory(prefix='edugrade-variants-') as place:
+        works = []
+        for item, variant in [(each, variant) for each in course for variant in _tried(each, secret)]:
+            usual, own = os.path.join(folder, SOLUTIONS, item.path), os.path.join(place, variant.student, item.path)
+            _personal_copy(usual, own, variant)
+            works.append((f'{item.name} of {variant.tag}', True, plan_work(Submission(own), rubrics[item.name], variant=variant)))
+            works.append((item.name, False, plan_work(Submission(usual), rubrics[item.name], variant=variant)))
+        for (name, is_own, _), report in zip(works, grade([work for *_, work in works]), strict=True):
+            bad = next((result for result in report.results if result.status != 'passed'), None)
+            if is_own and bad is not None:
+                yield f'{name}: the solution of this variant: {bad.sentence}: {bad.reason}'
+            if not is_own and bad is None:
+                yield f'{name}: the usual solution passes for another variant, too: its rubric asks for none of the values'
+
+
+def _personal_copy(source: str, target: str, variant: Variant) -> None:
+    """A solution, a file or a package, with a student's values."""
+    files = [source] if os.path.isfile(source) else [os.path.join(source, name) for name in _files(source)]
+    for file in files:
+        path = target if file == source else os.path.join(target, os.path.relpath(file, source))
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(file, encoding='utf-8') as text, open(path, 'w', encoding='utf-8') as copy:
+            copy.write(variant.stub(text.read()))
 
 
 def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:

@@ -18,6 +18,8 @@ from .worker import Exceeded, in_worker
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
 
+    from .variant import Variant
+
 FORMAT = 2
 LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
 
@@ -32,6 +34,7 @@ def document(report: Report) -> dict[str, Any]:
         'submission': {'file': os.path.relpath(report.file, report.folder), 'sha256': report.sha256},
         'rubric': {'name': report.rubric, 'title': report.title},
         'seed': report.seed,
+        **({'variant': _variant(report.variant)} if report.variant else {}),
         'receipt': receipt(report),
         'verdict': report.verdict,
         'exit_code': report.exit_code,
@@ -42,6 +45,10 @@ def document(report: Report) -> dict[str, Any]:
         'graph': graph,
         'gaps': [{'file': paths.text(gap.file), 'line': gap.line, 'text': gap.text} for gap in report.gaps],
     }
+
+
+def _variant(variant: Variant) -> dict[str, Any]:
+    return {'student': variant.student, 'tag': variant.tag, 'values': dict(variant.values)}
 
 
 def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:

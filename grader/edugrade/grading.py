@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from .catalogue import find_rubric
 from .limits import CAN_FORK, Limits
-from .submission import Submission
+from .submission import Submission, exercise_of
+from .variant import Variant, variant_for
 
 if TYPE_CHECKING:
     from .course_secret import CourseSecret
@@ -21,13 +23,16 @@ if TYPE_CHECKING:
 
 
 class Work(NamedTuple):
-    """A submission with what it is graded by; `secret` names the course secret that chose the seed, if one did."""
+    """A submission with what it is graded by; `secret` names the course secret that chose the seed, if one did; `variant` has the
+    values of the student's own exercise.
+    """
 
     submission: Submission
     name: str
     rubric: Rubric
     seed: int
     secret: str | None = None
+    variant: Variant | None = None
 
     @property
     def sha256(self) -> str:
@@ -52,19 +57,25 @@ def plan_work(
     secret: CourseSecret | None = None,
     student: str = '',
     only: str | None = None,
+    variant: Variant | None = None,
+    called: str = '',
 ) -> Work:
     """Find the rubric and choose the seed of a submission.
 
     :param rubric: a rubric's name or file, instead of the one that the submission's name says.
     :param seed: chooses the values of the runs; default: the course's secret with the student, else the submission's content.
+    :param variant: the values of the student's own exercise; default: what the secret, or the student's copy of the course, says.
+    :param called: for whom the exercise was made; '' where all have the same.
     :param only: the name of the only check that is wanted, with what it needs.
     :raises UnusableInput: when there is no such rubric, or no such check in it.
     """
-    name, found = find_rubric(submission.exercise, rubric, submission.folder)
+    name = exercise_of(os.path.basename(rubric)) if rubric else submission.exercise
+    variant = variant or variant_for(name, called, secret if called else None)
+    name, found = find_rubric(submission.exercise, rubric, submission.folder, variant.of if variant else None)
     found = found if only is None else found.part(only)
     if seed is None and secret is not None:
-        return Work(submission, name, found, secret.seed(name, student, submission.sha256), secret.name)
-    return Work(submission, name, found, submission.seed if seed is None else seed)
+        return Work(submission, name, found, secret.seed(name, student, submission.sha256), secret.name, variant)
+    return Work(submission, name, found, submission.seed if seed is None else seed, variant=variant)
 
 
 def grade(
@@ -112,7 +123,7 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
     submission = work.submission
     try:
         results = judged(lambda: judge(work.rubric.checks, outcomes, submission.source))
-        results[1:1] = _repeated(work, outcomes, runner, workspaces)
+        results[1:1] = [*_whose(work), *_repeated(work, outcomes, runner, workspaces)]
     except Exceeded as error:
         results = too_much(work.rubric.checks, str(error), submission.source)
     except Exception as error:  # a fault of ours with one submission, which costs no other its report
@@ -132,7 +143,27 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
         gaps=tuple(submission.source.gaps),
         rubric_sha256=work.rubric_sha256,
         secret=work.secret,
+        variant=work.variant,
     )
+
+
+def _whose(work: Work) -> list[CheckResult]:
+    """What is said of a submission that was evidently made from somebody else's exercise."""
+    from .results import FAILED, CheckResult
+
+    if work.variant is None or not any(map(work.variant.is_of_another, work.submission.source.texts().values())):
+        return []
+    return [
+        CheckResult(
+            'own_variant',
+            'The file is made from your own exercise',
+            FAILED,
+            reason="this is another student's variant",
+            expected=f'Variant {work.variant.tag}, made for {work.variant.student}',
+            where=work.submission.source.place,
+            try_='begin with the file that you were given: its names and numbers are yours',
+        )
+    ]
 
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace, workspaces: Sequence[str]) -> list[CheckResult]:

@@ -6,6 +6,7 @@ from edulaunch.errors import UnusableInput
 
 from .course import LEVELS, find_course, read_course
 from .submission import Submission
+from .variant import variant_for
 
 
 def find_hint(submission: Submission, level: int) -> str:
@@ -19,7 +20,8 @@ def find_hint(submission: Submission, level: int) -> str:
         if exercise.name == submission.exercise:
             if not 1 <= level <= len(exercise.hints):
                 raise UnusableInput(f'there is no hint of level {level}', help=f'levels are 1 to {len(exercise.hints)}')
-            return f'{exercise.title}, hint {level} of {LEVELS}: {exercise.hints[level - 1]}'
+            variant, hint = variant_for(exercise.name, '', None), exercise.hints[level - 1]
+            return f'{exercise.title}, hint {level} of {LEVELS}: {variant.of(hint) if variant else hint}'
     raise UnusableInput(
         f'there is no exercise {submission.exercise}', help='exercises: ' + ', '.join(exercise.path for exercise in known)
     )

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
+from edulaunch.errors import UnusableInput
+
 from .catalogue import exercises
 
 EPILOG = """\
@@ -101,6 +103,11 @@ def add_common(parser: argparse.ArgumentParser) -> None:
         metavar='FILE',
         help='choose the runs by this secret and the student, so that nobody can foresee them',
     )
+    parser.add_argument(
+        '--personal',
+        action='store_true',
+        help='the exercises were made for each student (edulaunch course copy --student) with the secret of --course-secret-file',
+    )
     parser.add_argument('--limit', type=_seconds, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     parser.add_argument(
         '--workspace', action='append', default=[], metavar='DIR', help='a folder with your own packages (repeatable)'
@@ -111,6 +118,16 @@ def add_common(parser: argparse.ArgumentParser) -> None:
         default='auto',
         help='confine runs as far as this system can (default), run nothing that is not confined, or do not confine',
     )
+
+
+def is_personal(options: argparse.Namespace) -> bool:
+    """Whether each student has exercises of his or her own.
+
+    :raises UnusableInput: when that is said without the secret that has chosen them.
+    """
+    if options.personal and not options.course_secret_file:
+        raise UnusableInput('--personal needs the secret by which the exercises were made', help='--course-secret-file FILE')
+    return bool(options.personal)
 
 
 def _count(text: str) -> int:

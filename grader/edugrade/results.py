@@ -12,6 +12,8 @@ from .source import Gap
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
 
+    from .variant import Variant
+
 PASSED, FAILED, NOT_RUN, GRADER_BROKE = STATUSES = ('passed', 'failed', 'not_run', 'grader_broke')
 
 ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
@@ -69,6 +71,7 @@ class Report:
     :param secret: names the course secret that chose the seed, if one did.
     :param student: whose it is; '' where nobody asked.
     :param level: how much of the advice people see, see `steps`; data has all of it.
+    :param variant: the values of the student's own exercise, if it has any.
     :param why: why it matters on a robot, said when all is passed.
     :param word: what the student must be told besides: that the file is unchanged, that progress cannot be kept.
     """
@@ -91,6 +94,7 @@ class Report:
     level: int = 3
     word: str = ''
     why: str = ''
+    variant: Variant | None = None
 
     @property
     def sandbox(self) -> dict[str, str]:

@@ -16,7 +16,7 @@ from .results import FAILED, CheckResult
 KIND, THING, ALL = LEVELS = 1, 2, 3
 TRIES = {THING: 2, ALL: 4}
 """From which different text on a level is reached."""
-UNSAID = (LAUNCHES, REPEATS)
+UNSAID = (LAUNCHES, REPEATS, 'own_variant')
 """Checks that no rubric has: whether it runs at all is no task, and is said at once."""
 
 WORDS = {

@@ -18,6 +18,7 @@ from .receipt import receipt
 from .signature import is_signed_by, read_report
 from .submission import Submission
 from .terminal import printable
+from .variant import Variant
 
 MOST_PLACES = 20_000  # files that are looked at in search of a submission
 NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
@@ -57,7 +58,7 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
         raise UnusableInput(f'the receipt of {options.report} has no seed')
     submission = Submission(options.submission or find_submission(report, options.report))
     rubric = options.rubric or report['rubric']['name'] if submission.exercise != report['rubric']['name'] else options.rubric
-    work = plan_work(submission, rubric, seed)
+    work = plan_work(submission, rubric, seed, variant=_variant(report))
     yield from _of_the_seed(report, options.course_secret_file, submission)
     now = receipt(work)
     yield from (f'{words}: another one' for key, words in NAMES.items() if before.get(key) != now[key])
@@ -70,6 +71,15 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
     yield from _of_the_list(
         'run', report.get('scenarios'), again['scenarios'], ('arguments', 'duration_s', 'seed', 'outcome', 'digest')
     )
+
+
+def _variant(report: dict[str, Any]) -> Variant | None:
+    """The variant that a report names; what is no such thing changes the rubric, so that its hash differs."""
+    try:
+        found = report['variant']
+        return Variant(str(found['student']), str(found['tag']), {str(key): str(text) for key, text in found['values'].items()})
+    except (KeyError, TypeError, AttributeError):
+        return None
 
 
 def _of_the_seed(report: dict[str, Any], secret_file: str | None, submission: Submission) -> Iterator[str]:

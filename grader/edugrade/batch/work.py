@@ -15,6 +15,7 @@ from ..course_secret import CourseSecret
 from ..document import document
 from ..grading import Work, grade, plan_work
 from ..limits import Limits
+from ..options import is_personal
 from ..receipt import receipt
 from ..results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
 from ..submission import Submission
@@ -36,13 +37,15 @@ class Options(NamedTuple):
     workspaces: Sequence[str] = ()
     jobs: int | None = None
     html: str | None = None
+    is_personal: bool = False
 
     @classmethod
     def of(cls, words: argparse.Namespace) -> Options:
         """The options of a command line."""
         secret = CourseSecret(words.course_secret_file) if words.course_secret_file else None
         limits = Limits(words.limit, sandbox=words.sandbox)
-        return cls(words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
+        common = (words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
+        return cls(*common, is_personal(words))
 
 
 def plan(entry: Entry, options: Options) -> Work:
@@ -53,7 +56,8 @@ def plan(entry: Entry, options: Options) -> Work:
     if entry.refused:
         raise UnusableInput(entry.refused, help=entry.help)
     student = entry.id or entry.student
-    return plan_work(Submission(entry.file), options.rubric, options.seed, options.secret, student, options.only)
+    called = entry.student if options.is_personal else ''
+    return plan_work(Submission(entry.file), options.rubric, options.seed, options.secret, student, options.only, called=called)
 
 
 def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:

@@ -1,0 +1,102 @@
+"""Personal variants: names and numbers of an exercise that are chosen for each student from a secret of the course.
+
+An exercise's entry in course.toml lists what may differ, ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``: first the
+text as it stands in stub, solution, rubric and hints, then what may stand in its place. So every one of them is a template, and
+the first of each row is the variant of a course without a secret.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from .catalogue import course_manifest
+from .course import Exercise, find_course, read_course, read_toml
+from .course_secret import CourseSecret
+
+FILE = 'my_variant.toml'
+"""In the folder ``exercises`` of a student's copy: the values of each exercise, so that the student is graded by them too."""
+MARK = re.compile(r'Variant ([0-9a-f]{8})\b')
+
+
+class Variant(NamedTuple):
+    """What one student's exercise has in the place of the usual texts.
+
+    :param tag: names the variant; it stands in the student's file.
+    """
+
+    student: str
+    tag: str
+    values: Mapping[str, str]
+
+    def of(self, text: str) -> str:
+        """A text of the course, as this student has it. Only whole words and numbers are replaced, all at once."""
+        if not self.values:
+            return text
+        words = '|'.join(re.escape(word) for word in sorted(self.values, key=len, reverse=True))
+        return re.sub(rf'(?<![\w.])(?:{words})(?!\w|\.\d)', lambda found: self.values[found[0]], text)
+
+    def stub(self, text: str) -> str:
+        """A launch file that is handed out: with this student's values, and a line that says whose it is."""
+        line = f'Variant {self.tag}, made for {self.student}.\n\n'
+        return re.sub(r'^(?=Grade it: )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
+
+    def is_of_another(self, text: str) -> bool:
+        """Whether a text says that it was made for somebody else."""
+        return any(tag != self.tag for tag in MARK.findall(text))
+
+
+def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant | None:
+    """The variant of a student; None for an exercise that is the same for all.
+
+    The same student, exercise and secret give the same on every machine and every Python.
+    """
+    if not exercise.variants or not student:
+        return None
+    choices = {row[0]: row[secret.number(exercise.name, student, row[0]) % len(row)] for row in exercise.variants}
+    tag = f'{secret.number(exercise.name, student, "") & 0xFFFFFFFF:08x}'
+    return Variant(student, tag, choices)
+
+
+def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant | None:
+    """The variant by which an exercise is graded: by the secret for this student, else as the student's copy of the course says.
+
+    The course is looked for around the current folder, never in what is graded.
+
+    :raises UnusableInput: when the course, or the student's file in it, cannot be read.
+    """
+    if secret is not None:
+        known = read_course(course_manifest() or find_course(os.sep))
+        return next((personal(item, student, secret) for item in known if item.name == name), None)
+    manifest = course_manifest()
+    return None if manifest is None else _read(_beside(manifest)).get(name)
+
+
+def write_variants(student: str, variants: Mapping[str, Variant]) -> bytes:
+    """The file of a student's copy that has the values of each exercise."""
+    lines = [f'# The values of the exercises as they were made for {student}. check() and edugrade read them.\n']
+    for name, variant in variants.items():
+        lines.append(f'\n[{name}]\nstudent = {json.dumps(student)}\ntag = "{variant.tag}"\n[{name}.values]\n')
+        lines += [f'{json.dumps(key)} = {json.dumps(value)}\n' for key, value in variant.values.items()]
+    return ''.join(lines).encode()
+
+
+def _beside(manifest: str) -> str:
+    folder = os.path.dirname(manifest)
+    inside = os.path.join(folder, 'exercises', FILE)
+    return inside if os.path.isfile(inside) else os.path.join(folder, FILE)
+
+
+def _read(path: str) -> dict[str, Variant]:
+    try:
+        tables: dict[str, Any] = read_toml(path)
+        return {name: Variant(table['student'], table['tag'], dict(table['values'])) for name, table in tables.items()}
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise UnusableInput(f'{path} cannot be read: {error}', help='copy it anew from your course') from None
