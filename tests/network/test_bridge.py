@@ -282,3 +282,14 @@ def test_at_the_end_the_graph_is_as_it_was(place: Any) -> None:
     assert there.nodes() == ['/b'] and there.graph.publishers == {}
     publisher.publish(('alone',))
     assert here.link.published == []
+
+
+def test_real_ends_that_cannot_talk_with_each_other_are_not_this_machines_business(place: Any, air: Air) -> None:
+    here = place('a')
+    real, node = raw(air)
+    for topic, reliability in (('/fine', 'reliable'), ('/odd', BEST_EFFORT)):
+        real.add(node, PUBLISHER, topic, UNDERLAY, QoS(reliability=reliability))
+        real.add(node, 'subscription', topic, UNDERLAY, QoS())
+    turns(here)
+    assert [here.graph.publishers[topic][0].subscription_count for topic in ('/fine', '/odd')] == [0, 0]
+    assert here.session.recorder.notes == []

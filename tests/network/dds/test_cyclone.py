@@ -11,7 +11,7 @@ from edulaunch.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
 from edulaunch.interfaces.cdr import encode
 from edulaunch.interfaces.registry import Registry
 from edulaunch.interfaces.underlay import underlay_registry
-from edulaunch.network.link import Interface, LinkError, Message, Settings, Trouble
+from edulaunch.network.link import Interface, LinkError, Message, Response, Settings, Trouble
 from tests.network.places import PUBLISHER, STRING, text, words_in
 
 UNDERLAY = Interface(STRING, underlay_registry())
@@ -198,3 +198,29 @@ def test_the_network_of_a_machine_is_the_loopback_unless_asked_for_more(domain: 
     wide = configuration(Settings(0, 'SUBNET', ('robot.local',)))
     assert 'autodetermine="true"' in wide and 'Address="robot.local"' in wide and '127.0.0.1' not in wide
     assert '<Peers></Peers>' in configuration(Settings(0, 'OFF'))
+
+
+def test_nobody_hears_himself_and_sees_himself_among_the_others(wire: Any) -> None:
+    here, there = wire.place('a'), wire.place('b')
+    mouth = here.publisher('/chatter')
+    here.subscription('/chatter')
+    there.publisher('/chatter')
+    there.subscription('/chatter')
+    wire.until(lambda: mouth.subscription_count == 2 and len(here.graph.publishers['/chatter']) == 2)
+    wire.until(lambda: there.heard, lambda: mouth.publish(('hello',)))
+    count, sent = len(here.heard), there.publisher('/end')
+    here.subscription('/end')
+    wire.until(lambda: ('end',) in here.heard, lambda: sent.publish(('end',)))
+    assert here.heard[:count] == [('hello',)] * count and ('hello',) not in here.heard[count:]
+    assert {end.node.name for end in here.link.graph().endpoints} == {'b'}
+
+
+def test_a_reply_for_somebody_else_is_not_taken(domain: int) -> None:
+    from edulaunch.network.dds.link import End, _event
+
+    end = End(1, 'client', '/reset', UNDERLAY, QoS())
+    reply = b'\0\1\0\0%s' + (7).to_bytes(8, 'little') + b'answer'
+    assert _event(3, end, b'\x01\x10', 0, reply % b'somebody') is None
+    assert _event(3, end, b'\x01\x10', 0, reply % end.id) == Response(3, 7, b'\0\1\0\0answer')
+    for gid, data in ((b'\x01\x0f', reply % end.id), (b'\x01\x10', b'\0\1\0\0short')):
+        assert isinstance(_event(3, end, gid, 0, data), Trouble)
