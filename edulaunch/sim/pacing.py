@@ -83,14 +83,14 @@ class RealTime:
     def is_wall(self) -> bool:
         """Whether the simulated time *is* that of the clock on the wall, as for whoever talks with the real world.
 
-        Then nothing stays lost: after a second in which the computer was too slow it is a second later. Neither pause nor speed
-        have an effect.
+        Then nothing stays lost: after a second in which the computer was too slow it is a second later. It cannot be
+        paused, and the speed has no effect.
         """
         return self._is_wall
 
     @is_wall.setter
     def is_wall(self, is_wall: bool) -> None:
-        self._is_wall = is_wall
+        self._is_wall, self._paused = is_wall, False
         if is_wall:
             self._began = time.time_ns(), self._clock()
             self.sim.leap(self._due_ns())
@@ -114,7 +114,7 @@ class RealTime:
 
     @paused.setter
     def paused(self, paused: bool) -> None:
-        self._paused = paused
+        self._paused = paused and not self._is_wall
         self.go_on()
 
     def go_on(self) -> None:
@@ -125,7 +125,7 @@ class RealTime:
     def advance(self) -> float | None:
         """Run what is due by now, at most for a moment; returns the real seconds until something is due (None: nothing is)."""
         sim = self.sim
-        if self._paused and not self._is_wall:
+        if self._paused:
             sim.run(sim.now_ns)  # what was just started may show that it waits
             return None
         next_ns = sim.next_time_ns()
