@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 from pathlib import Path
 
@@ -194,3 +195,41 @@ def test_classes_from_text_and_compiled_ones_understand_each_other(real: Environ
         compiled.kill()
     assert (ours.returncode, ours.stdout.split()[0], ours.stdout.split()[2]) == (0, '7', 'True'), ours.stderr
     assert (said.split()[0], said.split()[2]) == ('7', 'False')
+
+
+INTERRUPTED = """
+import time
+import rclpy
+from geometry_msgs.msg import Polygon, Point32
+rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+node = rclpy.create_node('tester')
+publisher = node.create_publisher(Polygon, 'area', 1)
+node.create_subscription(Polygon, 'area', lambda message: None, 1)
+area = Polygon(points=[Point32(x=float(x)) for x in range(2000)])
+came = told = 0
+while told < 50:
+    try:
+        if came == 0:
+            print('ready', flush=True)
+        if told < came:
+            print(came, flush=True)
+            told = came
+        while told < 50:
+            publisher.publish(area)
+            rclpy.spin_once(node, timeout_sec=0)
+    except KeyboardInterrupt:
+        came += 1
+"""
+
+
+def test_ctrl_c_waits_while_c_code_waits_for_a_message(real: Environment, tmp_path: Path) -> None:
+    file = script(tmp_path, INTERRUPTED)
+    program, index = Program('script', '', 'x', str(file), file=str(file)), index_for([])
+    words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index), str(file)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None and child.stderr is not None
+        assert child.stdout.readline() == 'ready\n'
+        for count in range(1, 51):
+            child.send_signal(signal.SIGINT)
+            assert child.stdout.readline() == f'{count}\n', child.stderr.read()
+        assert (child.wait(LONGEST_S), 'Exception ignored' in child.stderr.read()) == (0, False)

@@ -12,6 +12,7 @@ from edulaunch.interfaces.containers import Action, Service
 from edulaunch.interfaces.importer import InterfaceFinder
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.registry import Registry
+from edulaunch.native.typesupport import interrupts
 from edulaunch.native.typesupport.messages import support_message
 from edulaunch.native.typesupport.services import support_action, support_service
 
@@ -59,4 +60,5 @@ def install(layers: Layers) -> None:
 
     Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not the same.
     """
+    interrupts.defer()
     sys.meta_path.insert(0, _Finder(layered(layers)))
