@@ -178,6 +178,8 @@ class Bridge:
     def _ask(self, item: Any) -> None:
         """A client here asks a service out there; several of one name get one request together, as DDS does it."""
         wire, (client, number) = item
+        if client.index not in self._handles:
+            self._show_own()  # it was made in this turn
         _, handle = self._handles.get(client.index, (None, 0))
         if handle and self._asked.get(handle) != number:
             self._asked[handle] = number

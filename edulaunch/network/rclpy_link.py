@@ -175,10 +175,10 @@ class RclpyLink:
             GraphChanged(),
             Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more'),
         )
-        self._socket.close()
-        self._socket, bell = socket.socketpair()  # never readable: the machine need not look again
-        self._socket.setblocking(False)
-        self._sockets += (self._socket, bell)
+        silent, bell = socket.socketpair()
+        os.dup2(silent.fileno(), self._socket.fileno())  # never readable, under the same number: the machine need not look again
+        silent.close()
+        self._sockets.append(bell)
 
     def _hear(self, kind: int, handle: int, number: int, data: bytes) -> int:
         if kind == wire.GRAPH:

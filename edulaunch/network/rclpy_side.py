@@ -82,6 +82,7 @@ class Side:
         self.heard: dict[str, dict[int, Subscription]] = {}
         self.kept: dict[int, deque[bytes]] = {}
         self.pending: dict[int, tuple[Any, Any]] = {}
+        self.early: list[tuple[int, int, bytes]] = []
         self.serial = 0
         self.registries: dict[str, SupportedClasses] = {}
         self.told = ''
@@ -200,6 +201,9 @@ class Side:
 
     def ask(self, handle: int, number: int, data: bytes) -> None:
         client = self.ends[handle][1]
+        if not client.service_is_ready():
+            self.early.append((handle, number, data))  # a request before the two have found each other would be lost
+            return
         future = client.call_async(deserialize_message(data, client.srv_type.Request))
         future.add_done_callback(
             lambda done: (
@@ -258,7 +262,11 @@ class Side:
         self.say(wire.READY)
         looked = 0.0
         while rclpy.ok():
-            self.executor.spin_once(timeout_sec=LOOK_EVERY_S)
+            self.executor.spin_once(timeout_sec=0.01 if self.early else LOOK_EVERY_S)
+            early, self.early = self.early, []
+            self.inbox.extendleft((wire.ASK, *each) for each in reversed(early) if each[0] in self.ends)
+            if early:
+                self.work()
             if time.monotonic() - looked > LOOK_EVERY_S:
                 self.look()
                 looked = time.monotonic()

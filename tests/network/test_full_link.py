@@ -1,0 +1,115 @@
+"""A machine on the network by the full link: commands on the real rclpy reach its simulated turtlesim, and its own reach real nodes."""
+
+from __future__ import annotations
+
+import os
+import select
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from edulaunch.native import environment
+from edulaunch.native.command import command
+from edulaunch.network.link import Settings
+from edulaunch.network.rclpy_link import RclpyLink
+from edulaunch.packages import Index, Program
+from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.spec import ProcessSpec
+from edulaunch.sim.pacing import RealTime
+from tests.network.places import Place
+from tests.network.wires import LIMIT_S, own_domain
+
+pytestmark = pytest.mark.real
+
+
+class Machine:
+    """A machine with a bridge, and programs on the real rclpy beside it."""
+
+    def __init__(self, domain: int) -> None:
+        self.place = Place(RclpyLink(), Settings(domain))
+        self._time = RealTime(self.place.sim)
+        self._time.is_wall = True
+        self.env = {**os.environ, 'ROS_DOMAIN_ID': str(domain), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
+        self.children: list[subprocess.Popen[str]] = []
+
+    def start(self, *words: str) -> list[str]:
+        """A simulated program; what it writes."""
+        said: list[str] = []
+        spec = ProcessSpec(argv=words, name=words[-1], env=dict(self.place.session.host.env))
+        self.place.session.host.start(spec, lambda stream, text: said.append(text))
+        return said
+
+    def real(self, *words: str) -> subprocess.Popen[str]:
+        """A command, or (package, executable), on the real rclpy."""
+        index = Index()
+        if words[0] == 'ros2':
+            program: Program | None = Program('ros2', '', 'ros2', 'ros2')
+        else:
+            program = index.find_program(str(index.find_executable(*words)))
+        assert program is not None
+        started = command(environment.needed(), program, ProcessSpec((), 'real'), index)
+        self.children.append(subprocess.Popen([*started, *words], env=self.env, stdout=subprocess.PIPE, text=True))
+        return self.children[-1]
+
+    def answer(self, *words: str) -> str:
+        """What a command on the real rclpy says."""
+        child = self.real(*words)
+        self.until(lambda: child.poll() is not None)
+        return child.communicate()[0]
+
+    def until(self, condition: Callable[[], object]) -> None:
+        """Let time pass until something is so."""
+        end_s = time.monotonic() + LIMIT_S
+        while not condition():
+            assert time.monotonic() < end_s, 'it never came'
+            select.select([self.place.link], [], [], 0.002)
+            self.place.bridge.take()
+            with streams_of_programs():
+                self._time.advance()
+            self.place.bridge.after_turn()
+
+    def close(self) -> None:
+        for child in self.children:
+            child.kill()
+            child.wait()
+            if child.stdout is not None:
+                child.stdout.close()
+        self.place.close()
+
+
+@pytest.fixture
+def machine() -> Iterator[Machine]:
+    if environment.found() is None:
+        pytest.skip('the real rclpy is not installed: edulaunch network install')
+    with own_domain() as domain:
+        made = Machine(domain)
+        yield made
+        made.close()
+
+
+def test_real_commands_reach_the_simulated_turtlesim(machine: Machine) -> None:
+    machine.start('ros2', 'run', 'turtlesim', 'turtlesim_node')
+    assert machine.answer('ros2', 'param', 'set', '/turtlesim', 'background_r', '200') == 'Set parameter successful\n'
+    [node] = [node for node in machine.place.graph.nodes if node.name == 'turtlesim']
+    assert machine.answer('ros2', 'param', 'get', '/turtlesim', 'background_r') == 'Integer value is: 200\n'
+    spawned = machine.answer('ros2', 'service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x: 2.0, y: 3.0, name: leo}')
+    assert "turtlesim.srv.Spawn_Response(name='leo')" in spawned
+    assert {end.topic_name for end in node.endpoints if end.kind == 'publisher'} >= {'/leo/pose', '/turtle1/pose'}
+    turned = machine.answer(
+        'ros2', 'action', 'send_goal', '/leo/rotate_absolute', 'turtlesim/action/RotateAbsolute', '{theta: 0.1}'
+    )
+    assert 'Goal finished with status: SUCCEEDED' in turned
+    assert 'x: 2.0\ny: 3.0\n' in machine.answer('ros2', 'topic', 'echo', '--once', '/leo/pose', 'turtlesim/msg/Pose')
+
+
+def test_simulated_clients_are_answered_by_real_servers(machine: Machine) -> None:
+    machine.real('demo_nodes_py', 'add_two_ints_server')
+    machine.real('action_tutorials_py', 'fibonacci_action_server')
+    sums = machine.start('ros2', 'run', 'demo_nodes_py', 'add_two_ints_client')
+    machine.until(lambda: 'Result of add_two_ints: 5' in ''.join(sums))
+    goal = machine.start('ros2', 'action', 'send_goal', 'fibonacci', 'action_tutorials_interfaces/action/Fibonacci', '{order: 2}')
+    machine.until(lambda: 'Goal finished with status: SUCCEEDED' in ''.join(goal))
+    value = machine.start('ros2', 'param', 'get', '/add_two_ints_server', 'use_sim_time')
+    machine.until(lambda: 'Boolean value is: False' in ''.join(value))
