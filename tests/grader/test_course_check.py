@@ -40,7 +40,7 @@ def test_the_course_is_in_order(copy: Path) -> None:
 def test_the_course_has_its_exercises_in_the_order_of_the_lessons() -> None:
     names = [item.name for item in COURSE]
     assert {'circle', 'static_frame', 'follow', 'broken_follow', 'carrot', 'large_project', 'rooms'} <= set(names)
-    assert len(set(names)) == len(names) == 24
+    assert len(set(names)) == len(names) == 25
     assert [item.lesson for item in COURSE] == sorted(item.lesson for item in COURSE)
 
 
@@ -103,7 +103,7 @@ def test_a_solution_far_from_its_stub_is_found(copy: Path) -> None:
 
 def test_the_program_says_what_is_wrong(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(copy), '--quick']) == 0
-    assert capsys.readouterr().out == 'course: 24 exercises, 288 points: in order\n'
+    assert capsys.readouterr().out == 'course: 25 exercises, 300 points: in order\n'
     edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
     assert main([str(copy), '--quick']) == 1
     assert capsys.readouterr().out == 'course: circle has 11 points in course.toml, but its checks add up to 12\n'
