@@ -40,7 +40,7 @@ def test_the_course_is_in_order(copy: Path) -> None:
 def test_the_course_has_its_exercises_in_the_order_of_the_lessons() -> None:
     names = [item.name for item in COURSE]
     assert {'circle', 'static_frame', 'follow', 'broken_follow', 'carrot', 'large_project', 'rooms'} <= set(names)
-    assert len(set(names)) == len(names) == 25
+    assert len(set(names)) == len(names) == 26
     assert [item.lesson for item in COURSE] == sorted(item.lesson for item in COURSE)
 
 
@@ -73,8 +73,8 @@ def test_points_and_title_are_those_of_the_rubric(copy: Path) -> None:
     edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
     edit(copy / 'exercises' / 'course.toml', 'A circle of any', 'A circle of one')
     assert problems(copy) == [
+        'two_channels has 11 points in course.toml, but its checks add up to 12',
         "circle is called 'A circle of one radius' in course.toml and 'A circle of any radius' in its rubric",
-        'circle has 11 points in course.toml, but its checks add up to 12',
     ]
 
 
@@ -82,7 +82,7 @@ def test_a_lesson_that_is_not_there_is_found(copy: Path) -> None:
     (copy / 'lessons').mkdir()
     for item in COURSE[1:]:
         (copy / 'lessons' / f'{item.lesson}.ipynb').touch()
-    assert problems(copy) == ['circle names the lesson 01_first_launch, which is not in lessons/']
+    assert problems(copy) == ['two_channels names the lesson 00_python, which is not in lessons/']
 
 
 def test_a_stub_needs_gaps_and_a_solution_has_none(copy: Path) -> None:
@@ -103,10 +103,10 @@ def test_a_solution_far_from_its_stub_is_found(copy: Path) -> None:
 
 def test_the_program_says_what_is_wrong(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(copy), '--quick']) == 0
-    assert capsys.readouterr().out == 'course: 25 exercises, 300 points: in order\n'
+    assert capsys.readouterr().out == 'course: 26 exercises, 312 points: in order\n'
     edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
     assert main([str(copy), '--quick']) == 1
-    assert capsys.readouterr().out == 'course: circle has 11 points in course.toml, but its checks add up to 12\n'
+    assert capsys.readouterr().out == 'course: two_channels has 11 points in course.toml, but its checks add up to 12\n'
 
 
 def test_a_broken_manifest_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,0 +1,39 @@
+"""A row of turtles: turtle1 drives, turtle2 follows it, turtle3 follows turtle2, and so on. This is what the course was for.
+
+    ros2 launch convoy convoy.launch.py count:=3
+
+The launch argument count, 1 to 3, says how many follow. Each goes to a carrot, 1 m behind the turtle in front of it: its parts are
+in follower.launch.py, with the arguments me and leader; its node, convoy/follower.py, is complete. No follower starts before
+the simulator has started. There are three gaps: one in follower.launch.py, two here.
+
+Grade it: edugrade exercises/convoy        A hint: edugrade exercises/convoy --hint 1
+"""
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, RegisterEventHandler
+from launch.conditions import IfCondition
+from launch.event_handlers import OnProcessStart
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, PythonExpression
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+DRIVE = ['ros2', 'topic', 'pub', '-r', '10', '/turtle1/cmd_vel', 'geometry_msgs/msg/Twist']
+PART = PathJoinSubstitution([FindPackageShare('convoy'), 'launch', 'follower.launch.py'])
+
+
+def follower(number):
+    wanted = PythonExpression([LaunchConfiguration('count'), f' >= {number - 1}'])
+    names = {'me': f'turtle{number}', 'leader': f'turtle{number - 1}'}
+    return IncludeLaunchDescription(PART, launch_arguments=names.items(), condition=IfCondition(wanted))
+
+
+def generate_launch_description():
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
+    row = [follower(number) for number in (2, 3, 4)]
+    return LaunchDescription([
+        DeclareLaunchArgument('count', default_value='1', choices=['1', '2', '3'], description='How many follow.'),
+        Node(package='turtle_tf2_py', executable='turtle_tf2_broadcaster', name='broadcaster_turtle1',
+             parameters=[{'turtlename': 'turtle1'}]),
+        ExecuteProcess(cmd=[*DRIVE, '{linear: {x: 1.0}, angular: {z: 0.4}}']),
+        RegisterEventHandler(OnProcessStart(target_action=sim, on_start=row)),
+        sim,
+    ])
