@@ -2,9 +2,9 @@
 
     ros2 launch convoy convoy.launch.py count:=3
 
-The launch argument count, 1 to 3, says how many follow. Each goes to a carrot, 1 m behind the turtle in front of it: its parts are
-in follower.launch.py, with the arguments me and leader; its node, convoy/follower.py, is complete. No follower starts before
-the simulator has started. There are three gaps: one in follower.launch.py, two here.
+The launch argument count, 1 to 3, says how many follow. Each goes to a carrot, 1 m behind the turtle in front of it: its parts
+are in follower.launch.py, with the arguments me and leader; its node, convoy/follower.py, is complete. No follower starts
+before the simulator has started. There are three gaps: one in follower.launch.py, two here.
 
 Grade it: edugrade exercises/convoy        A hint: edugrade exercises/convoy --hint 1
 """
