@@ -6,6 +6,7 @@ this costs them nothing. It is the processor's time of a turn that counts, so th
 
 from __future__ import annotations
 
+import signal
 import sys
 import threading
 import time
@@ -78,6 +79,9 @@ class Watchdog:
         self._over.set()
 
     def _watch(self) -> None:
+        if hasattr(signal, 'pthread_sigmask'):
+            # The signal that ends a long call tells where the thread is that gets it: on a busy machine that would be this one.
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGXCPU})
         seen: Turn | None = None
         began_s = changed_s = 0.0
         looks = same = 0

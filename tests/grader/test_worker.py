@@ -46,7 +46,7 @@ def strains(run):
 RUBRIC = Rubric(title='Strain', scenarios=lambda random: [Scenario('one', {}, 0.5)], checks=[looks, strains])
 """
 GRADE = (
-    'import sys, edugrade.worker\nedugrade.worker.LONGEST_CPU_S = 1\nfrom edugrade.cli import main\nsys.exit(main(sys.argv[1:]))'
+    'import sys, edugrade.worker\nedugrade.worker.LONGEST_CPU_S = 3\nfrom edugrade.cli import main\nsys.exit(main(sys.argv[1:]))'
 )
 
 
@@ -69,7 +69,7 @@ def test_judging_that_loops_eats_or_dies_costs_only_its_own_submission(tmp_path:
         'right': 5,
     }
     reasons = {name: next((each['reason'] for each in found[name]['checks'] if each['reason']), None) for name in found}
-    assert 'longer than 1 s of processor time' in reasons['loop']
+    assert 'longer than 3 s of processor time' in reasons['loop']
     assert 'memory has run out' in reasons['memory']
     assert 'Lost: the process that judges was killed from outside' in reasons['killed']
     assert [each['status'] for each in found['loop']['checks']] == ['failed', 'not_run', 'not_run']

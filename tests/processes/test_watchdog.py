@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import signal
+import sys
+import threading
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -100,7 +104,7 @@ def test_who_speaks_for_others_may_write_as_much_as_all_of_them(world: Any) -> N
 
 
 def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """Lets the processor's time of the watched thread pass by itself, 25 ms at each look; how long those had that were stopped."""
+    """Lets the processor's time of the watched thread pass by itself, 10 ms at each look; how long those had that were stopped."""
     time_s, began_s, task, stopped = 0.0, 0.0, None, []
     look, end = Watchdog._look, Watchdog._end
 
@@ -113,7 +117,7 @@ def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 
     def processor_s(self: Watchdog) -> float:
         nonlocal time_s
-        time_s += 0.025
+        time_s += 0.01
         return time_s
 
     def note(self: Watchdog, task: Any) -> None:
@@ -123,6 +127,19 @@ def limits(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     for name, patched in (('_processor_s', processor_s), ('_look', first_look), ('_end', note)):
         monkeypatch.setattr(Watchdog, name, patched)
     return stopped
+
+
+@pytest.mark.skipif(not sys.platform.startswith('linux'), reason='/proc tells which signals a thread blocks')
+def test_the_signal_of_a_long_call_is_not_for_the_watchdog(watched: Any) -> None:
+    watched.run('pass')
+    (thread,) = [each for each in threading.enumerate() if each.name == 'edulaunch watchdog' and is_of(each, watched)]
+    status = Path(f'/proc/self/task/{thread.native_id}/status').read_text()
+    blocked = int(next(line for line in status.splitlines() if line.startswith('SigBlk')).split()[1], 16)
+    assert blocked >> (signal.SIGXCPU - 1) & 1
+
+
+def is_of(thread: threading.Thread, watched: Any) -> bool:
+    return getattr(thread, '_target', None) == watched.host.watchdog._watch
 
 
 @pytest.mark.parametrize(
