@@ -120,7 +120,7 @@ def test_a_service_that_could_not_answer_fast_dds_is_not_seen_and_that_is_said(w
     assert real.last('ready') == [False]
     assert here.said == [
         'a real node has a client of the service /reset: calls of it do not cross\n'
-        '  help: with Fast DDS only topics cross over this link; services do over that of the real rclpy: edulaunch network install'
+        '  help: only topics cross with Fast DDS over this link; for all: edulaunch network install, then edulaunch network on --link rclpy'
     ]
 
 

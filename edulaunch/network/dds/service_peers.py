@@ -11,7 +11,9 @@ from edulaunch.network.link import CLIENT, SERVICE, FarGraph, Trouble
 
 FAST_DDS = b'\x01\x0f'
 """How gids begin there: the number of its vendor."""
-HELP = 'with Fast DDS only topics cross over this link; services do over that of the real rclpy: edulaunch network install'
+HELP = (
+    'only topics cross with Fast DDS over this link; for all: edulaunch network install, then edulaunch network on --link rclpy'
+)
 
 
 def is_fast_dds(gid: bytes) -> bool:
