@@ -22,7 +22,7 @@ def real(monkeypatch: pytest.MonkeyPatch) -> environment.Environment:
     found = environment.found()
     if found is None:
         pytest.skip('the real rclpy is not installed: edulaunch network install')
-    monkeypatch.setenv('ROS_DOMAIN_ID', str(1 + os.getpid() % 100))
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(1 + os.getpid() % 58))
     monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
     return found
 

@@ -38,7 +38,7 @@ from edulaunch.processes.spec import ProcessSpec
 
 pytestmark = pytest.mark.real
 LONGEST_S = 60.0
-DOMAIN = 1 + os.getpid() % 100
+DOMAIN = 1 + os.getpid() % 58
 REGISTRY = underlay_registry()
 
 

@@ -17,6 +17,7 @@ from edulaunch.network.link import Settings
 from tests.network.places import Place
 
 DOMAINS = range(60, 100)
+"""The tests against the real rclpy have those below."""
 LIMIT_S = 120.0
 """When a condition has not come true by then it never will; nothing is measured by it."""
 
