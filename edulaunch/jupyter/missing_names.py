@@ -36,7 +36,7 @@ def missing_name_help(name: str, line: str, known: dict[str, Any]) -> str:
     """
     if not name:
         return ''
-    if re.search(rf'\b(predict|compare|quiz|check)\(.*\b{name}\b', line) and f'{name}(' not in line:
+    if re.search(rf'\b(predict|compare|quiz|check)\(.*\b{name}\b', line) and not re.search(rf'\b{name}[.(\[]', line):
         return f'a word stands in quotes: {name!r}'
     if name in SET_UP:
         return 'the first cell of this lesson brings it: run that cell, after each restart of the kernel'

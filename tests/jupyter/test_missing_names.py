@@ -26,6 +26,11 @@ HERE = {'square': 1, '_hidden': 2}
             'edulaunch.run(1)',
             'the first cell of this lesson brings it: run that cell, after each restart of the kernel',
         ),
+        (
+            'one',
+            "compare('half-circle', one.frames_at(6.8))",
+            'the cell that makes one has not been run, or ended with an error: run it first, and look at what it says',
+        ),
         ('check', "check('circle')", 'write above it: from edulaunch import check'),
         ('sqare', 'sqare.replay()', 'write square, if that is the one you mean'),
         (
