@@ -106,6 +106,7 @@ def test_teachers_are_told_what_was_right_and_have_the_notes(mine: Path) -> None
     Outline(text)
 
 
+@pytest.mark.whole
 def test_a_run_gives_pictures(mine: Path) -> None:
     page = next(read_pages(str(mine), teacher=False, kept=False))
     pictures = [output for part in page.parts for output in part.outputs if output.kind == 'picture']

@@ -99,6 +99,7 @@ def test_the_spawner_is_configured_for_the_image(course: Path) -> None:
     assert '{username}' in next(iter(config.DockerSpawner['volumes']))
 
 
+@pytest.mark.whole
 def test_the_steps_of_the_workflow_do_what_they_say(course: Path, tmp_path: Path) -> None:
     job = yaml.safe_load((course / '.github' / 'workflows' / 'course.yml').read_text())['jobs']['course']
     steps = {step['name']: step['run'] for step in job['steps'] if 'run' in step}
@@ -115,6 +116,7 @@ def test_the_steps_of_the_workflow_do_what_they_say(course: Path, tmp_path: Path
     assert (course / 'marks.xml').read_text().startswith('<?xml') and (course / 'pages').is_dir()
 
 
+@pytest.mark.whole
 def test_the_classroom_commands_tell_solution_from_stub(course: Path) -> None:
     tests = json.loads((course / '.github' / 'classroom' / 'autograding.json').read_text())['tests']
     assert sum(test['points'] for test in tests) == 6
