@@ -48,8 +48,6 @@ FIRST_USES = {
     '09_broadcaster_and_listener': ['callback', 'service', 'client', 'future', 'timer'],
     '13_large_project': ['bringup', 'wildcard', 'environment variable'],
 }
-WALKED = ORDER[:9]
-"""Lessons in which no more than three cells in a row are only to be run; the others come later."""
 SCREEN = 40
 """Lines."""
 ON_PURPOSE = ['nbval-ignore-output', 'raises-exception']
@@ -86,30 +84,30 @@ def test_a_lesson_is_short(lesson: Lesson) -> None:
 
 
 def test_no_more_than_three_cells_in_a_row_are_only_to_be_run(lesson: Lesson) -> None:
-    assert [row for row in ready_made(lesson) if len(row) > 3] == [] or lesson.name not in WALKED
+    assert [row for row in ready_made(lesson) if len(row) > 3] == []
 
 
 def test_the_minutes_are_those_of_the_text_and_the_work(lesson: Lesson) -> None:
-    assert 0.75 * minutes(lesson) <= stated_minutes(lesson) <= 1.25 * minutes(lesson) or lesson.name not in WALKED
+    assert 0.75 * minutes(lesson) <= stated_minutes(lesson) <= 1.25 * minutes(lesson)
 
 
 def test_a_student_predicts_answers_and_writes(lesson: Lesson) -> None:
     kinds = [step.kind for step in steps(lesson)]
     enough = kinds.count('predict') >= 3 and kinds.count('quiz') >= 2 and kinds.count('write') + kinds.count('turn') >= 2
-    assert enough or lesson.name not in WALKED, kinds
+    assert enough, kinds
 
 
 def test_each_prediction_is_compared_or_answered(lesson: Lesson) -> None:
     code = '\n'.join(cell.source for cell in lesson.code)
     asked = set(re.findall(r"predict\('([\w-]+)'", code))
     answered = set(re.findall(r"compare\('([\w-]+)'", code))
-    assert asked == answered or lesson.name not in WALKED
+    assert asked == answered
 
 
 def test_each_lesson_asks_something_of_an_earlier_one(lesson: Lesson) -> None:
     told = re.findall(r'Back to lesson (\d+): ', '\n'.join(cell.text for cell in lesson.code))
     assert all(int(number) < int(lesson.name[:2]) for number in told)
-    assert told or lesson.name < '02_' or lesson.name not in WALKED
+    assert told or lesson.name < '02_'
 
 
 def test_an_output_fits_on_a_screen(lesson: Lesson) -> None:
@@ -258,4 +256,4 @@ def test_what_says_done_has_just_run_the_file(lesson: Lesson) -> None:
     """A recording of before the last change, or of before a mistake, would be judged otherwise."""
     for cell in lesson.code:
         if "'done'" in cell.source and re.search(r'\.(nodes|logs|parameters|topics)\b', cell.source):
-            assert re.search(r'edulaunch\.run\(', cell.source) or lesson.name not in WALKED, cell.id
+            assert re.search(r'edulaunch\.run\(', cell.source), cell.id

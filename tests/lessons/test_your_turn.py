@@ -81,11 +81,15 @@ def test_lesson_2_asks_for_a_station(walk: Begin) -> None:
     student = walk('02_names')
     student.run_all(until='your-turn-check')
     node = "        Node(package='demo_nodes_py', executable='{}', {}),\n"
-    listeners = [node.format('listener', f"name='{name}', remappings=[('chatter', '/radio/chatter')]") for name in ('car', 'home')]
+    listeners = [
+        node.format('listener', f"name='{name}', remappings=[('chatter', '/radio/chatter')]") for name in ('car', 'home')
+    ]
     text = ''.join([node.format('talker', "name='station', namespace='radio'"), *listeners])
     student.edit('my_launch/radio.launch.py', '[\n    ]', f'[\n{text}    ]')
     assert turn(student) == ['done'] * 5
-    student.edit('my_launch/radio.launch.py', "name='home', remappings=[('chatter', '/radio", "name='home', remappings=[('chatter', 'radi")
+    student.edit(
+        'my_launch/radio.launch.py', "name='home', remappings=[('chatter', '/radio", "name='home', remappings=[('chatter', 'radi"
+    )
     assert turn(student) == ['done', 'done', 'done', 'done', 'not yet']
 
 
@@ -101,7 +105,11 @@ def test_lesson_3_asks_for_two_colours(walk: Begin) -> None:
     ('asked', 'others', 'result'),
     [
         ('now - Duration(seconds=2.0)', "if not buffer.can_transform('world', 'turtle1', time):\n        return\n", ['done'] * 3),
-        ('now - Duration(seconds=1.0)', "if not buffer.can_transform('world', 'turtle1', time):\n        return\n", ['done', 'done', 'not yet']),
+        (
+            'now - Duration(seconds=1.0)',
+            "if not buffer.can_transform('world', 'turtle1', time):\n        return\n",
+            ['done', 'done', 'not yet'],
+        ),
         ('now - Duration(seconds=2.0)', 'pass\n', ['not yet'] * 3),
     ],
 )
