@@ -9,20 +9,25 @@ from pathlib import Path
 
 import pytest
 
+from edulaunch.course.questions import FILE, read_questions
 from tests.browser.lab import Lab
-from tests.lessons.notebook import ORDER, Lesson
+from tests.browser.student import BrowserStudent
+from tests.lessons.notebook import LESSONS, ORDER, Lesson
+
+QUESTIONS = {
+    name: (one.right, [choice.feedback for choice in one.choices]) for name, one in read_questions(str(LESSONS / FILE)).items()
+}
 
 
 @pytest.mark.parametrize('name', ORDER)
-def test_a_lesson_runs_from_top_to_bottom(lab: Lab, name: str) -> None:
+def test_a_student_goes_through_a_lesson(lab: Lab, course: Path, name: str) -> None:
+    """Guesses typed, cells completed wrongly and rightly, questions answered, the desk driven; then looked at from top to bottom."""
     stored = Lesson(name)
     with lab.open(name) as page:
-        page.run_all()
-        cells = page.cells()
-        assert [cells[cell.id]['count'] for cell in stored.code] == list(range(1, len(stored.code) + 1))
-        failed = [ident for ident, cell in cells.items() if any(output['output_type'] == 'error' for output in cell['outputs'])]
-        assert failed == [cell.id for cell in stored.code if 'raises-exception' in cell.tags]
+        student = BrowserStudent(page, stored, course, QUESTIONS)
+        student.go_through()
         assert page.requests == []
+        assert student.done
         texts = page.page.locator('.jp-OutputArea img').evaluate_all('images => images.map(image => image.alt)')
         assert all(len(text) > 10 for text in texts), texts
         for number, cell in enumerate(cell for cell in stored.cells if cell.kind == 'markdown'):
