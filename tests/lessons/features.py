@@ -20,6 +20,7 @@ HEAD = """# What a lesson has
 Fifteen features that the best lessons on launch and tf2 have between them, as we found them when we compared; none has all. For each: what shows
 it in a lesson (a cell of that kind, by its id), and the tests that fail when it is gone. Made by `python -m tests.lessons.features`;
 do not edit it. A count is of cells; `-` means that the lesson does not have it, for instance because it is not about frames.
+What is linked in 7 is the instant: pointing at a frame in one view does not mark it in the others.
 """
 
 Shown = Callable[[Lesson], list[str]]
@@ -103,58 +104,58 @@ FEATURES = [
         'failures in the words of ROS: what, where, what to try',
         _broken,
         ('tests/advice/test_examples.py', 'tests/lessons/test_mistakes.py'),
-        15,
+        17,
     ),
     Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/test_hints.py', 'tests/grader/test_steps.py'), 18),
     Feature(
         'time can be stopped, stepped and taken back',
         _code(r'%ros2 view|\.replay\(|interact\('),
         ('tests/browser/test_replay.py', 'tests/browser/test_desk.py'),
-        15,
+        18,
     ),
     Feature(
         'linked views: world, frames, graph, timeline, plot, log of one instant',
         _code(r'%ros2 view|\.replay\('),
         ('tests/browser/test_desk.py',),
-        15,
+        12,
     ),
     Feature(
         'tf at any time: lookups in the past and too early, with the errors of ROS',
         _code(r'frames_at\(|lookup|tf2_echo|view frames'),
         ('tests/browser/test_desk.py', 'tests/underlay/test_tf2_ros.py'),
-        8,
+        12,
     ),
     Feature(
         'where a value comes from: arguments, defaults, files, lines',
         _code(r'parameter_table|--show-args| -s$|explain|plan|param (get|describe|dump)|\.origin'),
         ('tests/explaining', 'tests/plan'),
-        8,
+        7,
     ),
     Feature(
         'things that are broken, to be diagnosed',
         _broken,
         ('tests/lessons/test_mistakes.py', 'tests/grader/test_small_exercises.py'),
-        17,
+        6,
     ),
     Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/terminals', 'tests/jupyter/test_magics.py'), 17),
     Feature(
         "exercises with numbers and names of one's own",
         lambda lesson: _exercises(lesson, 'variants'),
         ('tests/grader/test_variant.py',),
-        10,
+        17,
     ),
     Feature(
         'progress that is kept, and what to repeat',
         _code(r'^(edulaunch\.)?(check|quiz)\(|course\.progress'),
         ('tests/course/test_progress_page.py', 'tests/grader/test_progress_file.py'),
-        18,
+        17,
     ),
     Feature('a text for each picture', _pictures, ('tests/browser/test_lessons.py', 'tests/course/test_reader.py'), 15),
     Feature(
         'what differs on a real robot, and the same files there',
         _text(r'^## On a real robot'),
         ('tests/network', 'tests/test_docs.py'),
-        18,
+        8,
     ),
 ]
 
