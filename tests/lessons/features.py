@@ -50,6 +50,11 @@ def _texts(lesson: Lesson) -> list[Cell]:
     return [cell for cell in lesson.cells if cell.kind == 'markdown']
 
 
+def _told(pattern: str) -> Shown:
+    """The code cells below which it stands."""
+    return lambda lesson: [cell.id for cell in lesson.code if re.search(pattern, cell.text)]
+
+
 def _broken(lesson: Lesson) -> list[str]:
     """The code cells of the sections in which something is wrong."""
     inside, found = False, []
@@ -102,7 +107,7 @@ FEATURES = [
     ),
     Feature(
         'failures in the words of ROS: what, where, what to try',
-        _broken,
+        _told(r'help: |try: |expected'),
         ('tests/advice/test_examples.py', 'tests/lessons/test_mistakes.py'),
         17,
     ),
@@ -111,7 +116,7 @@ FEATURES = [
         'time can be stopped, stepped and taken back',
         _code(r'%ros2 view|\.replay\(|interact\('),
         ('tests/browser/test_replay.py', 'tests/browser/test_desk.py'),
-        18,
+        12,
     ),
     Feature(
         'linked views: world, frames, graph, timeline, plot, log of one instant',
@@ -123,39 +128,39 @@ FEATURES = [
         'tf at any time: lookups in the past and too early, with the errors of ROS',
         _code(r'frames_at\(|lookup|tf2_echo|view frames'),
         ('tests/browser/test_desk.py', 'tests/underlay/test_tf2_ros.py'),
-        12,
+        7,
     ),
     Feature(
         'where a value comes from: arguments, defaults, files, lines',
         _code(r'parameter_table|--show-args| -s$|explain|plan|param (get|describe|dump)|\.origin'),
         ('tests/explaining', 'tests/plan'),
-        7,
+        6,
     ),
     Feature(
         'things that are broken, to be diagnosed',
         _broken,
         ('tests/lessons/test_mistakes.py', 'tests/grader/test_small_exercises.py'),
-        6,
+        17,
     ),
     Feature('the real commands', _code(r'%%?ros2 (?!view)'), ('tests/terminals', 'tests/jupyter/test_magics.py'), 17),
     Feature(
         "exercises with numbers and names of one's own",
         lambda lesson: _exercises(lesson, 'variants'),
         ('tests/grader/test_variant.py',),
-        17,
+        8,
     ),
     Feature(
         'progress that is kept, and what to repeat',
         _code(r'^(edulaunch\.)?(check|quiz)\(|course\.progress'),
         ('tests/course/test_progress_page.py', 'tests/grader/test_progress_file.py'),
-        17,
+        18,
     ),
-    Feature('a text for each picture', _pictures, ('tests/browser/test_lessons.py', 'tests/course/test_reader.py'), 15),
+    Feature('a text for each picture', _pictures, ('tests/browser/test_lessons.py', 'tests/course/test_reader.py'), 11),
     Feature(
         'what differs on a real robot, and the same files there',
         _text(r'^## On a real robot'),
         ('tests/network', 'tests/test_docs.py'),
-        8,
+        18,
     ),
 ]
 
