@@ -45,6 +45,12 @@ class Hosting:
         """Whether anybody is connected, or looks at a desk."""
         return self._server is not None and (self._server.has_terminals() or any(page.is_shown() for page in self.pages))
 
+    def has_programs(self) -> bool:
+        """Whether programs may have been left running in a terminal, or in one of a desk. To look at a desk is not enough."""
+        if self._server is None:
+            return False
+        return self._server.has_terminals() or any(page.viewer.has_programs() for page in self.pages)
+
     # What a desk in the notebook needs of its machine, see `edulaunch.view.viewer.Living` and `DeskWidget`.
 
     can_continue = False

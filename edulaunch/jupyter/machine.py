@@ -95,7 +95,7 @@ class Machine:
         if not words:
             raise UnusableInput('launch what?', help='%ros2 launch PACKAGE FILE name:=value --for SECONDS')
         here = self.session
-        stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_terminals())
+        stays = here is not None and (line.stays or bool(self._jobs.running()) or self.hosting.has_programs())
         session = here if here is not None and stays else self._new_session(line.seed)
         began_s = session.sim.elapsed_s
         launch = self._begin(session, words, stays)

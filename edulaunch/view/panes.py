@@ -27,7 +27,12 @@ class Pane:
         self._start = start
         self._say = say
         self._job: Process | None = None
+        self._left: list[Process] = []
         self._keyboard: _Keyboard | None = None
+
+    def has_programs(self) -> bool:
+        """Whether something runs that was started here, with `&` or without."""
+        return any(one is not None and one.returncode is None for one in (self._job, *self._left))
 
     def line(self, text: str) -> None:
         """A line was typed: for the program that runs, or a command.
@@ -44,7 +49,9 @@ class Pane:
             self.tell('stderr', f'{words[0] if words else text}: this terminal knows ros2 ... only\n')
             return
         job = self._start(words, 'ros2', self.tell, (lambda code: None) if background else self._ended)
-        if not background:
+        if background:
+            self._left.append(job)
+        else:
             self._job, self._keyboard = job, _Keyboard(self._tell_mode)
             job.stdin = self._keyboard
             self._tell_mode(False)

@@ -83,6 +83,10 @@ class Viewer:
             message['machine'] = {'running': state[0], 'speed': state[1], 'can_continue': self._machine.can_continue}
         self._say({**message, 'piece': self._film.piece()})
 
+    def has_programs(self) -> bool:
+        """Whether a program runs that was started in one of the page's terminals."""
+        return self._machine.session is self._session and any(pane.has_programs() for pane in self._panes)
+
     @property
     def _time(self) -> RealTime:
         return self._machine.time

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import hypot
+from os.path import basename
 
 from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.frames import require_frame
@@ -30,7 +31,7 @@ def the_frame_is_where_it_was(run: Evidence) -> None:
 @check(points=1, needs=[the_frame_is_where_it_was])
 def it_is_one_line(run: Evidence) -> None:
     """The four lines are one"""
-    text = next((text for path, text in run.source.texts().items() if path.endswith(PROGRAM)), '')
+    text = next((text for path, text in run.source.texts().items() if basename(path) == PROGRAM), '')
     if 't.transform' in text:
         raise Failure(
             'lines with t.transform are still there',
