@@ -1,8 +1,9 @@
-"""What a notebook adds to "name ... is not defined": nearly always a cell that has not been run, or a word without quotes."""
+"""What a notebook adds to "name ... is not defined" and to a folder that is not there: nearly always a cell has not been run."""
 
 from __future__ import annotations
 
 import linecache
+import os
 import re
 from types import TracebackType
 from typing import Any
@@ -14,18 +15,30 @@ SET_UP = ('Path', 'edulaunch', 'compare', 'predict', 'quiz')
 
 
 def watch_names(shell: Any) -> None:
-    """Add one line of help to each NameError of a cell."""
-    shell.set_custom_exc((NameError,), _shown)
+    """Add one line of help to each NameError and FileNotFoundError of a cell."""
+    shell.set_custom_exc((NameError, FileNotFoundError), _shown)
 
 
-def _shown(shell: Any, kind: type[NameError], error: NameError, trace: TracebackType, tb_offset: int | None = None) -> Any:
+def _shown(shell: Any, kind: type[Exception], error: Exception, trace: TracebackType, tb_offset: int | None = None) -> Any:
     """Show the error as IPython does, with the help below it."""
     lines = shell.InteractiveTB.structured_traceback(kind, error, trace, tb_offset=tb_offset)
-    said = missing_name_help(error.name or '', _last_line(trace), shell.user_ns)
-    if said and _in_a_cell(trace, shell.user_ns):
+    said = ''
+    if isinstance(error, FileNotFoundError):
+        said = missing_folder_help(error.filename)
+    elif isinstance(error, NameError) and _in_a_cell(trace, shell.user_ns):
+        said = missing_name_help(error.name or '', _last_line(trace), shell.user_ns)
+    if said:
         lines = [*lines[:-1], f'{lines[-1]}\n  help: {said}']
     shell._showtraceback(kind, error, lines)
     return lines
+
+
+def missing_folder_help(path: object) -> str:
+    """What to try when a file cannot be written because a cell that makes its folder was left out."""
+    folder = os.path.dirname(os.fspath(path)) if isinstance(path, str | os.PathLike) else ''
+    if not folder or os.path.isabs(folder) or os.path.isdir(folder):
+        return ''
+    return f'there is no folder {folder!r} yet: run the cells above this one first; one of them makes it'
 
 
 def missing_name_help(name: str, line: str, known: dict[str, Any]) -> str:

@@ -27,6 +27,9 @@ def missing_package(index: Index, package: str) -> Facts:
     for folder, files in same:
         if 'package.xml' in files or 'setup.py' in files:
             return _why_no_package(folder, files)
+    forgotten = None if workspaces else _without_manifest(package)
+    if forgotten is not None:
+        return {'about': 'packages.no-manifest', 'folder': forgotten}
     below = _elsewhere_below(package, workspaces)
     if below is not None:
         return {'about': 'packages.not-searched', 'package': package, 'below': below}
@@ -37,6 +40,16 @@ def missing_package(index: Index, package: str) -> Facts:
     if near is None and same:
         return _why_no_package(*same[0])
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
+
+
+def _without_manifest(package: str) -> str | None:
+    """The folder of a package in a workspace in which no package has a package.xml, so that it is not seen as a workspace."""
+    here = os.getcwd()
+    for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
+        folder = os.path.join(here, source, package)
+        if os.path.isfile(os.path.join(folder, 'setup.py')) and not os.path.isfile(os.path.join(folder, 'package.xml')):
+            return folder
+    return None
 
 
 def _elsewhere_below(package: str, workspaces: list[str]) -> str | None:

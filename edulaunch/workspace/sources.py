@@ -10,6 +10,7 @@ from typing import NamedTuple
 from xml.etree import ElementTree
 
 from edulaunch.packages import Index
+from edulaunch.packages.manifest import read_manifest
 from edulaunch.packages.reading import Contents
 
 DEPENDENCY_TAGS = (
@@ -44,8 +45,11 @@ class SourcePackage:
 
     @property
     def is_python(self) -> bool:
-        """Whether it is built by setup.py."""
-        return os.path.isfile(os.path.join(self.folder, 'setup.py')) and not os.path.isfile(self.build_file('CMakeLists.txt'))
+        """Whether it is built by setup.py, or would be: it may have been forgotten."""
+        if os.path.isfile(self.build_file('CMakeLists.txt')):
+            return False
+        manifest = read_manifest(self.folder, [])
+        return os.path.isfile(self.build_file('setup.py')) or (manifest is not None and manifest.build_type == 'ament_python')
 
     def build_file(self, name: str | None = None) -> str:
         """setup.py or CMakeLists.txt."""

@@ -70,3 +70,30 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
     said = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
     if said is not None and failure.type == 'TypeError':
         yield speak(failure, method=said[1])
+
+
+@rule(
+    'programs.called-too-early',
+    what='{method}() was called without {argument}',
+    do='give the function itself, without brackets: self.{method}',
+    level='error',
+    confidence='asked',
+)
+def called_too_early(failure: Failure) -> Iterator[Finding]:
+    """`create_subscription(String, 'chatter', self.heard(), 10)`. ROS 2's own functions were meant to be called."""
+    said = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
+    if said is not None and failure.process is not None and not said[1].startswith(('__', 'create_')):
+        yield speak(failure, method=said[1], argument=said[2])
+
+
+@rule(
+    'programs.no-depth',
+    what='{method}() was given no queue depth',
+    do='write how many messages may wait as its last argument: 10',
+    level='error',
+)
+def no_depth(failure: Failure) -> Iterator[Finding]:
+    """`create_subscription(String, 'chatter', self.heard)`."""
+    said = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
+    if said is not None and failure.process is not None:
+        yield speak(failure, method=said[1])

@@ -211,3 +211,69 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
     """`on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
         yield speak(failure)
+
+
+@rule(
+    'launch.value-too-early',
+    what='a {given} has no value yet while the launch file is read: it stands for one that comes later',
+    do="let it be computed then: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
+    level='error',
+)
+def value_too_early(failure: Failure) -> Iterator[Finding]:
+    """`LaunchConfiguration('count') > 1`, and `.perform()` of it."""
+    said = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
+    cls = class_named(said[1] or said[2]) if said is not None and failure.process is None else None
+    if said is not None and hasattr(cls, 'perform'):
+        yield speak(failure, given=said[1] or said[2])
+
+
+@rule(
+    'launch.default-no-choice',
+    what="the default '{default}' is none of the choices",
+    do="give a list of texts with the default among them: choices=['{default}', '...']",
+    level='error',
+)
+def default_no_choice(failure: Failure) -> Iterator[Finding]:
+    """`choices='true false'`, which is a list of letters, or `choices=[True, False]`."""
+    said = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
+    if said is not None:
+        yield speak(failure, default=said[1])
+
+
+@rule(
+    'launch.bool-wanted',
+    what='{value} stands where True or False is expected',
+    do='write True or False, without quotes',
+    level='error',
+)
+def bool_wanted(failure: Failure) -> Iterator[Finding]:
+    """`respawn='yes'`."""
+    said = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
+    if said is not None and failure.process is None:
+        yield speak(failure, value=said[1])
+
+
+@rule(
+    'launch.number-wanted',
+    what="'{value}' is no number",
+    do='write the number alone, without a unit and without quotes: 2.0',
+    level='error',
+    hides=('launch.element',),
+)
+def number_wanted(failure: Failure) -> Iterator[Finding]:
+    """`period='2 s'`."""
+    said = re.match(r"could not convert string to float: '(.*)'", failure.message)
+    if said is not None and failure.process is None:
+        yield speak(failure, value=said[1])
+
+
+@rule(
+    'launch.target-no-action',
+    what='an event handler watches an action, and something else was given',
+    do='give the action a variable, sim = Node(...), and write it without quotes: target_action=sim',
+    level='error',
+)
+def target_no_action(failure: Failure) -> Iterator[Finding]:
+    """`target_action='sim'`."""
+    if failure.message.startswith("action_matcher must be an '"):
+        yield speak(failure)

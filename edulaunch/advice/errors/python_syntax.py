@@ -150,3 +150,15 @@ OPEN_TEXT = _simple(
 ONE_EQUALS = _simple(
     'programs.one-equals', r"Maybe you meant '=='", 'one = gives a value; a comparison has two', 'write == to compare'
 )
+NO_COLON_IN_BRACES = _simple(
+    'programs.no-colon-in-braces',
+    r"':' expected after dictionary key",
+    'in this dictionary a name has no value',
+    'write a colon between the name and its value, and a comma behind them',
+)
+VALUE_AFTER_NAMES = _simple(
+    'programs.value-after-names',
+    r'positional argument follows keyword argument',
+    'a value without a name stands behind values with names',
+    'write its name in front of it, or put it inside the list [...] to which it belongs',
+)

@@ -1,0 +1,2 @@
+SETTINGS = {'red': 200, 'green', 30}
+print(SETTINGS)
