@@ -31,6 +31,7 @@ ORDER = [
     '15_bags',
     '16_silent_systems',
     '17_fleet',
+    '18_real_network',
 ]
 
 

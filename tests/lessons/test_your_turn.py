@@ -223,3 +223,18 @@ def test_lesson_13_asks_for_a_third_world(walk: Begin) -> None:
     other = "leader='/turtlesim2/turtle1', copier='/turtlesim3"
     student.edit(launch + 'launch_turtlesim.launch.py', other, other.replace('/turtlesim2/turtle1', '/turtlesim1/turtle1', 1))
     assert turn(student) == ['done', 'done', 'not yet', 'not yet']
+
+
+KEPT = 'QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)'
+
+
+def test_lesson_18_asks_for_a_notice_that_stays_and_a_reader_that_asks_for_it(walk: Begin) -> None:
+    student = walk('18_real_network')
+    student.run_all(until='your-turn-check')
+    assert turn(student) == ['not yet']
+    student.edit('my_launch/notice.py', "'notice', QoSProfile(depth=1))", f"'notice', {KEPT})")
+    assert turn(student) == ['not yet'], 'the harbour alone'
+    student.edit('my_launch/notice.py', 'qos = QoSProfile(depth=1)\n', f'qos = {KEPT}\n')
+    assert turn(student) == ['done']
+    student.edit('my_launch/notice.py', f"'notice', {KEPT})", "'notice', QoSProfile(depth=1))")
+    assert turn(student) == ['not yet'], 'the reader alone'
