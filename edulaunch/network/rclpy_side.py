@@ -201,10 +201,11 @@ class Side:
 
     def ask(self, handle: int, number: int, data: bytes) -> None:
         client = self.ends[handle][1]
+        request = deserialize_message(data, client.srv_type.Request)
         if not client.service_is_ready():
             self.early.append((handle, number, data))  # a request before the two have found each other would be lost
             return
-        future = client.call_async(deserialize_message(data, client.srv_type.Request))
+        future = client.call_async(request)
         future.add_done_callback(
             lambda done: (
                 self.say(wire.RESPONSE, handle, number, bytes(serialize_message(done.result()))) if done.result() else None
