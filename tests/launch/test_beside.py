@@ -53,7 +53,8 @@ def test_other_tasks_of_the_awaiting_loop_go_on() -> None:
 
     async def main() -> int:
         task = asyncio.get_running_loop().create_task(launch_service.run_async(shutdown_when_idle=False))
-        await asyncio.sleep(0.03)
+        while launch_service.task is None:  # it begins in a thread of its own, which a busy machine makes wait
+            await asyncio.sleep(0.01)
         assert launch_service.task is not None and not task.done()
         ended = launch_service.shutdown()
         assert ended is not None
@@ -68,7 +69,8 @@ def test_cancelled_run_on_another_loop_returns_1(capsys: pytest.CaptureFixture[s
 
     async def main() -> int:
         task = asyncio.get_running_loop().create_task(launch_service.run_async())
-        await asyncio.sleep(0.03)
+        while launch_service.task is None:  # it begins in a thread of its own, which a busy machine makes wait
+            await asyncio.sleep(0.01)
         task.cancel()
         return await task
 
