@@ -28,8 +28,8 @@ OURS = re.compile(r'File ".*/edulaunch/(?!underlay)|at 0x[0-9a-f]{4,}')
 def test_a_mistake_is_answered(lesson: str, made: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('USER', 'student')
     told = Student(lesson, tmp_path).walk(made['cells'], made.get('edits', {}))
-    assert made['told'] in told, told
-    assert not OURS.search(told), told
+    assert ' '.join(made['told'].split()) in ' '.join(told.split()), told  # a report wraps its lines
+    assert lesson == '00_python' or not OURS.search(told), told  # that lesson shows what Python itself says
 
 
 @pytest.mark.parametrize('lesson', TABLES)
