@@ -61,20 +61,18 @@ class Machine:
         self.session: Session | None = None
         self._write = write
         self._workspaces = workspaces
-        self._searched: list[str] = []
         self._jobs = Jobs()
         self._foreground: LaunchRun | None = None
         self._asked: list[Job] = []
         self.show_keyboard: Callable[[Callable[[str], str], str], object] = lambda press, title: None
 
     def _new_session(self, seed: int) -> Session:
-        self._searched = list(self._workspaces())
-        return Session(seed=seed, workspaces=self._searched, console=self._write)
+        return Session(seed=seed, workspaces=list(self._workspaces()), console=self._write)
 
     def _index(self, session: Session) -> Index:
-        """The packages for a command: those of the machine, or, where workspaces have come since it was started, all of today."""
+        """The packages for a command: those of the machine; of workspaces as they are now, for a cell may have written one."""
         found = list(self._workspaces())
-        return session.index if found == self._searched else index_for(found)
+        return index_for(found) if found else session.index
 
     def _use(self, session: Session) -> Session:
         """Let a session be the notebook's machine from now on; the one before ends."""

@@ -82,3 +82,17 @@ def test_a_package_that_is_made_after_the_first_command_is_found(desk: Any) -> N
     assert desk.said == ['here I am\n']
     desk.ros2('pkg executables mine')
     assert desk.said == ['mine hello\n']
+
+
+def test_a_package_that_is_made_in_a_workspace_that_was_there_before_is_found(workspace: Any) -> None:
+    workspace.ros2('topic list')
+    workspace.write('my_ws/src/late/package.xml', PACKAGE_XML.replace('mine', 'late'))
+    workspace.write('my_ws/src/late/setup.py', SETUP.replace('mine', 'late'))
+    workspace.write('my_ws/src/late/setup.cfg', '[install]\ninstall_scripts=$base/lib/late\n')
+    workspace.write('my_ws/src/late/late/__init__.py', '')
+    workspace.write('my_ws/src/late/late/hello.py', 'def main():\n    print("here I am")\n')
+    workspace.ros2('run late hello')
+    assert workspace.said == ['here I am\n']
+    workspace.write('my_ws/src/late/setup.py', SETUP.replace('mine', 'late').replace('hello =', 'again ='))
+    workspace.ros2('run late again')
+    assert workspace.said == ['here I am\n']
