@@ -202,6 +202,8 @@ class Side:
     def ask(self, handle: int, number: int, data: bytes) -> None:
         client = self.ends[handle][1]
         request = deserialize_message(data, client.srv_type.Request)
+        if not isinstance(request, client.srv_type.Request):
+            raise ValueError('these bytes are no request of its type')
         if not client.service_is_ready():
             self.early.append((handle, number, data))  # a request before the two have found each other would be lost
             return
