@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time as wall
 from collections import OrderedDict
 from collections.abc import Callable
 from typing import Any
@@ -12,7 +13,7 @@ from edulaunch.graph.qos import TRANSIENT_LOCAL
 from edulaunch.graph.services import ServiceClient
 from edulaunch.interfaces.cdr import decode, encode
 from edulaunch.interfaces.underlay import underlay_registry
-from edulaunch.network.far import Nowhere, is_far
+from edulaunch.network.far import FarPublisher, Nowhere, is_far
 from edulaunch.network.link import (
     PUBLISHER,
     SERVICE,
@@ -35,6 +36,8 @@ REMEMBERED = 1000
 """How many messages are remembered that have come to one of several subscriptions."""
 MOST_REQUESTS = 1000
 """How many requests from the network wait for one service."""
+CLOCKS_DIFFER_NS = 3 * 10**9
+"""Two clocks that are further from each other are told: a machine at its limit is late by less."""
 
 
 class Bridge:
@@ -42,6 +45,7 @@ class Bridge:
 
     :param chosen: whether a topic or service of that name crosses.
     :param tell: called with what the user has to know, one text each.
+    :param wall_ns: this computer's clock.
     """
 
     def __init__(
@@ -50,8 +54,9 @@ class Bridge:
         link: Link,
         chosen: Callable[[str], bool] = lambda name: True,
         tell: Callable[[str], object] = print,
+        wall_ns: Callable[[], int] = wall.time_ns,
     ) -> None:
-        self.session, self.link, self.chosen = session, link, chosen
+        self.session, self.link, self.chosen, self._wall_ns = session, link, chosen, wall_ns
         self.graph = session.graph
         self.troubles = Troubles(tell)
         registry = session.host.overlay(session.index).registry
@@ -234,8 +239,21 @@ class Bridge:
         if is_new:
             self.heard += 1
             publisher.heard(wire)
+            if abs(event.source_ns - self.session.sim.now_ns) > CLOCKS_DIFFER_NS:
+                self._compare_clocks(publisher, event.source_ns)
         subscription.queue.append((wire, self.session.sim.now_ns, publisher))
         subscription.on_ready()
+
+    def _compare_clocks(self, publisher: FarPublisher, source_ns: int) -> None:
+        """Tell of a computer with another time. A message that was kept for late joiners may be old."""
+        ahead_ns = source_ns - self._wall_ns()
+        if not source_ns or abs(ahead_ns) <= CLOCKS_DIFFER_NS or (ahead_ns < 0 and publisher.qos.durability == TRANSIENT_LOCAL):
+            return
+        node, seconds = publisher.node.fully_qualified_name, abs(ahead_ns) / 10**9
+        what = f"the clock of {node} is {seconds:.0f} s ahead of this computer's"
+        if ahead_ns < 0:
+            what = f'what {node} says on {publisher.topic_name} is {seconds:.0f} s old: its clock is behind, or the way is slow'
+        self.troubles.add(Trouble(f'clock {node}', f'{what}\n  help: set both by NTP; until then tf finds no transforms across'))
 
     def _request(self, event: Request) -> None:
         asker = self._askers.get(event.handle)

@@ -36,3 +36,15 @@ def chooser(names: Sequence[str]) -> Callable[[str], bool]:
     if not wanted or '/' in wanted:
         return lambda name: True
     return lambda name: any(name == each or name.startswith(each + '/') for each in wanted)
+
+
+def nobody_found(settings: Settings) -> str:
+    """What to look at when no real node is there, in the order in which it is cheap."""
+    if settings.discovery_range == 'OFF':
+        return 'ROS_AUTOMATIC_DISCOVERY_RANGE is OFF: nobody is looked for'
+    domain = f'do they have ROS_DOMAIN_ID={settings.domain}, in every terminal?'
+    if settings.discovery_range == 'LOCALHOST' and not settings.static_peers:
+        return f'{domain} On another computer: ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET edulaunch network on'
+    if settings.static_peers:
+        return f'{domain} Do they name this computer in ROS_STATIC_PEERS? Does a firewall stop UDP?'
+    return f'{domain} Does the network let multicast through? If not, name each other in ROS_STATIC_PEERS'

@@ -14,13 +14,15 @@ from edulaunch.network.bridge import Bridge
 from edulaunch.network.clock import ClockNode
 from edulaunch.network.link import LinkError, Settings
 from edulaunch.network.links import DEFAULT, make_link
-from edulaunch.network.settings import chooser, settings_of
+from edulaunch.network.settings import chooser, nobody_found, settings_of
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
 
 MOST_MISTAKES = 20
 FARTHEST_NS = 24 * 3600 * 10**9
 """A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
+SETTLED_NS = 3 * 10**9
+"""So long after joining those who are there have been found."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 
@@ -50,6 +52,7 @@ class Switch:
         self._wish = Wish()
         self._clock: ClockNode | None = None
         self._mistakes = 0
+        self._joined_ns = 0
         self._tell: Callable[[str], object] = print
 
     def on(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> None:
@@ -73,6 +76,7 @@ class Switch:
         self._selector.register(made.fileno(), selectors.EVENT_READ, lambda events: self._safely(bridge.take))
         self.bridge, self._settings, self._wish, self._mistakes, self._tell = bridge, settings, wish, 0, tell
         self._clock = ClockNode(self._session.graph) if wish.clock else None
+        self._joined_ns = self._session.sim.now_ns
 
     def _safely(self, act: Callable[[], object]) -> None:
         """A mistake of ours must not end the machine: what happened is in its log, and after some the network is off."""
@@ -127,6 +131,8 @@ class Switch:
             *(f'  {"" if node.namespace == "/" else node.namespace}/{node.name}' for node in far.nodes),
             *(f'warning: {line}' for line in bridge.troubles.lines()),
         ]
+        if not far.nodes and self._session.sim.now_ns > self._joined_ns + SETTLED_NS:
+            lines.append(f'help: {nobody_found(settings)}')
         return '\n'.join(lines) + '\n'
 
 

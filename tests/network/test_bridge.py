@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from edulaunch.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
 from edulaunch.interfaces.underlay import underlay_registry
 from edulaunch.network.link import FarEndpoint, FarNode, Interface, Settings
@@ -295,3 +297,32 @@ def test_real_ends_that_cannot_talk_with_each_other_are_not_this_machines_busine
     for topic in ('/fine', '/odd'):
         assert [end.subscription_count for end in here.graph.publishers[topic]] == [0, 0]
     assert here.session.recorder.notes == []
+
+
+@pytest.mark.parametrize(
+    ('source_s', 'qos', 'told'),
+    [
+        (110, QoS(), "the clock of /real is 10 s ahead of this computer's"),
+        (90, QoS(), 'what /real says on /chatter is 10 s old: its clock is behind, or the way is slow'),
+        (90, QoS(durability=TRANSIENT_LOCAL), None),
+        (102, QoS(), None),
+        (0, QoS(), None),
+    ],
+)
+def test_the_clock_of_another_computer_is_told_when_it_is_far_off(
+    place: Any, air: Air, source_s: int, qos: QoS, told: str | None
+) -> None:
+    """A message that was kept for late joiners may be old, and a link that knows no time of sending says 0."""
+    here = place('a', wall_ns=lambda: 100 * 10**9)
+    real, node = raw(air)
+    handle = real.add(node, PUBLISHER, '/chatter', UNDERLAY, qos)
+    here.subscription('/chatter')
+    turns(here)
+    air.now = max(0, source_s * 10**9 - 1)
+    for _ in range(2):
+        real.publish(handle, text('here'))
+        if not source_s:
+            here.link.events[-1] = here.link.events[-1]._replace(source_ns=0)
+        turns(here)
+    assert [line.partition('\n')[0] for line in here.said] == ([] if told is None else [told])
+    assert len(here.heard) == 2

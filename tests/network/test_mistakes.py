@@ -85,6 +85,27 @@ def test_it_joins_on_the_time_of_the_wall_and_leaves(machine: Any) -> None:
     assert here.switch.status() == 'the network is off\n' and not here.switch.off()
 
 
+@pytest.mark.parametrize(
+    ('env', 'told'),
+    [
+        ({'ROS_DOMAIN_ID': '7'}, 'help: do they have ROS_DOMAIN_ID=7, in every terminal? On another computer: ROS_AUTOMATIC'),
+        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, 'Does the network let multicast through?'),
+        ({'ROS_STATIC_PEERS': '10.0.0.2'}, 'Do they name this computer in ROS_STATIC_PEERS?'),
+        ({'ROS_AUTOMATIC_DISCOVERY_RANGE': 'OFF'}, 'help: ROS_AUTOMATIC_DISCOVERY_RANGE is OFF: nobody is looked for'),
+    ],
+)
+def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(machine: Any, env: Any, told: str) -> None:
+    here = machine()
+    here.switch.on(env, Wish(), here.said.append)
+    assert 'help: ' not in here.switch.status()
+    here.session.sim.run(here.session.sim.now_ns + 4 * 10**9)
+    assert told in here.switch.status()
+    other = MemoryLink(here.link.air)
+    other.open(Settings())
+    other.add_node('/', 'real')
+    assert 'help: ' not in here.switch.status()
+
+
 def test_the_time_goes_on_clock_when_asked_for(machine: Any) -> None:
     here = machine()
     here.switch.on({}, Wish(clock=True), here.said.append)
