@@ -58,7 +58,7 @@ class Bridge:
     ) -> None:
         self.session, self.link, self.chosen, self._wall_ns = session, link, chosen, wall_ns
         self.graph = session.graph
-        self.troubles = Troubles(tell)
+        self.troubles = Troubles(tell, self.note)
         registry = session.host.overlay(session.index).registry
         self.mirror = Mirror(self.graph, registry, chosen, self._ask, self.troubles.add)
         self.sent = self.heard = 0
@@ -95,6 +95,11 @@ class Bridge:
 
     def _changed(self) -> None:
         self._is_changed = True
+
+    def note(self, key: str) -> None:
+        """For the record: 'network clock' and '/node', of a key 'clock /node'."""
+        kind, _, text = key.partition(' ')
+        self.session.recorder.note(None, f'network {kind}', text)
 
     # This machine's nodes, out there
 

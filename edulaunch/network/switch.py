@@ -23,6 +23,8 @@ FARTHEST_NS = 24 * 3600 * 10**9
 """A clock that is further from the wall's cannot be set: what was recorded until now would be that far away."""
 SETTLED_NS = 3 * 10**9
 """So long after joining those who are there have been found."""
+ALONE_NS = 10 * 10**9
+"""Who has found nobody then, is told so by the doctor, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 
@@ -77,6 +79,11 @@ class Switch:
         self.bridge, self._settings, self._wish, self._mistakes, self._tell = bridge, settings, wish, 0, tell
         self._clock = ClockNode(self._session.graph) if wish.clock else None
         self._joined_ns = self._session.sim.now_ns
+        self._session.sim.schedule(self._joined_ns + ALONE_NS, lambda: self._note_alone(bridge))
+
+    def _note_alone(self, bridge: Bridge) -> None:
+        if self.bridge is bridge and not bridge.link.graph().nodes:
+            bridge.note(f'alone {self._settings.domain} {self._settings.discovery_range}')
 
     def _safely(self, act: Callable[[], object]) -> None:
         """A mistake of ours must not end the machine: what happened is in its log, and after some the network is off."""

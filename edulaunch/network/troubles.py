@@ -13,10 +13,11 @@ class Troubles:
     """Keeps what went wrong.
 
     :param tell: called with each text, the first time.
+    :param note: called with its key, the first time: for the record, of which advice is made.
     """
 
-    def __init__(self, tell: Callable[[str], object]) -> None:
-        self._tell = tell
+    def __init__(self, tell: Callable[[str], object], note: Callable[[str], object] = lambda key: None) -> None:
+        self._tell, self._note = tell, note
         self.counts: dict[str, tuple[str, int]] = {}
 
     def add(self, trouble: Trouble) -> None:
@@ -26,6 +27,7 @@ class Troubles:
             self.counts[trouble.key] = text, count + 1
         if not count and len(self.counts) < MOST:
             self._tell(text)
+            self._note(trouble.key)
 
     def lines(self) -> list[str]:
         """All of them, for `edulaunch network status`."""

@@ -1,0 +1,68 @@
+"""What is silent between computers: nobody found, another time there, another definition of a type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.finding import Finding, found
+from edulaunch.advice.rule import rule
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Note, Recording
+
+LESSON = '18_real_network'
+FAR = 'network'
+"""The process of nodes that are on another machine."""
+
+
+def _noted(recording: Recording, kind: str) -> Iterator[Note]:
+    return (note for note in recording.notes if note.kind == f'network {kind}')
+
+
+@rule(
+    'programs.alone-on-network',
+    what='this machine joined the network in domain {domain} (discovery: {range}) and found nobody there',
+    why='another domain, or a computer that cannot be reached, is no error: it looks like an empty room',
+    do=(
+        'set ROS_DOMAIN_ID={domain} in every terminal of both computers, and ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET for more than '
+        'this computer; where the network drops multicast, name the other computer in ROS_STATIC_PEERS'
+    ),
+    lesson=LESSON,
+    level='info',
+)
+def alone(recording: Recording) -> Iterator[Finding]:
+    """Not when somebody came later."""
+    if any(node.process == FAR for node in recording.nodes):
+        return
+    for note in list(_noted(recording, 'alone'))[-1:]:
+        domain, _, reach = note.text.partition(' ')
+        yield found('process', FAR, time_s=note.time_s, domain=domain, range=reach)
+
+
+@rule(
+    'time.other-clock',
+    what='the clock of the computer of {node} is not that of this one',
+    why='stamps of the one are the past or the future of the other, so tf finds no transform and filters drop what comes',
+    do='set the clocks of both computers by NTP; compare them with: date',
+    lesson=LESSON,
+)
+def other_clock(recording: Recording) -> Iterator[Finding]:
+    """Once for each node whose messages were stamped by another time."""
+    for note in _noted(recording, 'clock'):
+        yield found('node', note.text, time_s=note.time_s)
+
+
+@rule(
+    'messages.other-definition',
+    what='{type} has another definition on the other computer: its messages are misread or dropped',
+    why='the name of a type is equal on both sides, but its type hash, which is made of all its fields, is not',
+    do='build the same version of the package {package} on both computers; compare the hashes with: ros2 topic info --verbose',
+    lesson=LESSON,
+    level='error',
+)
+def other_definition(recording: Recording) -> Iterator[Finding]:
+    """Once for each type."""
+    for note in _noted(recording, 'hash'):
+        package = note.text.partition('/')[0]
+        yield found('package', package, time_s=note.time_s, type=note.text)
