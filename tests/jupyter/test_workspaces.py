@@ -96,3 +96,22 @@ def test_a_package_that_is_made_in_a_workspace_that_was_there_before_is_found(wo
     workspace.write('my_ws/src/late/setup.py', SETUP.replace('mine', 'late').replace('hello =', 'again ='))
     workspace.ros2('run late again')
     assert workspace.said == ['here I am\n']
+
+
+SPINS = """import rclpy
+from rclpy.node import Node
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Node('hello'))
+"""
+
+
+def test_a_program_that_is_stopped_has_not_died(workspace: Any) -> None:
+    workspace.write('my_ws/src/mine/setup.py', SETUP)
+    workspace.write('my_ws/src/mine/setup.cfg', '[install]\ninstall_scripts=$base/lib/mine\n')
+    workspace.write('my_ws/src/mine/mine/__init__.py', '')
+    workspace.write('my_ws/src/mine/mine/hello.py', SPINS)
+    workspace.ros2('run mine hello --for 1')
+    assert 'KeyboardInterrupt' in workspace.output and workspace.output.endswith('[ros2run]: Interrupt\n')

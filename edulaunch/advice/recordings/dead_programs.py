@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 ENDED_WELL = (None, 0, -2, -15)
 """Still running, finished, ended by Ctrl-C or by launch."""
+INTERRUPTED = '[ros2run]: Interrupt'
+"""What `ros2 run` says when Ctrl-C ended its program, whatever that one did about it."""
 LONGEST = 160
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
@@ -34,13 +36,15 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
 )
 def died(recording: Recording) -> Iterator[Finding]:
     """Not a program that another one started under its own name, which hears of its end itself; nor a `ros2` command after
-    Ctrl-C, which returns 2. One that was started again and again is told once.
+    Ctrl-C, which returns 2 (of `ros2 run` 254). One that was started again and again is told once.
     """
     for process in recording.processes:
         if process.returncode in ENDED_WELL or _is_child(recording, process) or _is_launch(recording, process):
             continue
         said = _said(recording, process)
         if _is_command(process) and process.returncode == 2 and not any(': error: ' in line for line in said):
+            continue
+        if _is_command(process) and any(INTERRUPTED in row.text for row in recording.output if row.process == process.name):
             continue
         error = process.exception or {}
         file, line = (error['file'], error['line']) if error.get('file') else (process.file, process.line)
