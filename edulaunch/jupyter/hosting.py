@@ -77,6 +77,12 @@ class Hosting:
     def continue_at(self, time_s: float) -> None:
         """A notebook's machine cannot: its cells are not known."""
 
+    is_on_network = None
+
+    def join_network(self, joins: bool) -> str:
+        """Only the machine of the terminals meets real nodes: its clock is the wall's."""
+        return 'only the machine of the terminals can join a network: edulaunch network on'
+
     def soon(self, action: Callable[[], object]) -> None:
         """Do something where the machine runs, and look again at what is due; from any thread."""
 

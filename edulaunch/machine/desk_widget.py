@@ -55,6 +55,13 @@ class Host(Protocol):
     def continue_at(self, time_s: float) -> None:
         """See `Living`."""
 
+    @property
+    def is_on_network(self) -> bool | None:
+        """See `Living`."""
+
+    def join_network(self, joins: bool) -> str:
+        """See `Living`."""
+
     def soon(self, action: Callable[[], object]) -> None:
         """Do something where the machine runs; from any thread."""
 

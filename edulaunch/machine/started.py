@@ -199,6 +199,12 @@ class Machine:
         if not self._is_again:
             self._done.append((self.session.sim.now_ns, dict(words)))
 
+    is_on_network = None
+
+    def join_network(self, joins: bool) -> str:
+        """Only the machine of the terminals meets real nodes: its clock is the wall's."""
+        return 'only the machine of the terminals can join a network: edulaunch network on'
+
     def continue_at(self, time_s: float) -> None:
         """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.
 

@@ -7,6 +7,8 @@ import selectors
 import signal
 from codecs import getincrementaldecoder
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.reader import reader_of
@@ -32,6 +34,11 @@ NOT_FOUND = 127
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
 """Commands behind which it is said what is wrong."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
+
+
+@cache
+def _can_join() -> bool:
+    return find_spec('cyclonedds') is not None
 
 
 class Terminals:
@@ -72,6 +79,21 @@ class Terminals:
         from edulaunch.network.switch import Wish
 
         return self.switch().join(env, Wish(link, clock, topics), self.tell)
+
+    @property
+    def is_on_network(self) -> bool | None:
+        """Whether it has joined a real network; None where Cyclone DDS is not installed."""
+        if self.network is None:
+            return False if _can_join() else None
+        return self.network.bridge is not None
+
+    def join_network(self, joins: bool) -> str:
+        """What the button of a page does, in the environment in which the machine was started."""
+        from edulaunch.network.switch import run_network
+
+        said: list[str] = []
+        run_network(self.switch(), ['on' if joins else 'off'], os.environ, said.append, self.tell)
+        return ''.join(said).strip()
 
     def recording(self) -> Recording:
         """What happened until now."""

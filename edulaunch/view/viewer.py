@@ -40,6 +40,13 @@ class Living(Protocol):
     """Whether any instant can be reached again."""
 
     @property
+    def is_on_network(self) -> bool | None:
+        """Whether real nodes can meet those of this machine; None where it cannot join a network."""
+
+    def join_network(self, joins: bool) -> str:
+        """Join a real network, or leave it; returns what to say."""
+
+    @property
     def session(self) -> Session:
         """What runs on it."""
 
@@ -70,17 +77,18 @@ class Viewer:
         self._film = Film(OfRecorder(self._session.recorder))
         self._driver: PipedInput | None = None
         self._panes = [Pane(number, self._start, say) for number in range(COUNT)]
-        self._told: tuple[bool, float] | None = None
+        self._told: dict[str, object] | None = None
 
     def show(self) -> None:
         """Say what is new: a piece of film, and how time goes."""
         message: dict[str, Any] = {}
         if self._look():
             message['reset'] = True
-        state = (not self._time.paused, self._time.speed)
+        machine = self._machine
+        state: dict[str, object] = {'running': not self._time.paused, 'speed': self._time.speed}
+        state |= {'can_continue': machine.can_continue, 'network': machine.is_on_network}
         if state != self._told:
-            self._told = state
-            message['machine'] = {'running': state[0], 'speed': state[1], 'can_continue': self._machine.can_continue}
+            message['machine'] = self._told = state
         self._say({**message, 'piece': self._film.piece()})
 
     def has_programs(self) -> bool:
@@ -152,6 +160,10 @@ class Viewer:
             process = self._start(['python3', DRIVER], 'desk')
             process.stdin = self._driver
         self._driver.feed(f'{who or "/"} {_number(words, "linear")} {_number(words, "angular")}\n')
+
+    def _network(self, words: dict[str, Any]) -> None:
+        """Onto a real network, or off it."""
+        self._say({'said': self._machine.join_network(words['on'] is True)})
 
     def _teleport(self, words: dict[str, Any]) -> None:
         x, y, theta = (_number(words, name) for name in ('x', 'y', 'theta'))
@@ -235,6 +247,7 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
     'interrupt': Viewer._interrupt,
     'advise': Viewer._advise,
     'export': Viewer._export,
+    'network': Viewer._network,
 }
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import selectors
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,7 +16,10 @@ import pytest
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces.cdr import encode
 from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.machine.terminals import Terminals
 from edulaunch.network.link import Interface
+from edulaunch.session import Session
+from edulaunch.sim.pacing import RealTime
 from tests.machine.shells import Desk
 from tests.network.places import PUBLISHER, cls_of
 
@@ -111,3 +116,16 @@ def test_a_launch_without_a_machine_cannot_join(tmp_path: Path) -> None:
         [sys.executable, '-c', code], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=True, env=dict(os.environ)
     )
     assert '--network needs a machine that runs in real time' in done.stdout
+
+
+def test_what_the_button_of_a_page_says(monkeypatch: pytest.MonkeyPatch, domain: int) -> None:
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(domain))
+    with selectors.DefaultSelector() as selector, Session(start_ns=time.time_ns()) as session:
+        terminals = Terminals(session, RealTime(session.sim), selector)
+        assert terminals.is_on_network is False
+        assert terminals.join_network(True).startswith(f'network: domain {domain} of this computer alone, by ')
+        assert terminals.is_on_network is True
+        assert terminals.join_network(False) == 'the network is off'
+        assert terminals.is_on_network is False
+        monkeypatch.setenv('ROS_DOMAIN_ID', 'home')
+        assert terminals.join_network(True).startswith("error: ROS_DOMAIN_ID is 'home'")

@@ -37,6 +37,12 @@ class Desk:
     def took(self, words: dict[str, Any]) -> None:
         pass
 
+    is_on_network: bool | None = None
+
+    def join_network(self, joins: bool) -> str:
+        self.is_on_network = joins
+        return 'joined' if joins else 'left'
+
     def continue_at(self, time_s: float) -> None:
         raise AssertionError('nobody asks this')
 
@@ -189,8 +195,18 @@ def test_the_state_of_time_is_told_when_it_changes(desk: Desk) -> None:
     desk.viewer.show()
     desk.ask('pause')
     desk.viewer.show()
-    going = {'running': True, 'speed': 1.0, 'can_continue': False}
+    going = {'running': True, 'speed': 1.0, 'can_continue': False, 'network': None}
     assert [message.get('machine') for message in desk.said] == [going, None, {**going, 'running': False}]
+
+
+def test_a_page_joins_a_network_and_leaves_it(desk: Desk) -> None:
+    desk.is_on_network = False
+    for joins in (True, False):
+        desk.viewer.show()
+        desk.ask('network', on=joins)
+    desk.viewer.show()
+    assert [message['machine']['network'] for message in desk.said if 'machine' in message] == [False, True, False]
+    assert [message['said'] for message in desk.said if 'said' in message] == ['joined', 'left']
 
 
 ANYTHING = st.recursive(
@@ -205,6 +221,7 @@ OPS = st.sampled_from(
         'continue',
         'export',
         'keys',
+        'network',
         'advise',
         'advise',
         'speed',

@@ -28,8 +28,9 @@ class Desk {
     this.alerts = new AlertsView(this);
     this.save = button('Export', 'save what has happened as a page that plays it, from disk and without a network', () => this.send({ op: 'export' }));
     this.save.hidden = !this.live;
+    this.net = button('Network', 'join the real ROS 2 network, or leave it', () => this.send({ op: 'network', on: !this.machine.network }));
     this.dark = button('◐', 'dark or light', () => this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'));
-    this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.save, this.dark));
+    this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.net, this.save, this.dark));
   }
   stage() {
     this.worlds = make('div', { class: 'worlds' });
@@ -256,6 +257,9 @@ class Desk {
     this.slider.value = store.now > this.from ? Math.round((this.time - this.from) / (store.now - this.from) * 1e6) : 0;
     this.slider.setAttribute('aria-valuetext', `${this.time.toFixed(2)} of ${store.now.toFixed(2)} seconds`);
     this.now.hidden = !this.live || this.follow;
+    this.net.hidden = !this.live || typeof this.machine.network !== 'boolean';
+    this.net.setAttribute('aria-pressed', this.machine.network === true);
+    this.net.textContent = this.machine.network ? 'Leave the network' : 'Network';
     this.again.hidden = !this.live || this.follow || !this.machine.can_continue;
     if (this.saidAt && performance.now() - this.saidAt < 6000) return;
     this.state.textContent = this.ended || (!this.live ? `${store.now.toFixed(2)} s recorded` : !this.follow ? 'looking back; the machine ' + (this.machine.running ? 'goes on' : 'is paused')
