@@ -27,7 +27,7 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     """
     if not evidence or all(result.status != FAILED for result in results):
         return results
-    findings = _findings(evidence)
+    findings = _findings(evidence, any(' died ' in (result.reason or '') for result in results))
     told: list[CheckResult] = []
     for result in results:
         cause = next((finding for finding in findings if _is_about(finding, result)), None) if result.status == FAILED else None
@@ -38,7 +38,7 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     return told if any(result.cause for result in told) else _with_worst(told, findings)
 
 
-def _findings(evidence: Evidence) -> list[Finding]:
+def _findings(evidence: Evidence, died_is_said: bool) -> list[Finding]:
     """Of all runs, the worst first; none when there is so much that it takes too long."""
     from edulaunch.advice.judging import in_order
 
@@ -47,7 +47,8 @@ def _findings(evidence: Evidence) -> list[Finding]:
             found = in_order([finding for recording in evidence.values() for finding in recording.advice])
     except TooLong:
         return []
-    return [finding for finding in found if finding.rule not in SAID_BY_CHECKS]
+    said = SAID_BY_CHECKS if died_is_said else tuple(rule for rule in SAID_BY_CHECKS if rule != 'programs.died')
+    return [finding for finding in found if finding.rule not in said]
 
 
 def _is_about(finding: Finding, result: CheckResult) -> bool:

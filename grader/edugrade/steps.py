@@ -46,14 +46,22 @@ _DEEPEST = 6
 
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
-    """The result as it is told at a level: with less advice, and at KIND without a cause."""
+    """The result as it is told at a level: with less advice, and at KIND without a cause, but for an error that ended a program."""
     if result.status != FAILED or level >= ALL or result.name in UNSAID:
         return result
     given = (*result.steps, result.try_)
     step = given[min(level, len(given)) - 1] if result.steps else None
     if step is None:
         step = kind_of(result) if level == KIND or result.try_ is None else without_code(result.try_)
-    return replace(result, try_=step, cause=None if level == KIND else result.cause)
+    return replace(result, try_=step, cause=result.cause if level > KIND or _has_ended(result) else None)
+
+
+def _has_ended(result: CheckResult) -> bool:
+    """Whether a program could not go on: what Python or ROS 2 said of it is no answer, and nobody finds it without."""
+    from edulaunch.advice.registry import rule_named
+
+    cause = result.cause
+    return cause is not None and cause.kind == 'process' and rule_named(cause.rule).level == 'error'
 
 
 def kind_of(result: CheckResult) -> str:

@@ -10,6 +10,7 @@ from edugrade.language import explained, retold
 from edugrade.place import Place
 from edugrade.results import FAILED, PASSED, CheckResult
 from edugrade.short_paths import ShortPaths
+from edugrade.steps import KIND, at_level
 
 from edulaunch.advice import Finding, Reader, found
 
@@ -49,7 +50,17 @@ def test_a_finding_stands_at_the_check_of_its_line() -> None:
 def test_the_worst_one_stands_at_the_weightiest_when_none_is_about_it() -> None:
     checks = [CheckResult('launches', 'x', PASSED), failed('first', points=1), failed('second', points=2)]
     assert [result.cause for result in with_causes(checks, evidence(SAME, FRAME))] == [None, None, FRAME]
-    assert [result.cause for result in with_causes(checks, evidence(SAME, DEAD))] == [None, None, None]
+    assert [result.cause for result in with_causes(checks, evidence(SAME, DEAD))] == [None, None, DEAD]
+
+
+def test_a_death_that_a_check_tells_of_is_not_told_twice() -> None:
+    checks = [failed('first', points=1, reason='the program sim-1 died with exit code 1'), failed('second', points=2)]
+    assert [result.cause for result in with_causes(checks, evidence(DEAD))] == [None, None]
+
+
+def test_on_the_first_level_a_cause_is_told_only_of_a_program_that_could_not_go_on() -> None:
+    assert at_level(failed('first', cause=DEAD), KIND).cause is DEAD
+    assert at_level(failed('first', cause=FRAME), KIND).cause is None
 
 
 def test_who_passed_everything_costs_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
