@@ -46,7 +46,7 @@ _DEEPEST = 6
 
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
-    """The result as it is told at a level: with less advice, and at KIND without a cause, but for an error that ended a program."""
+    """The result as it is told at a level: with less advice; at KIND without a cause, unless an error ended a program."""
     if result.status != FAILED or level >= ALL or result.name in UNSAID:
         return result
     given = (*result.steps, result.try_)

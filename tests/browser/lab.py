@@ -52,7 +52,7 @@ class Page:
         }""",
             ident,
         )
-        self.page.wait_for_timeout(400)
+        self.page.wait_for_timeout(150)
         self.page.screenshot(path=self._shots / f'{self._name}-{part or ident}.png')
 
 

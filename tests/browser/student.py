@@ -122,7 +122,7 @@ class BrowserStudent:
         found = CHECK.search(cell.source)
         if found is None:
             return
-        assert 'FAILED' in told or 'not yet' in told, f'{cell.id}: {told}'
+        assert re.search('FAILED|not yet|does not exist', told), f'{cell.id}: {told}'
         edits = ANSWERS.get((self.lesson.name, cell.id))
         if edits is None:
             return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 from pathlib import Path
@@ -18,6 +19,8 @@ QUESTIONS = {
     name: (one.right, [choice.feedback for choice in one.choices]) for name, one in read_questions(str(LESSONS / FILE)).items()
 }
 
+WANTED = 'EDULAUNCH_SCREENSHOTS' in os.environ
+
 
 @pytest.mark.parametrize('name', ORDER)
 def test_a_student_goes_through_a_lesson(lab: Lab, course: Path, name: str) -> None:
@@ -31,7 +34,7 @@ def test_a_student_goes_through_a_lesson(lab: Lab, course: Path, name: str) -> N
         texts = page.page.locator('.jp-OutputArea img').evaluate_all('images => images.map(image => image.alt)')
         assert all(len(text) > 10 for text in texts), texts
         for number, cell in enumerate(cell for cell in stored.cells if cell.kind == 'markdown'):
-            if cell.source.startswith('## ') or number == 0:
+            if WANTED and (cell.source.startswith('## ') or number == 0):
                 page.show(cell.id, f'{number:02}-{cell.id}')
 
 
