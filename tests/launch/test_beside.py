@@ -53,7 +53,9 @@ def test_other_tasks_of_the_awaiting_loop_go_on() -> None:
 
     async def main() -> int:
         task = asyncio.get_running_loop().create_task(launch_service.run_async(shutdown_when_idle=False))
-        while launch_service.task is None:  # it begins in a thread of its own, which a busy machine makes wait
+        while (
+            launch_service.task is None and not task.done()
+        ):  # it begins in a thread of its own, which a busy machine makes wait
             await asyncio.sleep(0.01)
         assert launch_service.task is not None and not task.done()
         ended = launch_service.shutdown()
@@ -69,7 +71,9 @@ def test_cancelled_run_on_another_loop_returns_1(capsys: pytest.CaptureFixture[s
 
     async def main() -> int:
         task = asyncio.get_running_loop().create_task(launch_service.run_async())
-        while launch_service.task is None:  # it begins in a thread of its own, which a busy machine makes wait
+        while (
+            launch_service.task is None and not task.done()
+        ):  # it begins in a thread of its own, which a busy machine makes wait
             await asyncio.sleep(0.01)
         task.cancel()
         return await task

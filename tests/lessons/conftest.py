@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Iterator
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -28,3 +30,12 @@ def walk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Wal
         return Walk(Lesson(name), tmp_path)
 
     return begin
+
+
+@pytest.fixture(autouse=True)
+def no_notebook_is_left() -> Iterator[None]:
+    """An IPython that a test has made is gone after it: whoever finds one takes the program for a notebook."""
+    yield
+    made = sys.modules.get('IPython.core.interactiveshell')
+    if made is not None:
+        made.InteractiveShell.clear_instance()
