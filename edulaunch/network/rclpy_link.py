@@ -176,6 +176,7 @@ class RclpyLink:
             Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more'),
         )
         silent, bell = socket.socketpair()
+        silent.setblocking(False)  # which goes with it to the other number
         os.dup2(silent.fileno(), self._socket.fileno())  # never readable, under the same number: the machine need not look again
         silent.close()
         self._sockets.append(bell)
