@@ -238,3 +238,37 @@ def test_lesson_18_asks_for_a_notice_that_stays_and_a_reader_that_asks_for_it(wa
     assert turn(student) == ['done']
     student.edit('my_launch/notice.py', f"'notice', {KEPT})", "'notice', QoSProfile(depth=1))")
     assert turn(student) == ['not yet'], 'the reader alone'
+
+
+HANDLERS = """from launch import LaunchDescription
+from launch.actions import RegisterEventHandler, Shutdown, TimerAction
+from launch.event_handlers import OnProcessExit, OnProcessStart
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim')
+    square = Node(package='turtlesim', executable='draw_square')
+    late = TimerAction(period=3.0, actions=[Node(package='turtlesim', executable='mimic', name='copy')])
+    return LaunchDescription([
+        RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[square, late])),
+        RegisterEventHandler(OnProcessExit(target_action=square, on_exit=[Shutdown()])),
+        sim,
+    ])
+"""
+
+
+def test_lesson_5_takes_an_end_in_a_handler_and_none_in_a_comment(walk: Begin) -> None:
+    student = walk('05_events')
+    student.run_all(until='your-turn-check')
+    student.write('my_launch/careful.launch.py', HANDLERS)
+    assert turn(student) == ['done'] * 3
+    student.write('my_launch/careful.launch.py', HANDLERS.replace('[Shutdown()])),', '[])),  # Shutdown()'))
+    assert turn(student).count('not yet') == 1
+
+
+def test_lesson_9_looks_at_the_broadcaster_and_not_at_the_static_one(walk: Begin) -> None:
+    student = walk('09_broadcaster_and_listener')
+    student.run_all(until='improve-check')
+    assert (student.folder / NODES / 'static_turtle_tf2_broadcaster.py').is_file()
+    assert turn(student, 'improve-check').count('not yet') == 1
