@@ -14,7 +14,7 @@ import tempfile
 import time
 
 from edulaunch.graph.qos import QoS
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.native.command import command
 from edulaunch.native.environment import needed
 from edulaunch.network.link import SERVICE, Interface, Request, Settings

@@ -128,7 +128,7 @@ def round_trips(folder: Path) -> dict[str, float]:
     """A String to a simulated node and back."""
     from edulaunch.graph.qos import QoS
     from edulaunch.interfaces.cdr import encode
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import underlay_registry
     from edulaunch.network.link import Interface, Message
 
     (folder / 'echo.py').write_text(ECHO)
@@ -162,7 +162,7 @@ def round_trips(folder: Path) -> dict[str, float]:
 def three_turtles(folder: Path) -> dict[str, float]:
     """The processor's share with and without the network, while somebody out there hears all poses and tf."""
     from edulaunch.graph.qos import QoS
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import underlay_registry
     from edulaunch.network.link import Interface, Message
 
     (folder / 'turtles.launch.py').write_text(TURTLES)

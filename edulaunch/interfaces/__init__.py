@@ -1,9 +1,8 @@
 """Message, service and action classes made from .msg, .srv and .action text; wire tuples; CDR bytes.
 
-Reading order: `spec` and `kinds` (what an interface is), `parser` (from text), `layout` (flattened fields),
-`source` and `generator` (the class), `registry` (finds files, makes each class once), `importer` (`import
-geometry_msgs.msg`), `running` (those of a program's workspace), `texts` (kept in recordings), `cdr` and
-`description` (bytes and type hashes, as on a real ROS network).
+Reading order: `spec` (what an interface is), `notation` and `parser` (from text), `layout` (flattened fields), `generator` and
+`services` (the classes), `registry` (finds files, makes each class once), `importer` (`import geometry_msgs.msg`), `texts` (kept in
+recordings), `cdr` and `description` (bytes and type hashes, as on a real ROS network).
 """
 
 from __future__ import annotations
@@ -11,9 +10,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from edulaunch.interfaces.containers import Service
     from edulaunch.interfaces.message import Message
     from edulaunch.interfaces.registry import Registry
+    from edulaunch.interfaces.services import Service
 
 
 def install(registry: Registry | None = None) -> None:
@@ -21,7 +20,7 @@ def install(registry: Registry | None = None) -> None:
     the underlay).
     """
     from edulaunch.interfaces.importer import install as install_finder
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import underlay_registry
 
     install_finder(registry or underlay_registry())
 
@@ -31,8 +30,7 @@ def current_registry() -> Registry:
     underlay; outside any program the installed one, or the underlay's.
     """
     from edulaunch.interfaces.importer import installed_registry
-    from edulaunch.interfaces.running import running_registry
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import running_registry, underlay_registry
 
     return running_registry() or installed_registry() or underlay_registry()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.interfaces.derived import event_of, feedback_message_of, get_result_of, send_goal_of
+from edulaunch.interfaces.services import event_of, feedback_message_of, get_result_of, send_goal_of
 from edulaunch.interfaces.spec import Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
 
 _NESTED_TYPE_ID = 1

@@ -1,4 +1,4 @@
-"""What may be assigned to a field: rclpy's checks with their texts, each with one line of help."""
+"""What may be assigned to a field: rclpy's checks with their texts."""
 
 from __future__ import annotations
 
@@ -11,8 +11,32 @@ from typing import Any, NoReturn
 from edulaunch.facts import with_facts
 from edulaunch.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
 from edulaunch.interfaces.message import Message
-from edulaunch.interfaces.numpy_values import python_values
-from edulaunch.interfaces.spec import Field
+from edulaunch.interfaces.spec import Field, Kind
+
+
+def python_values(values: Any, kind: Kind) -> Any:
+    """What Jazzy makes of them: an `array.array` or numpy array of the field's kind takes integers for floats, numpy's numbers
+    for Python's, and goes through any iterable.
+
+    :param kind: of the field's elements.
+    :return: an array for a numpy array of just that kind (an image), else a list of Python's numbers; `values` itself where
+        Jazzy refuses, too: an array with rows, floats where integers are wanted, text.
+    """
+    numpy = sys.modules.get('numpy')
+    numbers: tuple[type, ...] = (int, float) if kind.python is float else (int,)
+    if numpy is not None:
+        numbers += (numpy.integer, numpy.floating) if kind.python is float else (numpy.integer,)
+        if isinstance(values, numpy.ndarray):
+            if values.ndim != 1 or not issubclass(values.dtype.type, numbers):
+                return values
+            return array(kind.code, values.tobytes()) if values.dtype == kind.name else list(map(kind.python, values.tolist()))
+    if isinstance(values, (str, bytes, bytearray, memoryview)):
+        return values
+    try:
+        return [kind.python(value) if isinstance(value, numbers) else value for value in values]
+    except (TypeError, OverflowError):  # no iterable; an integer that no float can hold
+        return values
+
 
 _INF = float('inf')
 
@@ -180,7 +204,7 @@ class FieldRule:
     # What is refused
 
     def _refuse(self, words: str, value: Any) -> NoReturn:
-        from edulaunch.interfaces.value_facts import value_facts
+        from edulaunch.interfaces.mistakes import value_facts
 
         error = AssertionError(f"The '{self.name}' field {words}")
         raise with_facts(error, **value_facts(self.type, self.message, self.name, value))

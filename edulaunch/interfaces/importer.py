@@ -1,13 +1,16 @@
-"""Makes `import geometry_msgs.msg` work for packages that have interface files."""
+"""Makes `import geometry_msgs.msg` work for packages that have interface files; classes are made when first asked for."""
 
 from __future__ import annotations
 
 import sys
 from importlib.machinery import ModuleSpec, PathFinder
-from types import ModuleType
-from typing import TYPE_CHECKING
+from types import FrameType, ModuleType
+from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import InterfaceError
+from edulaunch.facts import with_facts
 from edulaunch.interfaces.registry import KINDS_OF_INTERFACE
+from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -47,7 +50,6 @@ class InterfaceFinder(Loader):
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
         """Part of the import protocol."""
-        from edulaunch.interfaces.modules import InterfaceModule, PartModule
 
         depth = spec.name.count('.')
         if depth == 0:
@@ -66,7 +68,7 @@ class InterfaceFinder(Loader):
 
     def _interface(self, fullname: str) -> str | None:
         """'turtlesim.srv._teleport_absolute' -> 'turtlesim/srv/TeleportAbsolute'."""
-        from edulaunch.interfaces.naming import module_name
+        from edulaunch.interfaces.spec import module_name
 
         package, kind, module = fullname.split('.')
         return next(
@@ -101,3 +103,66 @@ def _is_real_package(name: str) -> bool:
     """Whether Python itself finds a module of this name; a bare folder (namespace package) does not count."""
     spec = PathFinder.find_spec(name)
     return spec is not None and spec.loader is not None and spec.origin is not None
+
+
+class InterfaceModule(ModuleType):
+    """`<package>.msg`, `.srv` or `.action`: one class for each interface file.
+
+    A wrong name is Python's own ImportError or AttributeError, which knows the nearest name, or where the
+    type is.
+    """
+
+    def __init__(self, name: str, registry: Registry) -> None:
+        package, kind = name.split('.')
+        super().__init__(name, f'The {kind} interfaces of {package}.')
+        self._registry = registry
+        self.__all__ = registry.names(package, kind)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self.__all__:
+            cls = self._registry.get(f'{self.__name__.replace(".", "/")}/{name}')
+            setattr(self, name, cls)
+            return cls
+        if name.startswith('__'):
+            raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
+        raise self._no_name(name, sys._getframe(1))
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.__all__})
+
+    def _no_name(self, name: str, asker: FrameType) -> Exception:
+        # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.
+        error: Exception = AttributeError(f'module {self.__name__!r} has no attribute {name!r}', name=name, obj=self)
+        if _is_from_import(asker):
+            error = ImportError(f'cannot import name {name!r} from {self.__name__!r} (unknown location)', name=self.__name__)
+        package, kind = self.__name__.split('.')
+        homes = self._registry.homes(name)
+        near = nearest(name, self._registry.names(package, kind))
+        return with_facts(error, 'messages.no-interface', interface=name, module=self.__name__, homes=homes, near=near)
+
+
+class PartModule(ModuleType):
+    """`<package>.msg._twist`: where a class says it comes from; pickle finds it here."""
+
+    def __init__(self, name: str, registry: Registry, interface: str) -> None:
+        super().__init__(name)
+        self._registry = registry
+        self._interface = interface  # 'turtlesim/srv/Spawn'
+
+    def __getattr__(self, name: str) -> Any:
+        own = self._interface.rpartition('/')[2]
+        if name == own or name.startswith(f'{own}_'):
+            try:
+                cls = self._registry.get(f'{self._interface.rpartition("/")[0]}/{name}')
+            except InterfaceError:
+                raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}') from None
+            setattr(self, name, cls)
+            return cls
+        raise AttributeError(f'module {self.__name__!r} has no attribute {name!r}')
+
+
+def _is_from_import(frame: FrameType) -> bool:
+    """Whether the frame is executing `from module import name` at this moment."""
+    from opcode import opmap
+
+    return frame.f_code.co_code[frame.f_lasti] == opmap['IMPORT_FROM']

@@ -11,8 +11,7 @@ from array import array
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.interfaces.kinds import BYTE_LIKE
-from edulaunch.interfaces.spec import Field, FieldType, MessageSpec
+from edulaunch.interfaces.spec import BYTE_LIKE, Field, FieldType, MessageSpec
 
 SpecOf = Callable[[str], MessageSpec]
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 import re
 from keyword import iskeyword
 
-from edulaunch.interfaces.literals import constant_value, default_value
-from edulaunch.interfaces.sections import Line, sections_of
+from edulaunch.interfaces.notation import Line, constant_value, default_value, field_type, sections_of
 from edulaunch.interfaces.spec import ActionSpec, Constant, Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
-from edulaunch.interfaces.type_text import field_type
 
 FIELD_NAME = '^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'
 CONSTANT_NAME = '^[A-Z]([A-Z0-9_]?[A-Z0-9]+)*$'

@@ -1,9 +1,13 @@
-"""Finds interface files in share folders and makes each class once."""
+"""Finds interface files in share folders and makes each class once; whose interfaces count: those of the running program's workspace, where
+there is one. This layer knows no programs: whoever runs them says here, once, how to find the registry of the one that runs.
+"""
 
 from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Callable
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
@@ -73,6 +77,10 @@ class Registry:
             if kind in (None, each)
             for name in self.names(package, each)
         )
+
+    def homes(self, name: str, kind: str | None = None) -> list[str]:
+        """The modules that have an interface of this name: homes('Twist') -> ['geometry_msgs.msg']."""
+        return [full.rpartition('/')[0].replace('/', '.') for full in self.types(kind) if full.endswith(f'/{name}')]
 
     def path(self, type_name: str) -> str:
         """The file that defines 'pkg/kind/Name'.
@@ -180,8 +188,8 @@ class Registry:
         """Read a file and keep the specs of everything it defines. A part's name is its interface's, an
         underscore and a word.
         """
-        from edulaunch.interfaces.derived import parts_of
         from edulaunch.interfaces.parser import parse
+        from edulaunch.interfaces.services import parts_of
 
         whole = type_name if '_' not in type_name.rpartition('/')[2] else type_name[: type_name.index('_', type_name.rindex('/'))]
         parts = parts_of(parse(self.text(whole), whole, self.path(whole)))
@@ -190,8 +198,8 @@ class Registry:
         self._specs.update(parts)
 
     def _make(self, spec: InterfaceSpec) -> type[Any]:
-        from edulaunch.interfaces.containers import make_action, make_service
         from edulaunch.interfaces.generator import make_message
+        from edulaunch.interfaces.services import make_action, make_service
         from edulaunch.interfaces.spec import MessageSpec, ServiceSpec
 
         if isinstance(spec, MessageSpec):
@@ -211,7 +219,7 @@ class Registry:
             ) from None
 
     def _unknown(self, type_name: str) -> InterfaceError:
-        from edulaunch.interfaces.unknown import unknown_type
+        from edulaunch.interfaces.mistakes import unknown_type
 
         return unknown_type(self, type_name)
 
@@ -224,3 +232,25 @@ def _interface_files(folder: str, kind: str) -> dict[str, str]:
         return {}
     suffix = f'.{kind}'
     return {name.removesuffix(suffix): os.path.join(inside, name) for name in names if name.endswith(suffix)}
+
+
+@cache
+def underlay_registry() -> Registry:
+    """The one registry of the underlay's interfaces. Its files never change while a program runs, so all
+    simulations share it.
+    """
+    here = os.path.dirname(os.path.abspath(__file__))
+    return Registry([os.path.join(os.path.dirname(here), 'underlay', 'share')])
+
+
+_sources: list[Callable[[], Registry | None]] = []
+
+
+def answer_with(source: Callable[[], Registry | None]) -> None:
+    """Ask `source` for the registry of the running program from now on."""
+    _sources[:] = [source]
+
+
+def running_registry() -> Registry | None:
+    """The registry of the running program; None outside any, or when its workspace has no interfaces."""
+    return _sources[0]() if _sources else None

@@ -73,7 +73,7 @@ def _whole(name: str) -> str:
 
 
 def _parts(registry: Registry, name: str) -> list[str]:
-    from edulaunch.interfaces.derived import parts_of
+    from edulaunch.interfaces.services import parts_of
 
     return list(parts_of(registry.spec(name)))
 

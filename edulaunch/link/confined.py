@@ -13,7 +13,7 @@ from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.parameter_files import ParameterFileError
 from edulaunch.graph.ros_arguments import entries_of_file
 from edulaunch.graph.tracer import Look, Record
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, Messages, dump, load
 from edulaunch.link.half import Half

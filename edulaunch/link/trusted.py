@@ -13,7 +13,7 @@ from edulaunch.graph.qos import TRANSIENT_LOCAL
 from edulaunch.graph.services import ServiceClient
 from edulaunch.graph.topics import WatchedPublisher
 from edulaunch.graph.tracer import Record
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.link.half import Half

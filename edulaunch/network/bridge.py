@@ -12,7 +12,7 @@ from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.qos import TRANSIENT_LOCAL
 from edulaunch.graph.services import ServiceClient
 from edulaunch.interfaces.cdr import decode, encode
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.far import FarPublisher, Nowhere, is_far
 from edulaunch.network.link import (
     PUBLISHER,

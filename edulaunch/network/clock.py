@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 from edulaunch.graph.graph import Graph
 from edulaunch.graph.qos import QoS
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 
 PERIOD_NS = 10_000_000
 NAME = 'machine_clock'

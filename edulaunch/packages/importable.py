@@ -16,8 +16,7 @@ def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
     Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
     the workspace only when that has types which the underlay lacks.
     """
-    from edulaunch.interfaces.registry import Registry
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import Registry, underlay_registry
     from edulaunch.underlay_place import underlay_prefix
 
     shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')

@@ -37,7 +37,7 @@ def error_facts(process: Process, error: BaseException) -> Found:
         return found
     if isinstance(error, AttributeError):
         from edulaunch.interfaces import current_registry
-        from edulaunch.interfaces.field_facts import field_facts
+        from edulaunch.interfaces.mistakes import field_facts
 
         return _hiding(process, getattr(error.obj, '__name__', None)) or field_facts(error, current_registry())
     return {}
@@ -85,9 +85,8 @@ def _imported_name(process: Process, error: ImportError) -> Found:
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
     from edulaunch.interfaces import current_registry
-    from edulaunch.interfaces.modules import homes_of
 
-    homes = [home for home in homes_of(current_registry(), said[1]) if home.startswith(f'{error.name}.')]
+    homes = [home for home in current_registry().homes(said[1]) if home.startswith(f'{error.name}.')]
     if homes:  # `from geometry_msgs import Twist`
         return {'about': 'messages.no-interface', 'interface': said[1], 'module': error.name, 'homes': homes}
     module = process.loader.modules.get(error.name or '')

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from edulaunch.interfaces.running import answer_with
+from edulaunch.interfaces.registry import answer_with
 from edulaunch.packages.importable import interfaces_of
 from edulaunch.sim.task import running_task
 

@@ -10,8 +10,7 @@ from random import Random
 import pytest
 
 from edulaunch.interfaces.layout import is_byte_like
-from edulaunch.interfaces.registry import Registry
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import Registry, underlay_registry
 
 
 @pytest.fixture(scope='session')

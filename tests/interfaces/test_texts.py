@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from edulaunch.errors import InterfaceError
-from edulaunch.interfaces.registry import Registry
+from edulaunch.interfaces.registry import Registry, underlay_registry
 from edulaunch.interfaces.texts import TextRegistry, texts_of
-from edulaunch.interfaces.underlay import underlay_registry
 
 TEXTS = {
     'robo/action/Go.action': 'robo/Part part\n---\nbool done\n---\nint32 left\n',

@@ -9,7 +9,7 @@ from typing import Any
 
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces.cdr import decode, encode
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.bridge import Bridge
 from edulaunch.network.link import (
     CLIENT,

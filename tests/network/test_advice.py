@@ -8,7 +8,7 @@ from typing import Any
 from edulaunch.advice import judge, told
 from edulaunch.advice.reader import Reader
 from edulaunch.graph.qos import BEST_EFFORT, QoS
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.machine.snapshot import snapshot
 from edulaunch.network.link import Interface, Settings
 from edulaunch.network.switch import ALONE_NS, Wish

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from edulaunch.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.link import FarEndpoint, FarNode, Interface, Settings
 from edulaunch.network.settings import chooser
 from tests.network.places import PUBLISHER, STRING, Air, MemoryLink, cls_of, text, turns

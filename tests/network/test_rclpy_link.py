@@ -14,7 +14,7 @@ import pytest
 
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces.cdr import deserialize, serialize
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.native import environment
 from edulaunch.native.command import command
 from edulaunch.network.link import (

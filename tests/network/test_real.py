@@ -13,7 +13,7 @@ import pytest
 
 from edulaunch.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
 from edulaunch.interfaces.description import type_hash
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.native import environment
 from edulaunch.processes.spec import ProcessSpec
 from tests.network.places import STRING

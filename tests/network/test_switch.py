@@ -15,7 +15,7 @@ import pytest
 
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces.cdr import encode
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.machine.terminals import Terminals
 from edulaunch.network.link import Interface
 from edulaunch.session import Session

@@ -16,7 +16,7 @@ from typing import Any
 import edulaunch.network.dds.domain as domain
 from edulaunch.graph.qos import BEST_EFFORT, QoS
 from edulaunch.interfaces.cdr import encode
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.dds.link import CycloneLink
 from edulaunch.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION, Interface, Message, Request, Response
 from edulaunch.network.settings import settings_of

@@ -8,10 +8,10 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import Any
 
-from edulaunch.interfaces.containers import Action, Service
 from edulaunch.interfaces.importer import InterfaceFinder
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.registry import Registry
+from edulaunch.interfaces.services import Action, Service
 from edulaunch.native.typesupport import interrupts
 from edulaunch.native.typesupport.messages import support_message
 from edulaunch.native.typesupport.services import support_action, support_service

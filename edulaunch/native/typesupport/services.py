@@ -6,8 +6,8 @@ import ctypes as c
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.interfaces.containers import Action, Service
 from edulaunch.interfaces.registry import Registry
+from edulaunch.interfaces.services import Action, Service
 from edulaunch.native.typesupport import abi
 from edulaunch.native.typesupport.description import described
 from edulaunch.native.typesupport.messages import members, message_support

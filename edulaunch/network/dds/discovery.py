@@ -21,7 +21,7 @@ from cyclonedds.topic import Topic
 
 from edulaunch.errors import InterfaceError
 from edulaunch.interfaces.cdr import decode, encode
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.dds.mangling import far_name
 from edulaunch.network.dds.qos import PLAIN, from_dds
 from edulaunch.network.dds.types import idl_class

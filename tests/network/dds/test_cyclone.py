@@ -9,8 +9,7 @@ import pytest
 
 from edulaunch.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
 from edulaunch.interfaces.cdr import encode
-from edulaunch.interfaces.registry import Registry
-from edulaunch.interfaces.underlay import underlay_registry
+from edulaunch.interfaces.registry import Registry, underlay_registry
 from edulaunch.network.link import Interface, LinkError, Message, Response, Settings, Trouble
 from tests.network.places import PUBLISHER, STRING, text, words_in
 

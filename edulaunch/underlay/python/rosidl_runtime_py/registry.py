@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from edulaunch.interfaces.registry import Registry
-from edulaunch.interfaces.running import running_registry
+from edulaunch.interfaces.registry import Registry, running_registry
 
 
 def current_registry() -> Registry:
     """Those of the program's workspace over the underlay's; outside any program the underlay's."""
-    from edulaunch.interfaces.underlay import underlay_registry
+    from edulaunch.interfaces.registry import underlay_registry
 
     return running_registry() or underlay_registry()

@@ -1,5 +1,8 @@
 import pytest
 
+from edulaunch.interfaces.parser import parse
+from edulaunch.interfaces.services import parts_of
+
 
 def test_a_service_class_holds_its_messages(get):
     spawn = get('turtlesim/srv/Spawn')
@@ -38,3 +41,22 @@ def test_services_and_actions_are_never_instantiated(get, type_name, text):
     with pytest.raises(NotImplementedError) as caught:
         get(type_name)()
     assert str(caught.value) == text
+
+
+def test_an_action_brings_all_its_parts():
+    parts = parts_of(parse('---\n---', 'p/action/A'))
+    assert sorted(name.removeprefix('p/action/A') for name in parts) == [
+        '',
+        '_Feedback',
+        '_FeedbackMessage',
+        '_GetResult',
+        '_GetResult_Event',
+        '_GetResult_Request',
+        '_GetResult_Response',
+        '_Goal',
+        '_Result',
+        '_SendGoal',
+        '_SendGoal_Event',
+        '_SendGoal_Request',
+        '_SendGoal_Response',
+    ]

@@ -4,6 +4,7 @@ import numpy
 import pytest
 
 from edulaunch.facts import facts_of
+from edulaunch.interfaces.mistakes import field_facts, type_help
 
 
 @pytest.mark.parametrize(
@@ -52,3 +53,45 @@ def test_facts_name_the_message_that_was_given_instead(get):
     with pytest.raises(AssertionError) as caught:
         get('geometry_msgs/msg/Twist')(linear=get('geometry_msgs/msg/Point')())
     assert facts_of(caught.value)['given'] == 'geometry_msgs.msg.Point'
+
+
+def facts_after(registry, action):
+    with pytest.raises(AttributeError) as caught:
+        action()
+    found = field_facts(caught.value, registry)
+    return (found['type'], found['near'], found['fields']) if found else None
+
+
+def test_of_a_misspelt_field_the_nearest_is_known(registry, get):
+    msg = get('geometry_msgs/msg/Twist')()
+    assert facts_after(registry, lambda: setattr(msg, 'linaer', 1.0)) == ('Twist', 'linear', ['linear', 'angular'])
+    assert facts_after(registry, lambda: msg.angluar) == ('Twist', 'angular', ['linear', 'angular'])
+
+
+def test_of_a_far_name_the_fields_are_known(registry, get):
+    msg = get('geometry_msgs/msg/Twist')()
+    assert facts_after(registry, lambda: setattr(msg, 'q', 1.0)) == ('Twist', None, ['linear', 'angular'])
+    empty = get('std_msgs/msg/Empty')()
+    assert facts_after(registry, lambda: setattr(empty, 'data', 1.0)) == ('Empty', None, [])
+
+
+def test_of_other_errors_nothing_is(registry):
+    assert facts_after(registry, lambda: [].push) is None
+    assert field_facts(ValueError("'Twist' object has no attribute 'x'"), registry) == {}
+
+
+@pytest.mark.parametrize(
+    ('name', 'help'),
+    [
+        ('std_msgs/msg/Twist', 'Twist is in geometry_msgs.msg'),
+        ('turtlesim/msg/Spawn', "did you mean 'turtlesim/srv/Spawn'?"),
+        ('geometry_msg/msg/Foo', "did you mean 'geometry_msgs'?"),
+        ('zzz/msg/Foo', 'no package with interfaces has this name: is its workspace built and sourced?'),
+    ],
+)
+def test_help_names_the_place_or_the_nearest_name(registry, name, help):
+    assert type_help(registry, name) == help
+
+
+def test_homes_are_import_paths(registry):
+    assert registry.homes('SetBool') == ['example_interfaces.srv', 'std_srvs.srv']

@@ -1,12 +1,23 @@
-"""What is known about a refused assignment to a field, as plain data: what was given, and what to write."""
+"""What is known about mistakes with messages, as plain data: a refused value, a misspelt field, a type that does not exist.
+
+`twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that adds to its text at
+that moment (`__setattr__`) would make each correct assignment three times slower, so whoever reports an error
+to the user asks here for what it does not say.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import InterfaceError
 from edulaunch.interfaces.message import Message
 from edulaunch.interfaces.spec import FieldType
+from edulaunch.nearest import did_you_mean, nearest
+
+if TYPE_CHECKING:
+    from edulaunch.interfaces.registry import Registry
 
 Facts = dict[str, Any]
 
@@ -82,3 +93,51 @@ def given_kind(value: Any) -> str:
 def _brief(value: Any) -> str:
     text = repr(value)
     return text if len(text) <= 60 else f'{text[:57]}...'
+
+
+_TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", re.ASCII)
+
+
+def field_facts(error: BaseException, registry: Registry) -> dict[str, Any]:
+    """Facts of an AttributeError about a message: its type and its fields; of any other error none.
+
+    :param registry: its classes made so far are searched by name, since Python before 3.13 does not tell the
+        object.
+    """
+    match = _TEXT.match(str(error)) if isinstance(error, AttributeError) else None
+    if match is None:
+        return {}
+    classes = _candidates(error, match['type'], registry)
+    if not classes:
+        return {}
+    name = match['name']
+    near = next(filter(None, (nearest(name, cls._FIELDS) for cls in classes)), None)
+    type_name = classes[0].__name__
+    return {'about': 'messages.field', 'type': type_name, 'field': name, 'near': near, 'fields': list(classes[0]._FIELDS)}
+
+
+def _candidates(error: BaseException, name: str, registry: Registry) -> list[type[Message]]:
+    owner = getattr(error, 'obj', None)
+    if owner is not None:
+        return [type(owner)] if isinstance(owner, Message) else []
+    return [cls for cls in registry.classes() if issubclass(cls, Message) and cls.__name__ == name]
+
+
+def unknown_type(registry: Registry, type_name: str) -> InterfaceError:
+    """The error for a type name that nothing defines, with the nearest one that exists."""
+    return InterfaceError(f"unknown interface '{type_name}'", help=type_help(registry, type_name))
+
+
+def type_help(registry: Registry, type_name: str) -> str | None:
+    """What may have been meant by a wrong type name."""
+    package, _, name = type_name.partition('/')
+    kind, _, name = name.rpartition('/')
+    elsewhere = registry.homes(name, kind or None)
+    if elsewhere:
+        return f'{name} is in {" and ".join(elsewhere)}'
+    if not registry.has(package):
+        return (
+            did_you_mean(package, registry.packages())
+            or 'no package with interfaces has this name: is its workspace built and sourced?'
+        )
+    return did_you_mean(type_name, registry.types())
