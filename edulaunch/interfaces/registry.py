@@ -1,5 +1,6 @@
-"""Finds interface files in share folders and makes each class once; whose interfaces count: those of the running program's workspace, where
-there is one. This layer knows no programs: whoever runs them says here, once, how to find the registry of the one that runs.
+"""Finds interface files in share folders and makes each class once; whose interfaces count: those of the running program's
+workspace, where there is one. This layer knows no programs: whoever runs them says here, once, how to find the registry of the
+one that runs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""Services and actions: their classes, which hold message classes and are never instantiated, and the messages that ROS derives from them."""
+"""Services and actions: their classes, which hold message classes and are never instantiated, and the messages that ROS
+derives from them.
+"""
 
 from __future__ import annotations
 
