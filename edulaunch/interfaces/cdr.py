@@ -1,5 +1,5 @@
-"""CDR bytes of messages, as ROS 2 middlewares and rosbag2 files carry them (XCDR1, little-endian), and how CDR lays out each sort of
-field. Positions count from the end of the header, which alignment refers to.
+"""CDR bytes of messages, as ROS 2 middlewares and rosbag2 files carry them (XCDR1, little-endian), and how CDR lays out each
+sort of field. Positions count from the end of the header, which alignment refers to.
 """
 
 from __future__ import annotations

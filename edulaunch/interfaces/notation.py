@@ -1,5 +1,5 @@
-"""How interface texts are written: lines and their parts between the `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`),
-and the values of constants and defaults.
+"""How interface texts are written: lines and their parts between the `---`, types (`float64`, `string<=10`,
+`geometry_msgs/Point[]`), and the values of constants and defaults.
 """
 
 from __future__ import annotations
