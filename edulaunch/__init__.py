@@ -58,7 +58,7 @@ _PLACES = {
 }
 _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_distance', 'plot_series', 'parameter_table')
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
-attached.PLACES.update({name: ('edulaunch.canvas.text_table', name) for name in ('message_table', 'log_table')})
+attached.PLACES.update({name: ('edulaunch.canvas.table', name) for name in ('message_table', 'log_table')})
 attached.PLACES.update(
     advice_marks=('edulaunch.advice.marks', 'marks'),
     judge=('edulaunch.advice.judging', 'judge'),

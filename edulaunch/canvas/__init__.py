@@ -67,7 +67,7 @@ def plot_frames(recording: Recording, time_s: float | None = None, *, side: str 
     """
     from edulaunch.canvas.frames_scene import frames_scene
 
-    return shown(frames_scene(recording, recording.duration_s if time_s is None else time_s, side), 'draw_frames', ax)
+    return shown(frames_scene(recording, recording.duration_s if time_s is None else time_s, side), 'draw_turtles', ax)
 
 
 def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:
@@ -78,9 +78,9 @@ def plot_tf_tree(recording: Recording, *, ax: Any = None) -> Any:
     :returns: a Picture, or what was given as `ax`.
     :raises ValueError: when no frame was broadcast.
     """
-    from edulaunch.canvas.tree_scene import tree_scene
+    from edulaunch.canvas.graph_scene import tree_scene
 
-    return shown(tree_scene(recording), 'draw_tree', ax)
+    return shown(tree_scene(recording), 'draw_graph', ax)
 
 
 def plot_graph(recording: Recording, *, unused: bool = False, services: bool = False, ax: Any = None) -> Any:
@@ -105,9 +105,9 @@ def plot_distance(recording: Recording, first: str, second: str, close_m: float 
     :raises KeyError: when there is no such thing; the message names what there is.
     :raises ValueError: when the two were never there at the same time.
     """
-    from edulaunch.canvas.distance_scene import distance_scene
+    from edulaunch.canvas.series_scene import distance_scene
 
-    return shown(distance_scene(recording, first, second, close_m), 'draw_distance', ax)
+    return shown(distance_scene(recording, first, second, close_m), 'draw_series', ax)
 
 
 def plot_series(recording: Recording, topic: str, *fields: str, ax: Any = None) -> Any:

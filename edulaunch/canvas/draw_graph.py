@@ -1,42 +1,89 @@
-"""The node graph as an image: nodes are ovals, topics are boxes, services have a double border; dashed: an end is missing."""
+"""The node graph and the tf tree as images: boxes and arrows, as `layout` places them.
+
+Nodes are ovals, topics are boxes, services have a double border; dashed: an end is missing.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from matplotlib.axes import Axes
+from matplotlib.patches import FancyBboxPatch, PathPatch
+from matplotlib.path import Path
 
+from edulaunch.canvas import style
+from edulaunch.canvas.graph_scene import LINE, FrameBox, GraphScene, TreeScene, label_lines
 from edulaunch.canvas.graph_scene import Box as Item
-from edulaunch.canvas.graph_scene import GraphScene, label_lines
-from edulaunch.canvas.labels import Box
-from edulaunch.canvas.routes import DASHED, draw_box, draw_route, write
-from edulaunch.canvas.sheet import Sheet, layout, rgb
-from edulaunch.canvas.style import (
-    BLUE,
-    BLUE_TINT,
-    GREEN,
-    GREEN_TINT,
-    INK,
-    MUTED,
-    PAPER,
-    RED,
-    RED_TINT,
-    SAND,
-    SAND_TINT,
-    SMALL,
-    Colour,
-)
+from edulaunch.canvas.sheet import Box, Sheet, layout, polygon, rgb
+from edulaunch.canvas.style import SMALL, TEXT, Colour, shortened
+
+Point = tuple[float, float]
+HEAD = 8.0
+DASHED = (0, (4, 2.5))
+
+
+def draw_box(
+    ax: Axes, left: float, top: float, width: float, height: float, radius: float, fill: Colour | None, edge: Colour, **look: Any
+) -> None:
+    """A box with rounded corners, an oval with a large radius."""
+    corners = f'round,pad=0,rounding_size={min(radius, width / 2, height / 2)}'
+    ground = 'none' if fill is None else rgb(fill)
+    ax.add_patch(FancyBboxPatch((left, top), width, height, boxstyle=corners, facecolor=ground, edgecolor=rgb(edge), **look))
+
+
+def write(ax: Axes, x: float, y: float, text: str, size: float, colour: Colour) -> None:
+    """A line of a ROS name or of what is said of it, in the middle of (x, y)."""
+    ax.text(x, y, text, fontsize=size, color=rgb(colour), family='DejaVu Sans Mono', ha='center', va='center_baseline')
+
+
+def draw_route(ax: Axes, places: list[Point], direction: str, colour: Colour = style.MUTED, **look: Any) -> None:
+    """Straight stretches and S-curves in turn, ending in a head. Points have y down, as layouts have."""
+    (x, y), (bx, by) = places[-1], places[-2]
+    dx, dy = _direction(places, direction)
+    path = [places[0]]
+    for number, (start, end) in enumerate(zip(places, places[1:], strict=False)):
+        path += _straight(start, end) if number % 2 == 0 else _bent(start, end, direction)
+    path[-3:] = _straight((bx, by), (x - dx * (HEAD - 1), y - dy * (HEAD - 1)))
+    curve = Path(path, [Path.MOVETO, *[Path.CURVE4] * (len(path) - 1)])
+    ax.add_patch(PathPatch(curve, facecolor='none', edgecolor=rgb(colour), linewidth=1.3, **look))
+    back, half = (x - dx * HEAD, y - dy * HEAD), HEAD * 0.42
+    polygon(ax, [(x, y), (back[0] - dy * half, back[1] + dx * half), (back[0] + dy * half, back[1] - dx * half)], colour, None)
+
+
+def _direction(points: list[Point], direction: str) -> Point:
+    """Where the head looks: along the layers, or back."""
+    forward = points[-1] > points[0] if direction == 'right' else points[-1][1] > points[0][1]
+    sign = 1.0 if forward else -1.0
+    return (sign, 0.0) if direction == 'right' else (0.0, sign)
+
+
+def _straight(start: Point, end: Point) -> list[Point]:
+    return [
+        ((2 * start[0] + end[0]) / 3, (2 * start[1] + end[1]) / 3),
+        ((start[0] + 2 * end[0]) / 3, (start[1] + 2 * end[1]) / 3),
+        end,
+    ]
+
+
+def _bent(start: Point, end: Point, direction: str) -> list[Point]:
+    if direction == 'right':
+        middle = (start[0] + end[0]) / 2
+        return [(middle, start[1]), (middle, end[1]), end]
+    middle = (start[1] + end[1]) / 2
+    return [(start[0], middle), (end[0], middle), end]
+
 
 LOOKS: dict[str, tuple[Colour, Colour, float]] = {
-    'node': (BLUE_TINT, BLUE, 100.0),
-    'topic': (SAND_TINT, SAND, 3.0),
-    'service': (GREEN_TINT, GREEN, 3.0),
+    'node': (style.BLUE_TINT, style.BLUE, 100.0),
+    'topic': (style.SAND_TINT, style.SAND, 3.0),
+    'service': (style.GREEN_TINT, style.GREEN, 3.0),
 }
 """Fill, edge, and radius of the corners."""
 LEGEND = 'oval: node   box: topic'
 
 
-def sheet(scene: GraphScene) -> Sheet:
+def graph_sheet(scene: GraphScene) -> Sheet:
     """As large as the graph, with the legend below."""
     width, height = _size(scene)
     return Sheet(width, height, [Box(0, 0, width, height)])
@@ -46,24 +93,24 @@ def _size(scene: GraphScene) -> tuple[float, float]:
     return max(scene.width, 340), scene.height + 18
 
 
-def draw(scene: GraphScene, axes: Sequence[Axes]) -> None:
+def draw_graph(scene: GraphScene, axes: Sequence[Axes]) -> None:
     """Arrows, boxes over them, and the legend."""
     (ax,) = axes
     pixel = layout(ax, *_size(scene))
     for (start, end), route in zip(scene.arrows, scene.routes, strict=True):
         wrong = scene.boxes[start].mark or scene.boxes[end].mark
-        draw_route(ax, route, scene.direction, RED if 'fit' in wrong else MUTED, linestyle=DASHED if wrong else '-')
+        draw_route(ax, route, scene.direction, style.RED if 'fit' in wrong else style.MUTED, linestyle=DASHED if wrong else '-')
     for box in scene.boxes:
         _draw_box(ax, box, pixel)
     more = '   double border: service' if any(box.kind == 'service' for box in scene.boxes) else ''
     more += '   dashed: an end is missing' if any(box.mark for box in scene.boxes) else ''
-    ax.text(12, _size(scene)[1] - 8, LEGEND + more, fontsize=SMALL * pixel, color=rgb(MUTED))
+    ax.text(12, _size(scene)[1] - 8, LEGEND + more, fontsize=SMALL * pixel, color=rgb(style.MUTED))
 
 
 def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
     fill, edge, radius = LOOKS[box.kind]
     if box.mark:
-        fill, edge = (RED_TINT, RED) if 'fit' in box.mark else (PAPER, MUTED)
+        fill, edge = (style.RED_TINT, style.RED) if 'fit' in box.mark else (style.PAPER, style.MUTED)
     line = {'linewidth': 1.3, 'linestyle': DASHED if box.mark else '-'}
     draw_box(ax, box.left, box.top, box.width, box.height, radius, fill, edge, **line)
     if box.kind == 'service':
@@ -71,5 +118,42 @@ def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
     lines = label_lines(box.kind, box.name, box.mark)
     for number, (text, size, is_mark) in enumerate(lines):
         y = box.top + box.height / 2 + (number - (len(lines) - 1) / 2) * 13.5
-        colour = RED if is_mark else INK if size > SMALL else MUTED
+        colour = style.RED if is_mark else style.INK if size > SMALL else style.MUTED
         write(ax, box.left + box.width / 2, y, text, size * pixel, colour)
+
+
+FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
+    'root': (style.PAPER, style.INK),
+    'static': (style.GREEN_TINT, style.GREEN),
+    'dynamic': (style.BLUE_TINT, style.BLUE),
+}
+"""Fill and edge of a box; the word in it says the same, and a static one is dashed."""
+
+
+def tree_sheet(scene: TreeScene) -> Sheet:
+    """As large as the tree."""
+    return Sheet(scene.width, scene.height, [Box(0, 0, scene.width, scene.height)])
+
+
+def draw_tree(scene: TreeScene, axes: Sequence[Axes]) -> None:
+    """An arrow from each parent to its children."""
+    (ax,) = axes
+    pixel = layout(ax, scene.width, scene.height)
+    for (_, child), route in zip(scene.links, scene.routes, strict=True):
+        draw_route(ax, route, scene.direction, style.RED if scene.boxes[child].mark else style.MUTED)
+    for box in scene.boxes:
+        _draw_frame_box(ax, box, pixel)
+
+
+def _draw_frame_box(ax: Axes, box: FrameBox, pixel: float) -> None:
+    fill, edge = (style.RED_TINT, style.RED) if box.mark else FRAME_LOOKS[box.kind]
+    line = DASHED if box.kind == 'static' else '-'
+    draw_box(ax, box.left, box.top, box.width, box.height, 7, fill, edge, linewidth=1.3, linestyle=line)
+    x, y = box.left + box.width / 2, box.top + LINE / 2 + 6
+    write(ax, x, y, shortened(box.name), TEXT * pixel, style.INK)
+    for number, line in enumerate([*box.lines, *([box.mark] if box.mark else [])], 1):
+        write(ax, x, y + number * LINE, shortened(line), SMALL * pixel, style.RED if number > len(box.lines) else style.MUTED)
+
+
+DRAWINGS: dict[type, tuple[Any, Any]] = {GraphScene: (graph_sheet, draw_graph), TreeScene: (tree_sheet, draw_tree)}
+"""Of each scene its sheet, and what draws it on that sheet's axes."""

@@ -9,8 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 from html import escape
 
-from edulaunch.canvas.shapes import LOOKS, SHELLS, robot, shade, turtle
-from edulaunch.canvas.style import INK, MUTED, Colour
+from edulaunch.canvas.style import INK, LOOKS, MUTED, SHELLS, Colour, robot, shade, turtle
 from edulaunch.canvas.turtle_scene import Body, Window, turtle_scene
 from edulaunch.canvas.worlds import World
 

@@ -1,16 +1,99 @@
-"""tf frames from above or from a side, as rviz2 shows them, as plain data: one view per tree of frames."""
+"""tf frames in the root frame of their tree at any time, and as rviz2 shows them from above or from a side, as plain data."""
 
 from __future__ import annotations
 
+import math
+from bisect import bisect_right
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
-from edulaunch.canvas.composing import Placed, placed, rotated
 from edulaunch.nearest import did_you_mean
 from edulaunch.recording.absent import NothingToDraw
+from edulaunch.recording.frames import TOPICS, transform_wires
+from edulaunch.recording.records import Frame
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
-    from edulaunch.recording.records import Frame
+
+Vector = tuple[float, float, float]
+Quaternion = tuple[float, float, float, float]
+
+
+class Placed(NamedTuple):
+    """Where a frame is in the root of its tree: metres, and its turn as (x, y, z, w)."""
+
+    root: str
+    position: Vector
+    turn: Quaternion
+
+
+AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+
+def placed(frames: dict[str, Frame]) -> dict[str, Placed]:
+    """Every frame, parents included, in its root frame; roots first as they appear.
+
+    A loop of parents has no root: its frame that is met first stands for one.
+    """
+    found: dict[str, Placed] = {}
+    for name in dict.fromkeys([*(frame.parent for frame in frames.values()), *frames]):
+        _place(name, frames, found, [])
+    return found
+
+
+def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: list[str]) -> Placed:
+    if name not in found:
+        frame = frames.get(name)
+        if frame is None or frame.parent in (*way, name):
+            found[name] = Placed(name, *AT_HOME)
+        else:
+            parent = _place(frame.parent, frames, found, [*way, name])
+            if name not in found:  # a loop may have made it a root meanwhile
+                found[name] = Placed(
+                    parent.root,
+                    _add(parent.position, rotated(parent.turn, frame.translation)),
+                    multiplied(parent.turn, frame.rotation),
+                )
+    return found[name]
+
+
+def seen_from(fixed: Placed, place: Placed) -> Placed:
+    """A frame as another one of its tree sees it."""
+    x, y, z, w = fixed.turn
+    back = (-x, -y, -z, w)
+    a, b = place.position, fixed.position
+    return Placed(place.root, rotated(back, (a[0] - b[0], a[1] - b[1], a[2] - b[2])), multiplied(back, place.turn))
+
+
+def rotated(turn: Quaternion, vector: Vector) -> Vector:
+    """The vector turned by a unit quaternion."""
+    x, y, z, w = turn
+    vx, vy, vz = vector
+    tx, ty, tz = 2 * (y * vz - z * vy), 2 * (z * vx - x * vz), 2 * (x * vy - y * vx)
+    return (vx + w * tx + y * tz - z * ty, vy + w * ty + z * tx - x * tz, vz + w * tz + x * ty - y * tx)
+
+
+def multiplied(a: Quaternion, b: Quaternion) -> Quaternion:
+    """First `b`, then `a`, as one turn."""
+    ax, ay, az, aw = a
+    bx, by, bz, bw = b
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
+
+
+def heading(turn: Quaternion) -> float:
+    """Where the turned x axis points to when seen from above, in radians."""
+    x, y, z, w = turn
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
+def _add(a: Vector, b: Vector) -> Vector:
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
 
 SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
 """Which of the root's axes go across the sheet, up, and towards who looks."""
@@ -105,3 +188,35 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
     side = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 1.5
     x, y = (round((max(values) + min(values)) * 2) / 4 for values in (xs, ys))
     return (x - side / 2, x + side / 2, y - side / 2, y + side / 2)
+
+
+class FrameTracks:
+    """All transforms of a recording by child frame, in order of publication.
+
+    As in tf2 a static transform replaces what came before, and among dynamic ones the newest counts.
+    """
+
+    def __init__(self, recording: Recording) -> None:
+        self._rows: dict[str, list[tuple[float, Frame]]] = {}
+        for topic, is_static in TOPICS:
+            for published_s, (_, _, parent, child, x, y, z, qx, qy, qz, qw) in transform_wires(recording, topic):
+                frame = Frame(parent, (x, y, z), (qx, qy, qz, qw), is_static, published_s)
+                self._rows.setdefault(child, []).append((published_s, frame))
+
+    @property
+    def names(self) -> list[str]:
+        """All child frames, in order of first appearance."""
+        return list(self._rows)
+
+    def frames_at(self, time_s: float) -> dict[str, Frame]:
+        """The newest transform of each child frame at a time."""
+        found = {}
+        for name, rows in self._rows.items():
+            position = bisect_right(rows, time_s, key=itemgetter(0))
+            if position:
+                found[name] = rows[position - 1][1]
+        return found
+
+    def placed_at(self, time_s: float) -> dict[str, Placed]:
+        """Every frame in its root, at a time."""
+        return placed(self.frames_at(time_s))

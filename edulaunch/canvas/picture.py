@@ -68,23 +68,29 @@ def shown(scene: Any, drawing: str, ax: Any) -> Any:
     """
 
     def draw_picture() -> bytes:
-        module = import_module(f'edulaunch.canvas.{drawing}')
+        sheet, draw = _drawing(drawing, scene)
         from edulaunch.canvas.sheet import png_of
 
-        return png_of(module.sheet(scene), lambda axes: module.draw(scene, axes))
+        return png_of(sheet, lambda axes: draw(scene, axes))
 
     if ax is None:
         return Picture(draw_picture, scene.caption(), scene)
-    module = import_module(f'edulaunch.canvas.{drawing}')
+    sheet, draw = _drawing(drawing, scene)
     from edulaunch.canvas.sheet import our_style
 
     axes = list(ax.flat) if hasattr(ax, 'flat') else list(ax) if isinstance(ax, (list, tuple)) else [ax]
-    needed = len(module.sheet(scene).boxes)
+    needed = len(sheet.boxes)
     if len(axes) != needed:
         raise ValueError(f'ax: {needed} axes are needed, one for each window or tree, not {len(axes)}: plt.subplots(1, {needed})')
     with our_style():
-        module.draw(scene, axes)
+        draw(scene, axes)
     return ax
+
+
+def _drawing(module: str, scene: Any) -> tuple[Any, Any]:
+    """The sheet that a scene needs, and what draws it on that sheet's axes; loads matplotlib."""
+    sheet_of, draw = import_module(f'edulaunch.canvas.{module}').DRAWINGS[type(scene)]
+    return sheet_of(scene), draw
 
 
 def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:

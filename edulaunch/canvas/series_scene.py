@@ -1,9 +1,14 @@
-"""Numbers of a topic over time, as plain data."""
+"""Numbers of a topic, and how far one thing is from another, over time as plain data; lines with fewer points."""
 
 from __future__ import annotations
 
+import math
+from bisect import bisect_right
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
+from edulaunch.canvas.frames_scene import placed
+from edulaunch.canvas.worlds import GAP_S
 from edulaunch.recording.absent import NothingToDraw, not_recorded
 
 if TYPE_CHECKING:
@@ -39,3 +44,106 @@ def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> S
             raise NothingToDraw(f'{field!r} of {topic} is no number but {type(value).__name__}: it cannot be plotted')
     lines = [(field, [(row[0], float(row[place])) for row in rows]) for place, field in enumerate(fields, 1)]
     return SeriesScene(topic, recording.duration_s, lines)
+
+
+Place = tuple[float, float, float]
+"""Time in seconds, x and y in metres."""
+
+
+class DistanceScene(NamedTuple):
+    """Points of (time, distance), how near counts as close (metres), since when it stayed close for good (None: it did not)."""
+
+    first: str
+    second: str
+    close_m: float
+    duration_s: float
+    points: list[tuple[float, float]]
+    close_since_s: float | None
+
+    def caption(self) -> str:
+        """One line that says what is to be seen."""
+        since = 'not close at the end'
+        if self.close_since_s is not None:
+            since = f'at most {self.close_m:g} m from t={self.close_since_s:.2f} s on'
+        return (
+            f'{self.first} to {self.second}: {self.points[0][1]:.3f} m at t={self.points[0][0]:.2f} s, '
+            f'{self.points[-1][1]:.3f} m at t={self.points[-1][0]:.2f} s, {since}'
+        )
+
+
+def distance_scene(recording: Recording, first: str, second: str, close_m: float) -> DistanceScene:
+    """The distance whenever the first one moved, while both were there.
+
+    :raises KeyError: when one of them is neither a turtle, a robot nor a tf frame of the recording.
+    :raises ValueError: when they were never there at the same time.
+    """
+    others = places_of(recording, second)
+    points = []
+    for time_s, x, y in places_of(recording, first):
+        position = bisect_right(others, time_s, key=itemgetter(0))
+        if position and time_s - others[position - 1][0] < GAP_S:
+            points.append((time_s, math.hypot(x - others[position - 1][1], y - others[position - 1][2])))
+    if not points:
+        raise NothingToDraw(f'{first!r} and {second!r} were never there at the same time')
+    return DistanceScene(first, second, close_m, recording.duration_s, points, _close_since(points, close_m))
+
+
+def _close_since(points: list[tuple[float, float]], close_m: float) -> float | None:
+    since = None
+    for time_s, distance in points:
+        since = None if distance > close_m else time_s if since is None else since
+    return since
+
+
+def places_of(recording: Recording, name: str) -> list[Place]:
+    """Where a turtle, a robot, or else a tf frame in its root frame was, in order of time."""
+    from edulaunch.recording.trajectory import moving_things
+
+    things = moving_things(recording)
+    if name in things or '/' + name in things or name.removeprefix('/') in things:
+        track = recording.trajectory(name)
+        return [(float(t), float(x), float(y)) for t, x, y in zip(track.t, track.x, track.y, strict=True)]
+    frames = placed(recording.frames_at(recording.duration_s))
+    if name not in frames:
+        raise not_recorded(f'nothing called {name!r} moved', name, [*things, *frames])
+    return _frame_places(recording, name)
+
+
+def _frame_places(recording: Recording, name: str) -> list[Place]:
+    """The frame in its root, twenty times a second."""
+    from edulaunch.canvas.frames_scene import FrameTracks
+
+    tracks = FrameTracks(recording)
+    times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
+    found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]
+    return [(time_s, place.position[0], place.position[1]) for time_s, place in found if place is not None]
+
+
+Point = tuple[float, float]
+
+
+def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:
+    """The same line with fewer points: no point that is left out is further than the tolerance from the line that remains.
+
+    From the last point kept, each further point allows a cone of directions. A line can go on while its cones have a direction
+    in common and it does not turn back.
+    """
+    kept = [points[0]]
+    (x0, y0), low, high, reach, axis = points[0], -math.inf, math.inf, 0.0, 0.0
+    for before, (x, y) in zip(points, points[1:], strict=False):
+        if before == (x, y):
+            continue  # standing still is common, and adds nothing
+        distance = math.hypot(x - x0, y - y0)
+        if distance > tolerance_m or reach > tolerance_m:
+            turn = math.remainder(math.atan2(y - y0, x - x0) - axis, math.tau) if reach else 0.0
+            if not (low <= turn <= high and distance >= reach):
+                kept.append(before)
+                (x0, y0), low, high, reach = before, -math.inf, math.inf, 0.0
+                distance = math.hypot(x - x0, y - y0)
+                turn = 0.0
+            if not reach and distance > tolerance_m:
+                axis = math.atan2(y - y0, x - x0)
+            if distance > tolerance_m:
+                half = math.asin(tolerance_m / distance)
+                low, high, reach = max(low, turn - half), min(high, turn + half), distance
+    return [*kept, points[-1]]

@@ -1,6 +1,11 @@
-"""Sizes, colours and fonts of all pictures. Whatever a colour says, a word, a shape or a line style says too."""
+"""Sizes, colours and fonts of all pictures, our turtle and our robot.
+
+Whatever a colour says, a word, a shape or a line style says too.
+"""
 
 from __future__ import annotations
+
+import math
 
 Colour = tuple[int, int, int]
 
@@ -34,3 +39,50 @@ def mono_width(text: str, size: float = TEXT) -> float:
 def shortened(text: str, most: int = 28) -> str:
     """The text, its end left out where it is longer than `most` characters."""
     return text if len(text) <= most else text[: most - 1] + '…'
+
+
+Part = tuple[str, list[tuple[float, float]]]
+SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
+"""Of the first turtle of a window, the second ...; the names beside them say the same."""
+
+
+def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
+    """Points of an ellipse around (x, y), turned counter-clockwise."""
+    angles = [math.tau * step / steps for step in range(steps)]
+    c, s = math.cos(turn), math.sin(turn)
+    return [
+        (round(x + c * rx * math.cos(a) - s * ry * math.sin(a), 3), round(y + s * rx * math.cos(a) + c * ry * math.sin(a), 3))
+        for a in angles
+    ]
+
+
+def turtle() -> list[Part]:
+    """Flippers, tail, head with eyes, and a shell with six plates around one."""
+    parts: list[Part] = [('skin', oval(0.27, side * 0.33, 0.21, 0.085, side * 0.95, 12)) for side in (1, -1)]
+    parts += [('skin', oval(-0.28, side * 0.29, 0.16, 0.075, -side * 0.85, 12)) for side in (1, -1)]
+    parts += [('skin', [(-0.36, 0.06), (-0.54, 0.0), (-0.36, -0.06)]), ('skin', oval(0.46, 0.0, 0.155, 0.12))]
+    parts += [('shell', oval(0.0, 0.0, 0.40, 0.34, steps=20))]
+    inner, outer = oval(0.0, 0.0, 0.19, 0.17, steps=6), oval(0.0, 0.0, 0.37, 0.315, steps=6)
+    parts += [('plate', inner)]
+    parts += [('seam', [a, b]) for a, b in zip(inner, outer, strict=True)]
+    parts += [('eye', oval(0.51, side * 0.062, 0.026, 0.026, steps=8)) for side in (1, -1)]
+    return parts
+
+
+def robot() -> list[Part]:
+    """A round robot with two wheels and an arrow that shows where it looks."""
+    parts: list[Part] = [
+        ('wheel', [(-0.2, side * 0.30), (0.2, side * 0.30), (0.2, side * 0.44), (-0.2, side * 0.44)]) for side in (1, -1)
+    ]
+    parts += [('body', oval(0.0, 0.0, 0.40, 0.36, steps=24)), ('nose', [(-0.08, 0.2), (0.32, 0.0), (-0.08, -0.2)])]
+    return parts
+
+
+LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
+"""Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
+
+
+def shade(colour: Colour, amount: float = 0.82) -> Colour:
+    """The colour made darker."""
+    red, green, blue = (round(part * amount) for part in colour)
+    return (red, green, blue)

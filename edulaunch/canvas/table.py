@@ -1,4 +1,4 @@
-"""Parameters with their values and where these came from, as a table."""
+"""Parameters with their origins, messages and log lines as tables for people."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import html
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.canvas.picture import scene_data
+from edulaunch.recording.absent import not_recorded
+from edulaunch.recording.fields import getter, leaf_paths
 
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
@@ -79,3 +81,75 @@ def yaml_text(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return f'[{", ".join(map(yaml_text, value))}]'
     return repr(value) if isinstance(value, str) else str(value)
+
+
+MOST_ROWS = 40
+LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
+
+
+class TextTable:
+    """Rows of texts under heads: a notebook shows a table, `print()` text. Long ones are shown by their ends; `rows` has all."""
+
+    def __init__(self, title: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
+        self.title = title
+        self.heads = heads
+        self.rows = rows
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def _shown(self) -> list[tuple[str, ...]]:
+        if len(self.rows) <= MOST_ROWS:
+            return self.rows
+        half = MOST_ROWS // 2
+        left_out = (f'... {len(self.rows) - 2 * half} more', *[''] * (len(self.heads) - 1))
+        return [*self.rows[:half], left_out, *self.rows[-half:]]
+
+    def __str__(self) -> str:
+        lines = [self.heads, *self._shown()]
+        widths = [max(len(line[column]) for line in lines) for column in range(len(self.heads))]
+        return '\n'.join(
+            '  '.join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
+        )
+
+    def __repr__(self) -> str:
+        return f'{self.title}: {len(self.rows)} rows'
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        head = ''.join(f'<th scope="col" style="text-align:left">{html.escape(name)}</th>' for name in self.heads)
+        cells = ([f'<td style="text-align:left">{html.escape(cell)}</td>' for cell in row] for row in self._shown())
+        body = ''.join(f'<tr>{"".join(row)}</tr>' for row in cells)
+        caption = f'<caption style="text-align:left">{html.escape(repr(self))}</caption>'
+        return {'text/plain': f'{self!r}\n{self}', 'text/html': f'<table>{caption}<tr>{head}</tr>{body}</table>'}
+
+
+def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> TextTable:
+    """The messages of a topic, a column for each field (default: every field that is no list).
+
+    :raises NotRecorded: when there is no such topic or field.
+    """
+    if topic not in recording.topics:
+        raise not_recorded(f'no topic {topic!r}', topic, recording.topics)
+    cls = recording.message_class(recording.topics[topic].type)
+    paths = fields or tuple(path for path in leaf_paths(cls))
+    gets = [getter(cls, path) for path in paths]
+    rows = [(f'{time:.3f}', *(_text(get(message)) for get in gets)) for time, message in recording.messages(topic)]
+    return TextTable(topic, ('time', *paths), rows)
+
+
+def log_table(recording: Recording, process: str | None, level: str, word: str) -> TextTable:
+    """The log lines of a run, from a level up, of one process, with a word in them."""
+    least = next((number for number, name in LEVELS.items() if name == level.upper()), None)
+    if least is None:
+        raise ValueError(f'{level!r} is no level: {", ".join(LEVELS.values())}')
+    rows: list[tuple[str, ...]] = [
+        (f'{log.time_s:.3f}', LEVELS.get(log.level // 10 * 10, str(log.level)), log.process, log.logger, log.message)
+        for log in recording.logs
+        if log.level >= least and process in (None, log.process) and word.lower() in log.message.lower()
+    ]
+    return TextTable('log', ('time', 'level', 'process', 'logger', 'message'), rows)
+
+
+def _text(value: Any) -> str:
+    text = f'{value:.4g}' if isinstance(value, float) else str(value)
+    return text if len(text) <= 60 else f'{text[:59]}…'

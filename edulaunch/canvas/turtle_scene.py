@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from edulaunch.canvas.composing import placed, seen_from
-from edulaunch.canvas.frames_scene import FrameMark, mark_of
+from edulaunch.canvas.frames_scene import FrameMark, mark_of, placed, seen_from
 from edulaunch.canvas.outlines import Part
-from edulaunch.canvas.shapes import SHELLS
-from edulaunch.canvas.style import Colour
-from edulaunch.canvas.thinning import thinned
+from edulaunch.canvas.series_scene import thinned
+from edulaunch.canvas.style import SHELLS, Colour
 from edulaunch.canvas.worlds import GAP_S, Pen, Row, Track, World
 from edulaunch.recording.absent import not_recorded
 

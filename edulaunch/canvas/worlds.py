@@ -7,7 +7,7 @@ from bisect import bisect_right
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
-from edulaunch.canvas.composing import Placed, heading, placed
+from edulaunch.canvas.frames_scene import Placed, heading, placed
 from edulaunch.canvas.outlines import FOOTPRINTS, Part, outline_of, outline_of_footprint
 from edulaunch.canvas.style import Colour
 from edulaunch.recording.absent import NothingToDraw

@@ -64,7 +64,7 @@ def _print_json(found: list[Difference], simulated: Observation, real: Observati
 
 
 def _print_table(found: list[Difference]) -> None:
-    from edulaunch.canvas.text_table import TextTable
+    from edulaunch.canvas.table import TextTable
 
     rows = [tuple(cell if len(cell) <= WIDEST else f'{cell[: WIDEST - 3]}...' for cell in each) for each in found]
     print(TextTable('differences', ('differs', 'of', 'in simulation', 'for real'), rows) if rows else 'nothing differs')

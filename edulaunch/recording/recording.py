@@ -285,7 +285,7 @@ class Recording:
         return attached('plot_series')(self, topic, *fields, ax=ax)
 
     def table(self, topic: str, *fields: str) -> Any:
-        """The messages of a topic as a table; see :func:`edulaunch.canvas.text_table.message_table`."""
+        """The messages of a topic as a table; see :func:`edulaunch.canvas.table.message_table`."""
         return attached('message_table')(self, topic, fields)
 
     def log_table(self, process: str | None = None, level: str = 'DEBUG', word: str = '') -> Any:

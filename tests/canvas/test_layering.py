@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.canvas.layering import crossings, make_layers
+from edulaunch.canvas.layout import crossings, make_layers
 
 graphs = st.integers(2, 9).flatmap(
     lambda count: st.tuples(

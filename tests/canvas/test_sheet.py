@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.canvas.labels import Box, along, leader, place_labels
+from edulaunch.canvas.sheet import Box, along, leader, place_labels
 
 BOUNDS = Box(0, 0, 400, 400)
 
