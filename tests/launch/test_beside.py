@@ -6,9 +6,11 @@ import asyncio
 import os
 import signal
 import threading
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
-from launch import LaunchDescription, LaunchService
+from launch import LaunchDescription, LaunchService, _beside
 from launch.actions import ExecuteProcess, OpaqueFunction, RegisterEventHandler, TimerAction
 from launch.actions import Shutdown as ShutdownAction
 from launch.event_handlers import OnProcessIO
@@ -80,6 +82,37 @@ def test_cancelled_run_on_another_loop_returns_1(capsys: pytest.CaptureFixture[s
 
     assert asyncio.run(main()) == 1
     assert '[ERROR] [launch]: run task was canceled' in capsys.readouterr().out
+
+
+@pytest.fixture
+def bare_shell() -> Iterator[None]:
+    """An IPython in this program that is no notebook's, as other tests leave one."""
+    from IPython.core.interactiveshell import InteractiveShell
+
+    make: Any = InteractiveShell.instance
+    make(colors='nocolor')
+    yield
+    InteractiveShell.clear_instance()
+
+
+def test_two_hundred_runs_on_another_loop_end_when_and_as_they_are_told(
+    bare_shell: None, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(_beside, 'SLICE_S', 1e-4)  # more turns between the two loops, in less time
+
+    async def run(launch_service: LaunchService, is_cancelled: bool) -> int:
+        task = asyncio.get_running_loop().create_task(launch_service.run_async(shutdown_when_idle=False))
+        while launch_service.task is None and not task.done():
+            await asyncio.sleep(0)
+        if is_cancelled:
+            task.cancel()
+        else:
+            launch_service.shutdown()
+        return await task
+
+    timers = [TimerAction(period=60.0, actions=[]) for _ in range(200)]
+    codes = [asyncio.run(run(service(timer), bool(number % 2))) for number, timer in enumerate(timers)]
+    assert codes == [0, 1] * 100
 
 
 def test_shutdown_gives_something_to_make_a_task_of() -> None:

@@ -76,8 +76,9 @@ async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[i
 
 
 def _is_notebook() -> bool:
+    """Whether a kernel runs the cells: an IPython that somebody in this program has made without one is no notebook."""
     shell: Any = sys.modules.get('IPython')
-    return shell is not None and shell.get_ipython() is not None
+    return shell is not None and hasattr(shell.get_ipython(), 'kernel')
 
 
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_company: Callable[[], bool]) -> bool:
