@@ -167,7 +167,7 @@ def spin_until_future_complete(
     try:
         source = getattr(future, 'source', None)
         if timeout_sec is None and source is not None and source.ready_list.executor is None:
-            from rclpy.execution.deadlocks import note_foreign_future
+            from rclpy.impl.facts import note_foreign_future
 
             note_foreign_future(node, source)
         executor.spin_until_future_complete(future, timeout_sec)
@@ -184,11 +184,11 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     if executor is None:
         executor = get_global_executor()
     elif not hasattr(executor, 'spinner'):
-        from rclpy.execution.unfit import check_executor
+        from rclpy.impl.refusals import check_executor
 
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
     if executor.spinner is not None and executor.note_nested_spin():
-        from rclpy.execution.deadlocks import note_spin, note_wait
+        from rclpy.impl.facts import note_spin, note_wait
 
         source = None if future is None or future._done else getattr(future, 'source', None)
         if source is not None and not source.callback_group.can_execute(source):
@@ -199,7 +199,7 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
         core = getattr(node, '_rclpy', None)
         other = None if core is None else core.executor
         if other is not None and other is not executor and other.spinner is not None and other.note_nested_spin():
-            from rclpy.execution.deadlocks import note_lost_node
+            from rclpy.impl.facts import note_lost_node
 
             note_lost_node(function, node, other)
     return executor

@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
-from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.impl.graph_end import ServiceEnd
-from rclpy.impl.handle import check_alive, check_endpoint
+from rclpy.impl.entity import CLIENT, Entity, ReadyList, ServiceEnd, check_alive, check_endpoint
 from rclpy.impl.passed_on import passed_on
-from rclpy.readiness import CLIENT, Entity, ReadyList
+from rclpy.impl.refusals import invalid_handle
 from rclpy.task import Future
 from rclpy.type_support import wrong_class
 
@@ -71,7 +69,7 @@ class Client(ServiceEnd, Entity):
     def _note_deadlock(self) -> None:
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
-            from rclpy.execution.deadlocks import note_wait
+            from rclpy.impl.facts import note_wait
 
             note_wait('call', self)
 
@@ -91,7 +89,7 @@ class Client(ServiceEnd, Entity):
         """
         self._check_request(request)
         if self._destroyed:
-            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+            raise invalid_handle()
         impl = self._impl
         sequence = impl.send(self.srv_type.Request.to_wire(request))
         if impl.lost and not self._lost_noted:
@@ -106,7 +104,7 @@ class Client(ServiceEnd, Entity):
 
     def _note_lost_request(self) -> None:
         self._lost_noted = True
-        from rclpy.impl.missing_servers import note_lost_request
+        from rclpy.impl.facts import note_lost_request
 
         note_lost_request(self._impl, self._impl.service_name, 'service')
 
@@ -162,7 +160,7 @@ class Client(ServiceEnd, Entity):
 
     def _watch_wait(self) -> None:
         """Note a wait that has become long, until it ends well."""
-        from rclpy.impl.missing_servers import LONG_NS, note_long_wait, note_server_came
+        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
 
         if self._impl.server_is_ready():
             note_server_came(self._impl, self._impl.service_name)

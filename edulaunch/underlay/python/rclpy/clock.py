@@ -10,7 +10,7 @@ from edulaunch.sim.task import current_task
 from rclpy.clock_type import ClockType
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
-from rclpy.impl.handle import Handle
+from rclpy.impl.entity import Handle
 from rclpy.impl.passed_on import passed_on
 from rclpy.time import Time, time_of_clock
 

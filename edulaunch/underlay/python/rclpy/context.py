@@ -10,7 +10,7 @@ from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse
 from edulaunch.processes.current import current_process
 from edulaunch.sim.task import Task, current_task
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
-from rclpy.impl.handle import Handle
+from rclpy.impl.entity import Handle
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy._rclpy_pybind11 import InvalidHandle
-from rclpy.impl.handle import Handle
+from rclpy.impl.entity import GUARD, Entity, Handle, ReadyList
 from rclpy.impl.passed_on import passed_on
-from rclpy.readiness import GUARD, Entity, ReadyList
+from rclpy.impl.refusals import invalid_handle
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:
@@ -43,7 +42,7 @@ class GuardCondition(Entity):
     def trigger(self) -> None:
         """Let the callback be called. Triggering twice before that is triggering once. Raises InvalidHandle after destroy."""
         if self._destroyed:
-            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+            raise invalid_handle()
         self.signal()
 
     def _run(self, executor: Executor) -> Any:

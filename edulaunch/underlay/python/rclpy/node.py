@@ -12,15 +12,14 @@ from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from rclpy.clock import ROSClock
 from rclpy.context import Context, parse_or_raise
 from rclpy.exceptions import NotInitializedException
-from rclpy.impl.handle import Handle
+from rclpy.impl.entity import Handle
 from rclpy.impl.logging_state import logging_state
 from rclpy.impl.passed_on import passed_on
 from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.entities import NodeEntities
 from rclpy.node_parts.graph_queries import NodeGraphQueries
-from rclpy.node_parts.parameter_events import ParameterEvents
-from rclpy.node_parts.parameter_store import ParameterStore
+from rclpy.node_parts.parameter_store import ParameterEvents, ParameterStore
 from rclpy.node_parts.parameters import NodeParameters
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.qos import engine_qos, qos_profile_rosout_default
@@ -206,7 +205,7 @@ _finish_node_class()
 
 def _odd_facts(core: NodeCore) -> Iterator[tuple[str, dict[str, Any]]]:
     """Only asked for when the node leaves, or at the end of the record."""
-    from rclpy.node_parts.odd_facts import odd_facts
+    from rclpy.impl.facts import odd_facts
 
     return odd_facts(core)
 

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import kind_of, with_facts
 from edulaunch.sim.task import current_task
-from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.duration import Duration
-from rclpy.impl.graph_end import TopicEnd
-from rclpy.impl.handle import check_endpoint
+from rclpy.impl.entity import TopicEnd, check_endpoint
 from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import after_shutdown, invalid_handle
 
 if TYPE_CHECKING:
     from edulaunch.graph.topics import Publisher as GraphPublisher
@@ -53,9 +52,9 @@ class Publisher(TopicEnd):
         if not (isinstance(msg, (self.msg_type, bytes))):
             raise TypeError(f'Expected {self.msg_type}, got {type(msg)}')
         if self._impl.destroyed:
-            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+            raise invalid_handle()
         if not self._context.alive:
-            raise with_facts(RCLError("Failed to publish: publisher's context is invalid"), 'programs.after-shutdown')
+            raise after_shutdown('Failed to publish: publisher')
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
 
@@ -104,7 +103,7 @@ class Publisher(TopicEnd):
         self._send = self._refuse
 
     def _refuse(self, _: Any) -> None:
-        raise InvalidHandle('cannot use Destroyable because destruction was requested')
+        raise invalid_handle()
 
 
 __getattr__ = passed_on(__name__)

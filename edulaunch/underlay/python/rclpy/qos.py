@@ -9,7 +9,7 @@ from warnings import warn
 
 from edulaunch.graph import qos as engine
 from rclpy.duration import Duration
-from rclpy.impl.student_place import student_level
+from rclpy.impl.refusals import student_level
 
 if TYPE_CHECKING:
     from edulaunch.graph.qos import QoS

@@ -6,10 +6,8 @@ from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.graph_end import TopicEnd
-from rclpy.impl.handle import check_alive
+from rclpy.impl.entity import SUBSCRIPTION, Entity, ReadyList, TopicEnd, check_alive
 from rclpy.impl.passed_on import passed_on
-from rclpy.readiness import SUBSCRIPTION, Entity, ReadyList
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
-    from rclpy.readiness import Entity
+    from rclpy.impl.entity import Entity
 
 
 class _UnfetchedException:
@@ -95,7 +95,7 @@ class Future:
         executor = source.ready_list.executor
         if executor is None or not executor.cannot_serve(source):
             return
-        from rclpy.execution.deadlocks import POLLS, note_wait
+        from rclpy.impl.facts import POLLS, note_wait
 
         turn, now = executor.turn_mark(), current_task().sim.now_ns
         last_turn, looks, last_ns = self._looks
@@ -246,7 +246,7 @@ class Task(Future):
         """A callback that waits keeps its group: a client of the same group gets no answer."""
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
             from edulaunch.processes.student_line import coroutine_line
-            from rclpy.execution.deadlocks import note_wait
+            from rclpy.impl.facts import note_wait
 
             note_wait('await', source, coroutine_line(self._running))
 
@@ -270,3 +270,9 @@ def is_coroutine_function(function: Any) -> bool:
         function = function.func
     code = getattr(function, '__code__', None)
     return code is not None and code.co_flags & _COROUTINE_FLAG != 0
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call a function, or await what an `async def` one gives: for executors and waitables of one's own."""
+    result = callback(*args)
+    return await result if is_coroutine_function(callback) else result

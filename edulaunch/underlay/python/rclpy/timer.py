@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy._rclpy_pybind11 import InvalidHandle
 from rclpy.exceptions import ROSInterruptException
-from rclpy.impl.handle import Handle
+from rclpy.impl.entity import NEVER_NS, TIMER, Entity, Handle, ReadyList
 from rclpy.impl.passed_on import passed_on
-from rclpy.readiness import NEVER_NS, TIMER, Entity, ReadyList
+from rclpy.impl.refusals import invalid_handle
 from rclpy.task import is_coroutine_function
 
 if TYPE_CHECKING:
@@ -129,7 +128,7 @@ class Timer(Entity):
 
     def _note_skipped(self, now_ns: int) -> None:
         """The executor comes a whole period late, or later: something holds it up."""
-        from rclpy.execution.names import callback_name, node_name
+        from rclpy.impl.facts import callback_name, node_name
         from rclpy.process_state import process_state
 
         late_s = round((now_ns - self._next_ns) / 1e9, 9)
@@ -171,7 +170,7 @@ class Timer(Entity):
 
     def _check(self) -> None:
         if self._destroyed:
-            raise InvalidHandle('cannot use Destroyable because destruction was requested')
+            raise invalid_handle()
 
     def destroy(self) -> None:
         """End for good. `Node.destroy_timer` is the better way."""
@@ -215,7 +214,7 @@ class Rate:
         called = self._called
         executor = self._timer.ready_list.executor
         if executor is not None and executor.cannot_serve(self._timer):
-            from rclpy.execution.deadlocks import note_rate
+            from rclpy.impl.facts import note_rate
 
             note_rate(self._timer)
         while self._called == called and self._context.alive and not self._is_destroyed:

@@ -1,8 +1,11 @@
-"""Whether a class is a message, a service or an action."""
+"""Whether a class is a message, a service or an action.
+
+The type variables in the signatures of publishers, subscriptions, clients and services, as annotations name them.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from edulaunch.facts import kind_of, with_facts
 from rclpy.impl.passed_on import passed_on
@@ -67,3 +70,8 @@ def _has(cls: Any, name: str) -> bool:
 
 
 __getattr__ = passed_on(__name__)
+
+MsgType = TypeVar('MsgType')
+SrvType = TypeVar('SrvType')
+SrvTypeRequest = TypeVar('SrvTypeRequest')
+SrvTypeResponse = TypeVar('SrvTypeResponse')

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edulaunch.graph.names import node_name_problem
 from rclpy.exceptions import InvalidNodeNameException
-from rclpy.impl.text_argument import check_is_text
+from rclpy.impl.refusals import check_is_text
 
 
 def validate_node_name(node_name: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edulaunch.graph.names import topic_name_problem
 from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
-from rclpy.impl.text_argument import check_is_text
+from rclpy.impl.refusals import check_is_text
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
-from rclpy._rclpy_pybind11 import RCLError
 from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import without_context
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, validate_qos
 from rclpy.type_support import check_is_valid_msg_type
@@ -32,10 +32,7 @@ def wait_for_message(
     )
     if not core.context.alive:
         impl.destroy()
-        raise RCLError(
-            'failed to initialize wait set: the given context is not valid, '
-            'either rcl_init() was not called or rcl_shutdown() was called.'
-        )
+        raise without_context('failed to initialize wait set')
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
         while not impl.queue and core.context.alive and (deadline is None or task.sim.now_ns < deadline):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
-from rclpy.readiness import WAITABLE, Entity, ReadyList
+from rclpy.impl.entity import WAITABLE, Entity, ReadyList
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup

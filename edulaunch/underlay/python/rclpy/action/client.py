@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any
 from action_msgs.msg import GoalStatus
 
 from edulaunch.sim.task import current_task
-from rclpy.action.server import await_or_execute
 from rclpy.client import POLL_NS
-from rclpy.impl.action_name import checked_action_name
-from rclpy.impl.handle import check_endpoint
+from rclpy.impl.entity import check_endpoint
 from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import checked_action_name
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
-from rclpy.task import Future
+from rclpy.task import Future, await_or_execute
 from rclpy.type_support import check_is_valid_action_type, wrong_class
 from rclpy.waitable import Waitable
 
@@ -196,7 +195,7 @@ class ActionClient(Waitable):
     def _wait_for(self, future: Future) -> Any:
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
-            from rclpy.execution.deadlocks import note_wait
+            from rclpy.impl.facts import note_wait
 
             note_wait('call', self)
         task = current_task()
@@ -219,7 +218,7 @@ class ActionClient(Waitable):
         if feedback_callback is not None:
             self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
         if not self._goal_client.server_is_ready():
-            from rclpy.impl.missing_servers import note_lost_request
+            from rclpy.impl.facts import note_lost_request
 
             note_lost_request(self._goal_client, self._name, 'action')
         sequence = self._goal_client.send(request_class.to_wire(request))
@@ -281,7 +280,7 @@ class ActionClient(Waitable):
 
     def _watch_wait(self) -> None:
         """Note a wait that has become long, until it ends well."""
-        from rclpy.impl.missing_servers import LONG_NS, note_long_wait, note_server_came
+        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
 
         if self._server_is_ready():
             note_server_came(self._goal_client, self._name)

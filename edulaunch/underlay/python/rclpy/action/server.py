@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState
-from rclpy.action.server_goal_handle import ServerGoalHandle
-from rclpy.impl.action_name import checked_action_name
+from rclpy.action.server_goal_handle import ACTIVE, GoalEvent, GoalState, ServerGoalHandle
 from rclpy.impl.passed_on import passed_on
+from rclpy.impl.refusals import checked_action_name
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
-from rclpy.task import Future, is_coroutine_function
+from rclpy.task import Future, await_or_execute
 from rclpy.type_support import check_is_valid_action_type
 from rclpy.waitable import Waitable
 
@@ -305,11 +304,6 @@ def _callable(callback: Any, default: Any, kind: str) -> Any:
     if callback is not None and not callable(callback):
         raise TypeError(f'Failed to register {kind} callback: not callable')
     return callback or default
-
-
-async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Call a function, or await it when it is `async`."""
-    return await callback(*args) if is_coroutine_function(callback) else callback(*args)
 
 
 __getattr__ = passed_on(__name__)

@@ -1,18 +1,65 @@
-"""One goal, as its action server sees it."""
+"""One goal, as its action server sees it: its states, and what leads from one to another."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.facts import with_facts
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.action.goal_states import ACTIVE, GoalEvent, GoalState, state_after
+from rclpy.impl.refusals import after_shutdown
 from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
+
+
+class GoalState(IntEnum):
+    """The states, numbered as in action_msgs/GoalStatus."""
+
+    UNKNOWN = 0
+    ACCEPTED = 1
+    EXECUTING = 2
+    CANCELING = 3
+    SUCCEEDED = 4
+    CANCELED = 5
+    ABORTED = 6
+
+
+class GoalEvent(IntEnum):
+    """What happens to a goal."""
+
+    EXECUTE = 0
+    CANCEL_GOAL = 1
+    SUCCEED = 2
+    ABORT = 3
+    CANCELED = 4
+
+
+ACTIVE = (GoalState.ACCEPTED, GoalState.EXECUTING, GoalState.CANCELING)
+
+_TRANSITIONS = {
+    (GoalState.ACCEPTED, GoalEvent.EXECUTE): GoalState.EXECUTING,
+    (GoalState.ACCEPTED, GoalEvent.CANCEL_GOAL): GoalState.CANCELING,
+    (GoalState.EXECUTING, GoalEvent.CANCEL_GOAL): GoalState.CANCELING,
+    (GoalState.EXECUTING, GoalEvent.SUCCEED): GoalState.SUCCEEDED,
+    (GoalState.EXECUTING, GoalEvent.ABORT): GoalState.ABORTED,
+    (GoalState.CANCELING, GoalEvent.SUCCEED): GoalState.SUCCEEDED,
+    (GoalState.CANCELING, GoalEvent.ABORT): GoalState.ABORTED,
+    (GoalState.CANCELING, GoalEvent.CANCELED): GoalState.CANCELED,
+}
+
+
+def state_after(state: GoalState, event: GoalEvent) -> GoalState:
+    """The state that an event leads to. Raises RCLError when it cannot happen in this state."""
+    following = _TRANSITIONS.get((state, event))
+    if following is None:
+        raise RCLError(
+            'Failed to update goal state: goal_handle attempted invalid transition '
+            f'from state {state.name} with event {event.name}'
+        )
+    return following
 
 
 class ServerGoalHandle:
@@ -88,10 +135,7 @@ class ServerGoalHandle:
         if not isinstance(feedback, action_type.Feedback):
             raise wrong_class(feedback, action_type, 'Feedback')
         if not self._action_server._node.context.ok():
-            raise with_facts(
-                RCLError("Failed to publish feedback with an action server: publisher's context is invalid"),
-                'programs.after-shutdown',
-            )
+            raise after_shutdown('Failed to publish feedback with an action server: publisher')
         if not self._destroyed:
             message_class = action_type.Impl.FeedbackMessage
             message = message_class(goal_id=self._goal_id, feedback=feedback)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rclpy.execution.single_threaded import SingleThreadedExecutor
-from rclpy.readiness import Entity
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.impl.entity import Entity
 from rclpy.task import Task
 
 

@@ -6,11 +6,9 @@ from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
 from rclpy.impl.passed_on import passed_on
-from rclpy.lifecycle.life import Life, OnTransition
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
-from rclpy.lifecycle.services import LifecycleServices
-from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn
+from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, OnTransition, TransitionCallbackReturn
 from rclpy.node import Node
 from rclpy.node_parts.core import NodeCore
 from rclpy.qos import QoSProfile

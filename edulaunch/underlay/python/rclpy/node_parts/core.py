@@ -20,14 +20,14 @@ from edulaunch.graph.names import (
 )
 from edulaunch.graph.ros_arguments import Override, RosArguments
 from edulaunch.processes.current import current_process
-from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
 )
-from rclpy.readiness import ReadyList
+from rclpy.impl.entity import ReadyList
+from rclpy.impl.refusals import after_shutdown, invalid_handle, without_context
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from rclpy.executors import Executor
     from rclpy.guard_condition import GuardCondition
     from rclpy.impl.rcutils_logger import RcutilsLogger
-    from rclpy.lifecycle.life import Life
+    from rclpy.lifecycle.state_machine import Life
     from rclpy.node_parts.parameter_store import ParameterStore
     from rclpy.publisher import Publisher
     from rclpy.service import Service
@@ -104,27 +104,18 @@ class NodeCore:
     def check_alive(self) -> None:
         """Raise InvalidHandle when the node was destroyed."""
         if self.destroyed:
-            raise with_facts(
-                InvalidHandle('cannot use Destroyable because destruction was requested'),
-                'programs.destroyed-node',
-                node=self.full_name,
-            )
+            raise with_facts(invalid_handle(), 'programs.destroyed-node', node=self.full_name)
 
     def check_usable(self, what: str) -> None:
         """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
         self.check_alive()
         if not self.context.alive:
-            raise with_facts(RCLError(f"{what}: rcl node's context is invalid"), 'programs.after-shutdown')
+            raise after_shutdown(f'{what}: rcl node')
 
     def check_context(self, what: str) -> None:
         """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
         if not self.context.alive:
-            raise with_facts(
-                RCLError(
-                    f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'
-                ),
-                'programs.after-shutdown',
-            )
+            raise without_context(what)
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         """The absolute, remapped form of a topic or service name.

@@ -10,7 +10,7 @@ from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.client import Client
 from rclpy.constants import S_TO_NS
 from rclpy.guard_condition import GuardCondition
-from rclpy.impl.one_type import check_new_service_end, check_new_topic_end
+from rclpy.impl.refusals import check_new_service_end, check_new_topic_end
 from rclpy.node_parts.core import NodeCore, core_of
 from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_services_default, validate_qos
@@ -358,7 +358,7 @@ def _new_timer(
 def _note_period(core: NodeCore, timer: Timer) -> None:
     """A period as nobody means it: 0, or minutes where milliseconds were thought of."""
     from edulaunch.processes.student_line import student_line
-    from rclpy.execution.names import callback_name
+    from rclpy.impl.facts import callback_name
 
     data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}
     core.process.fact('timer period', (core.entry.index, timer.order), {**data, **student_line()})

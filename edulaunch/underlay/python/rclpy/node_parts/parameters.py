@@ -14,7 +14,7 @@ from rclpy.exceptions import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from rclpy.impl.student_place import student_level
+from rclpy.impl.refusals import student_level
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.parameter_store import undeclared
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType

@@ -9,12 +9,11 @@ from edulaunch.facts import with_facts
 from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.execution.exceptions import ConditionReachedException, ShutdownException, TimeoutException
-from rclpy.execution.sleeps import note_sleep
-from rclpy.execution.unfit import check_future, check_node, stopped
-from rclpy.execution.waiting import Item, Waiting, never
+from rclpy.impl.entity import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
+from rclpy.impl.facts import note_sleep
+from rclpy.impl.refusals import check_future, check_node, stopped
+from rclpy.impl.waiting import ConditionReachedException, Item, ShutdownException, TimeoutException, Waiting, never
 from rclpy.node_parts.core import core_of
-from rclpy.readiness import CLIENT, GUARD, SERVICE, SUBSCRIPTION, TIMER, WAITABLE, Entity
 from rclpy.task import Future, Task
 from rclpy.utilities import timeout_sec_to_nsec
 

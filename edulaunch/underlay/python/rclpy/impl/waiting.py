@@ -1,4 +1,4 @@
-"""The waiting half of an executor: which entities are ready, in which order, and parking until there are any."""
+"""The waiting half of an executor: which entities are ready, in which order, parking until there are any, and how that ends."""
 
 from __future__ import annotations
 
@@ -8,15 +8,39 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import Task as SimTask
 from edulaunch.sim.task import current_task
-from rclpy.execution.exceptions import ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException
-from rclpy.execution.unfit import no_context, two_spinners, without_context
-from rclpy.readiness import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
+from rclpy.impl.entity import NEVER_NS, TIMER, WAITABLE, Entity, ReadyList
+from rclpy.impl.refusals import no_context, two_spinners, without_context
 from rclpy.task import Task
 from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.context import Context
     from rclpy.timer import Timer
+
+
+class TimeoutException(Exception):
+    """Nothing was ready in time."""
+
+    __module__ = 'rclpy.executors'
+
+
+class ShutdownException(Exception):
+    """The executor was shut down while it waited."""
+
+    __module__ = 'rclpy.executors'
+
+
+class ExternalShutdownException(Exception):
+    """ROS 2 was shut down from outside (a signal, another thread) while an executor waited."""
+
+    __module__ = 'rclpy.executors'
+
+
+class ConditionReachedException(Exception):
+    """What was waited for happened."""
+
+    __module__ = 'rclpy.executors'
+
 
 Item = Any
 """What an executor executes: a Task or an Entity."""
@@ -156,7 +180,7 @@ class Waiting:
         """
         timed = deadline_ns is not None and not poll
         if not self._context.alive and (timed or not self._is_shutdown):
-            raise without_context('create timer' if timed else 'initialize wait set')
+            raise without_context('failed to create timer' if timed else 'failed to initialize wait set')
         given_out = False
         while not (self._is_shutdown or condition()):
             if given_out and deadline_ns is not None:
