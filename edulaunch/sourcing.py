@@ -50,7 +50,7 @@ def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
     from edulaunch.interfaces import install
     from edulaunch.packages import Index
     from edulaunch.packages.discovery import install_folders
-    from edulaunch.packages.importable import interfaces_of
+    from edulaunch.packages.index import interfaces_of
 
     built, sources = install_folders(workspaces)
     note_sourced(sources)

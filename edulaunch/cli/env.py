@@ -57,8 +57,7 @@ def main(arguments: argparse.Namespace) -> int:
 
 def _answer(words: list[str]) -> int:
     """Say what a line that sets a computer up means here, or open what stands for a window; 1 when it is none of those."""
-    from edulaunch.workspace.not_needed import answer
-    from edulaunch.workspace.windows import WINDOWS
+    from edulaunch.workspace.not_needed import WINDOWS, answer
 
     said = answer(words)
     if said is None:

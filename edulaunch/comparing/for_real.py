@@ -28,7 +28,7 @@ from edulaunch.interfaces.cdr import decode
 from edulaunch.native.command import command
 from edulaunch.native.host import NativeHost, NativeSession
 from edulaunch.packages import Program
-from edulaunch.packages.importable import interfaces_of
+from edulaunch.packages.index import interfaces_of
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 

@@ -13,8 +13,7 @@ from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.recording import Recording
-from edulaunch.workspace.not_needed import answer
-from edulaunch.workspace.windows import WINDOWS
+from edulaunch.workspace.not_needed import WINDOWS, answer
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""

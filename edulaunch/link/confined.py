@@ -17,8 +17,8 @@ from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, Messages, dump, load
 from edulaunch.link.half import Half
-from edulaunch.link.hosted import is_hosted
 from edulaunch.link.replica import Replica
+from edulaunch.link.trusted_host import is_hosted
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process

@@ -17,9 +17,8 @@ from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.link.clock import HalfSimulation
 from edulaunch.link.codec import Kind, Messages, Violation, load, tuples
 from edulaunch.link.half import Half
-from edulaunch.link.hosted import hosted_program, shipped_path
 from edulaunch.link.replica import Replica
-from edulaunch.link.trusted_host import TrustedHost, spec_from_data, text_of
+from edulaunch.link.trusted_host import TrustedHost, hosted_program, shipped_path, spec_from_data, text_of
 from edulaunch.packages import Index
 from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec

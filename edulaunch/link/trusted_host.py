@@ -1,9 +1,13 @@
-"""What the trusted half hosts for the other one: programs that came with edulaunch, started as that half asks."""
+"""What the trusted half hosts for the other one: programs that came with edulaunch, but for a few that read a student's files
+or keys, started as that half asks.
+"""
 
 from __future__ import annotations
 
+import os
 import shlex
 from collections.abc import Sequence
+from functools import cache
 from types import MappingProxyType
 from typing import Any
 
@@ -11,12 +15,52 @@ from edulaunch.facts import with_facts
 from edulaunch.graph.parameter_files import Entry, ParameterFileError
 from edulaunch.link.codec import Kind, Violation, load
 from edulaunch.link.half import Half
-from edulaunch.link.hosted import hosted_program, shipped_path
+from edulaunch.packages import Program
+from edulaunch.packages.prefix import Underlay
 from edulaunch.processes.host import Host
 from edulaunch.processes.origin import Origin
 from edulaunch.processes.process import Process
 from edulaunch.processes.programs import run_program
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.underlay_place import underlay_prefix
+
+OF_THE_STUDENT = {
+    'joint_state_publisher': None,
+    'joint_state_publisher_gui': None,
+    'launch_testing': None,
+    'robot_state_publisher': None,
+    'rviz2': None,
+    'teleop_twist_keyboard': None,
+    'tf2_tools': None,
+    'turtlesim': ('turtle_teleop_key',),
+    'xacro': None,
+}
+"""They read files or keys, and run beside the student's own programs: by package, all (None) or these executables."""
+
+
+@cache
+def _underlay() -> Underlay:
+    return Underlay(underlay_prefix())
+
+
+def hosted_program(package: str, executable: str) -> Program | None:
+    """The program of that name, if the trusted half hosts it."""
+    own = OF_THE_STUDENT.get(package, ())
+    return None if own is None or executable in own else _underlay().program(package, executable)
+
+
+def is_hosted(program: Program | None) -> bool:
+    """Whether the trusted half has this very program."""
+    if program is None or program.kind != 'entry_point':
+        return False
+    ours = hosted_program(program.package, program.executable)
+    return ours is not None and (ours.module, ours.function) == (program.module, program.function)
+
+
+def shipped_path(package: str | None, executable: str | None) -> str:
+    """The word that starts a stock program in a command line."""
+    return os.path.join(underlay_prefix(), 'lib', package or '', executable or '')
+
 
 MOST_PROGRAMS = 2000
 

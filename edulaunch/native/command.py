@@ -10,7 +10,7 @@ from typing import Any
 from edulaunch.interfaces.registry import Registry
 from edulaunch.native.environment import Environment
 from edulaunch.packages import Index, Program
-from edulaunch.packages.importable import interfaces_of
+from edulaunch.packages.index import interfaces_of
 from edulaunch.processes.spec import ProcessSpec
 
 HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))

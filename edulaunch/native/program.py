@@ -1,7 +1,7 @@
 """What runs in each real process: `python program.py TOLD ARGV...` in the environment of the real rclpy.
 
 TOLD is JSON: `home` (the folder of edulaunch), `path` (further folders for imports), `interfaces` (layers of share folders) and
-`program` (which :class:`edulaunch.packages.program.Program` it is).
+`program` (which :class:`edulaunch.packages.reading.Program` it is).
 """
 
 from __future__ import annotations

@@ -11,8 +11,7 @@ import os
 from collections.abc import Iterator
 
 from edulaunch.packages.cmake_text import Command, commands, expand
-from edulaunch.packages.manifest import Manifest
-from edulaunch.packages.reading import Contents, PackageWarning
+from edulaunch.packages.reading import Contents, Manifest, PackageWarning
 
 _INTERFACES = ('.msg', '.srv', '.action')
 _MARKERS = 'share/ament_index/resource_index/packages'

@@ -1,18 +1,50 @@
-"""The index: one view over source workspaces, install prefixes and the underlay."""
+"""The index: one view over source workspaces, install prefixes and the underlay; and the interfaces that one sees over it."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from typing import TYPE_CHECKING, Protocol
 
 from edulaunch.packages.absent import absent_kind
-from edulaunch.packages.place import Place
-from edulaunch.packages.prefix import Prefix, expand_prefixes
-from edulaunch.packages.program import Program
-from edulaunch.packages.reading import Contents, PackageWarning
-from edulaunch.packages.underlay import Underlay
+from edulaunch.packages.prefix import Prefix, Underlay, expand_prefixes
+from edulaunch.packages.reading import Contents, PackageWarning, Program
 from edulaunch.packages.workspace import Workspace
 from edulaunch.underlay_place import underlay_prefix
+
+if TYPE_CHECKING:
+    from edulaunch.interfaces.registry import Registry
+
+
+class Place(Protocol):
+    """A prefix, or something presented as one.
+
+    :attr:`path` is the prefix folder; all methods take names of packages that :meth:`packages` lists.
+    """
+
+    path: str
+
+    def packages(self) -> list[str]:
+        """Names of the packages here, sorted."""
+
+    def install(self, package: str) -> None:
+        """Make sure that the package's files stand below :attr:`path`."""
+
+    def executables(self, package: str) -> list[str]:
+        """Names in lib/<package> that can be started, sorted."""
+
+    def program(self, package: str, executable: str) -> Program | None:
+        """The Python program of that name; None when there is none, or when it is not Python."""
+
+    def modules(self) -> dict[str, str]:
+        """Top-level import names that packages here bring, with the path of each folder or .py file."""
+
+    def interface_packages(self) -> list[str]:
+        """Packages with msg/, srv/ or action/ files in their share folder, sorted."""
+
+    def source_path(self, path: str) -> str | None:
+        """The file as the student wrote it, for a path below :attr:`path`."""
+
 
 _ON_PATH = ('rviz2', 'xacro')
 """Programs that ROS 2 puts into `bin/`, too; each package is called like its program."""
@@ -209,3 +241,31 @@ class Index:
 
     def _place(self, package: str) -> Place | None:
         return next((place for place in self._places if package in place.packages()), None)
+
+
+def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
+    """The packages whose interfaces come from a workspace, and the registry of all.
+
+    Packages that the underlay has too keep the underlay's interfaces, since its programs talk with them; they are taken from
+    the workspace only when that has types which the underlay lacks.
+    """
+    from edulaunch.interfaces.registry import Registry, underlay_registry
+
+    shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
+    folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}
+    own = frozenset(name for name in folders if not shared.has(name) or _adds(folders[name], name, shared))
+    if not own:
+        return own, shared
+    roots = list(dict.fromkeys(os.path.dirname(folder) for folder in folders.values()))
+    return own, Registry(roots, shared, leave=frozenset(folders) - own)
+
+
+def _adds(folder: str, package: str, shared: Registry) -> bool:
+    """Whether a share folder has an interface that the underlay's package of that name lacks."""
+    return any(
+        name.removesuffix(f'.{kind}') not in shared.names(package, kind)
+        for kind in ('msg', 'srv', 'action')
+        if os.path.isdir(os.path.join(folder, kind))
+        for name in sorted(os.listdir(os.path.join(folder, kind)))
+        if name.endswith(f'.{kind}')
+    )

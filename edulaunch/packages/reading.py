@@ -1,7 +1,11 @@
-"""What reading a source package gives: things to install, and what could not be understood."""
+"""Finding the packages of a source workspace, as colcon does, and what reading one gives: its package.xml, its programs, what
+it installs, and what could not be understood.
+"""
 
 from __future__ import annotations
 
+import os
+import re
 from typing import NamedTuple
 
 
@@ -43,3 +47,135 @@ class Contents:
         self.broken: PackageWarning | None = None
         self.interfaces = False
         self.warnings: list[PackageWarning] = []
+
+
+class Program(NamedTuple):
+    """A program of a package; all but native ones run in the simulation.
+
+    :param kind: 'entry_point' (a function of a module), 'script' (a file run as `__main__`), 'module' (of `python3 -m`), 'shell'
+        (`file` is a line of commands), or one that ends at once and says why: 'native' (built from C++: `file` is the line of
+        CMakeLists.txt that builds it) or 'absent' (of a package that is not here: `file` is what it belongs to).
+    :param path: `<prefix>/lib/<package>/<executable>`, the word that stands in a command line.
+    :param module: dotted module name of an entry point, else ''.
+    :param function: name of the entry point's function, else ''.
+    :param file: the script as the student wrote it (never a generated link), else ''.
+    :param python_roots: folders from which this program's own modules are imported, first match wins.
+    """
+
+    kind: str
+    package: str
+    executable: str
+    path: str
+    module: str = ''
+    function: str = ''
+    file: str = ''
+    python_roots: tuple[str, ...] = ()
+
+
+_NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]*')
+
+
+class Manifest(NamedTuple):
+    """Name, build type ('ament_python', 'ament_cmake', ...) and folder of a source package."""
+
+    name: str
+    build_type: str
+    folder: str
+
+
+def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
+    """Read `folder`/package.xml; what is wrong with it is added to `warnings`, and None returned when it has
+    no name."""
+    from xml.etree import ElementTree
+
+    file = os.path.join(folder, 'package.xml')
+    try:
+        root = ElementTree.parse(file).getroot()
+    except ElementTree.ParseError as error:
+        warnings.append(
+            PackageWarning(file, error.position[0], f'this is not well-formed XML ({error}), so {_what_colcon_does(folder)}')
+        )
+        return None
+    except OSError as error:
+        warnings.append(PackageWarning(file, 0, f'cannot be read ({error.strerror})'))
+        return None
+    name = (root.findtext('name') or '').strip()
+    if root.tag != 'package' or not _NAME.fullmatch(name):
+        warnings.append(
+            PackageWarning(file, 0, f'has no usable <name> inside <package> (found {name!r}), so {_what_colcon_does(folder)}')
+        )
+        return None
+    build_type = (root.findtext('export/build_type') or '').strip() or _guess_build_type(folder)
+    return Manifest(name, build_type, folder)
+
+
+def _what_colcon_does(folder: str) -> str:
+    """To colcon a folder without a usable package.xml is a package of Python or CMake, and none of ROS 2."""
+    for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
+        if os.path.isfile(os.path.join(folder, file)):
+            return f'colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
+    return 'colcon skips the package'
+
+
+def _guess_build_type(folder: str) -> str:
+    """ROS takes ament_cmake for packages that do not say; a lone setup.py can only mean the other one."""
+    has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
+    return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
+
+
+_BUILD_FOLDERS = frozenset(('build', 'install', 'log', '__pycache__', 'node_modules'))
+_IGNORE_FILES = frozenset(('COLCON_IGNORE', 'AMENT_IGNORE', 'CATKIN_IGNORE', 'pyvenv.cfg'))
+_MAX_FOLDERS = 5000
+
+
+def find_packages(workspace: str, warnings: list[PackageWarning]) -> list[str]:
+    """Folders below (or equal to) `workspace` that hold a package.xml: shallow ones first, then by the alphabet.
+
+    Does not look inside packages, build/ install/ log/, hidden folders, virtual environments, and folders
+    with a COLCON_IGNORE. Links to folders are followed, as colcon does, but no folder is taken twice; gives up
+    with a warning after 5000 folders, for somebody may have named a whole home folder.
+    """
+    found: list[str] = []
+    waiting = [workspace]
+    seen: set[str] = set()
+    while waiting:
+        folder = waiting.pop()
+        real = os.path.realpath(folder)
+        if real in seen:
+            continue
+        seen.add(real)
+        if len(seen) > _MAX_FOLDERS:
+            warnings.append(
+                PackageWarning(
+                    workspace,
+                    0,
+                    f'more than {_MAX_FOLDERS} folders; the rest was not searched for packages. Name the workspace folder itself',
+                )
+            )
+            break
+        files, folders = _list(folder)
+        if files & _IGNORE_FILES:
+            continue
+        if 'package.xml' in files:
+            found.append(folder)
+        else:
+            waiting += [os.path.join(folder, name) for name in reversed(folders)]
+    return sorted(found, key=lambda folder: (folder.count(os.sep), folder))
+
+
+def _list(folder: str) -> tuple[frozenset[str], list[str]]:
+    """Names of the files, and of the folders worth entering: real ones before links, so that a folder that can be
+    reached both ways is found where it lies."""
+    files: list[str] = []
+    folders: list[str] = []
+    links: list[str] = []
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if not entry.is_dir():
+                    files.append(entry.name)
+                elif not entry.name.startswith('.') and entry.name not in _BUILD_FOLDERS:
+                    (links if entry.is_symlink() else folders).append(entry.name)
+    except OSError:
+        return frozenset(), []  # a folder we may not read holds no package that we could use
+    return frozenset(files), [*sorted(folders), *sorted(links)]

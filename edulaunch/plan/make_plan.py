@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 from edulaunch.packages import Index
-from edulaunch.packages.image import Image
+from edulaunch.packages.workspace import Image
 from edulaunch.plan.assumptions import Assumptions
 from edulaunch.plan.outline import Branch
 from edulaunch.plan.planner import Plan, Planner

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from edulaunch.interfaces.registry import answer_with
-from edulaunch.packages.importable import interfaces_of
+from edulaunch.packages.index import interfaces_of
 from edulaunch.sim.task import running_task
 
 if TYPE_CHECKING:

@@ -7,10 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.nearest import nearest
-from edulaunch.packages.manifest import read_manifest
-from edulaunch.packages.scan import find_packages
-from edulaunch.workspace.layout import install_facts
-from edulaunch.workspace.sources import SourcePackage, read_text
+from edulaunch.packages.reading import find_packages, read_manifest
+from edulaunch.workspace.sources import SourcePackage, install_facts, read_text
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index

@@ -1,4 +1,4 @@
-"""Making a package: the files and the report of `ros2 pkg create`."""
+"""Making a package: the report of `ros2 pkg create`, and its package.xml."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from edulaunch.errors import PackageError
-from edulaunch.workspace import cmake_files, licences, python_files
+from edulaunch.workspace.package_files import LICENSES, license_notice, write_cmake, write_python
 
 BUILD_TYPES = ('ament_cmake', 'ament_python')
 LINTERS = {
@@ -50,18 +50,15 @@ def create_package(package: NewPackage, say: Callable[[str], object]) -> None:
     writer = _Writer(package, say)
     writer.folder('.')
     writer.file('package.xml', manifest_text(package))
-    if package.build_type == 'ament_python':
-        python_files.write(package, writer)
-    else:
-        cmake_files.write(package, writer)
-    notice = licences.notice(package.license, package.maintainer_name)
+    (write_python if package.build_type == 'ament_python' else write_cmake)(package, writer)
+    notice = license_notice(package.license, package.maintainer_name)
     if notice is not None:
         writer.quiet('LICENSE', notice)
     else:
         say(
             f"\n[WARNING]: Unknown license '{package.license}'.  "
             'This has been set in the package.xml, but no LICENSE file has been created.\n'
-            'It is recommended to use one of the ament license identifiers:\n' + '\n'.join(licences.KNOWN)
+            'It is recommended to use one of the ament license identifiers:\n' + '\n'.join(LICENSES)
         )
 
 

@@ -1,4 +1,6 @@
-"""What to say to commands that set up a real ROS 2 machine: what of it is not needed here, and what is."""
+"""What to say to commands that set up a real ROS 2 machine, or open a window: what of it is not needed here, what is, and what
+shows the same.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,24 @@ import os
 import re
 from collections.abc import Sequence
 
-from edulaunch.workspace.windows import WINDOWS, shown_by
+WINDOWS = {
+    'rqt': 'graph',
+    'rqt_console': 'log',
+    'rqt_graph': 'graph',
+    'rqt_plot': 'plot',
+    'rqt_publisher': 'terminal',
+    'rqt_reconfigure': 'parameters',
+    'rqt_service_caller': 'terminal',
+    'rqt_tf_tree': 'tree',
+    'rviz2': 'frames',
+}
+"""Command or package, and the tab of the live page."""
+
+
+def shown_by(name: str) -> str:
+    """The sentence that says where to look."""
+    return f'{name} opens a window, and there is none here: `edulaunch view --tab {WINDOWS[name]}` shows it in a browser'
+
 
 _DEBIAN = re.compile(r'ros-[a-z]+-(?P<package>[a-z0-9-]+)')
 _DISTRIBUTION = re.compile(r'/opt/ros/(?P<name>[a-z]+)/(local_)?setup\.\w+')

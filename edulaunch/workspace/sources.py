@@ -1,17 +1,19 @@
-"""The packages of a workspace as the checks see them: manifest, contents and sources."""
+"""The packages of a workspace as the checks see them: manifest, contents, sources, the modules in them, and where data files
+belong so that a build installs them. Nothing is imported.
+"""
 
 from __future__ import annotations
 
 import ast
 import os
 from collections.abc import Iterator
+from fnmatch import fnmatch
 from functools import cached_property
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 from edulaunch.packages import Index
-from edulaunch.packages.manifest import read_manifest
-from edulaunch.packages.reading import Contents
+from edulaunch.packages.reading import Contents, read_manifest
 
 DEPENDENCY_TAGS = (
     'depend',
@@ -145,3 +147,79 @@ def _line_of(lines: list[str], tag: str, name: str) -> int:
         if f'<{tag}' in line and name in line.replace('<', ' ').replace('>', ' ').split():
             return number
     return 0
+
+
+def module_file(package: SourcePackage, module: str) -> str | None:
+    """The file of a module that the package installs."""
+    top, _, rest = module.partition('.')
+    place = package.contents.python_modules.get(top)
+    if place is None:
+        return None
+    base = os.path.join(place, *rest.split('.')) if rest else place
+    return next((path for path in (f'{base}.py', os.path.join(base, '__init__.py'), base) if os.path.isfile(path)), None)
+
+
+def modules_of(package: SourcePackage) -> dict[str, str]:
+    """Full names of the package's installed modules, with their files."""
+    found = {}
+    for top, place in package.contents.python_modules.items():
+        for path in package.python_files:
+            if path.startswith(place + os.sep):
+                name = os.path.relpath(path, os.path.dirname(place))[:-3].replace(os.sep, '.')
+                found[name.removesuffix('.__init__')] = path
+        if os.path.isfile(place):
+            found[top] = place
+    return found
+
+
+def defined_names(tree: ast.Module) -> list[str]:
+    """Names that a module defines or imports at its top level, those under `if` and `try` too."""
+    names = []
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            names.append(node.name)
+        elif isinstance(node, (ast.Import, ast.ImportFrom)):
+            names += [alias.asname or alias.name for alias in node.names]
+        elif isinstance(node, ast.Assign):
+            names += [target.id for target in node.targets if isinstance(target, ast.Name)]
+    return names
+
+
+def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
+    """The function of that name at the top level."""
+    return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
+
+
+def line_with(file: str, word: str) -> int:
+    """The first line of a file that has the word; 0 when there is none."""
+    return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
+
+
+LAUNCH_PATTERN = '*launch.[pxy][yma]*'
+DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', 'meshes')
+
+
+def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
+    """How a data file comes to be installed; None for what does not apply.
+
+    :returns: `beside`, the folder whose files are installed already; else `move`, the folder that it belongs in when it lies
+        beside the build file; `folder` and `pattern` for setup.py; `top` for CMakeLists.txt.
+    """
+    folder, name = os.path.split(package.relative(path))
+    place = folder or ('launch' if package.is_launch_file(path) else 'config')
+    ending = os.path.splitext(name)[1]
+    is_beside = not folder and any(f'/{place}/' in target and target.endswith(ending) for target in package.contents.files)
+    return {
+        'beside': place if is_beside else None,
+        'move': None if folder else place,
+        'folder': place,
+        'pattern': os.path.join(place, _pattern(package, path, name)) if package.is_python else None,
+        'top': place.split(os.sep)[0],
+    }
+
+
+def _pattern(package: SourcePackage, path: str, name: str) -> str:
+    """What glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
+    if not package.is_launch_file(path):
+        return '*'
+    return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]

@@ -1,10 +1,23 @@
-"""The drawing layer of a turtle window: what the pens left behind."""
+"""The drawing layer of a turtle window: what the pens left behind; and the single precision that turtlesim's numbers have."""
 
 from __future__ import annotations
 
-from math import nan
+from math import copysign, inf, nan
+from struct import Struct
 
-from edulaunch.worlds.float32 import as_float32
+_single = Struct('f')
+_pack = _single.pack
+_unpack = _single.unpack
+
+
+def as_float32(value: float) -> float:
+    """Round `value` to the nearest 32-bit float, as a C `float` does; one too large becomes infinite."""
+    try:
+        rounded: float = _unpack(_pack(value))[0]
+    except OverflowError:
+        return copysign(inf, value)
+    return rounded
+
 
 SIDE_PX = 500
 METRE_PX = 45.0

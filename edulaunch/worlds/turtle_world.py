@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from random import Random
 
-from edulaunch.worlds.drawing import SIDE, DrawingLayer
-from edulaunch.worlds.float32 import as_float32
+from edulaunch.worlds.drawing import SIDE, DrawingLayer, as_float32
 from edulaunch.worlds.turtle import Turtle
 
 PICTURES = ('ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'rolling')

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from edulaunch.graph.qos import QoS
 from edulaunch.link.codec import AS_CDR, HEADER, LONGEST_FRAME, Kind, Violation, dump
 from edulaunch.link.half import NUMBER, TIME, TOKEN, Gone, TooMuch
-from edulaunch.link.hosted import shipped_path
 from edulaunch.link.replica import END as NUMBERED
 from edulaunch.link.replica import ENDS
 from edulaunch.link.trusted import Trusted
+from edulaunch.link.trusted_host import shipped_path
 from edulaunch.sim.simulation import EPOCH_NS
 
 SIM, FAKE = shipped_path('turtlesim', 'turtlesim_node'), '/home/me/fake'

@@ -83,7 +83,7 @@ for message in (car, Nothing()):
 
 def test_a_students_own_messages_go_there_and_back(real: Environment, tmp_path: Path) -> None:
     from edulaunch.interfaces.description import type_hash
-    from edulaunch.packages.importable import interfaces_of
+    from edulaunch.packages.index import interfaces_of
 
     workspace = own_interfaces(tmp_path)
     index = index_for([workspace])

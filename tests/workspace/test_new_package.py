@@ -13,8 +13,8 @@ import pytest
 from edulaunch.advice import judge_sources
 from edulaunch.errors import PackageError
 from edulaunch.packages import Index
-from edulaunch.workspace.licences import KNOWN
 from edulaunch.workspace.new_package import NewPackage, create_package, manifest_text
+from edulaunch.workspace.package_files import LICENSES
 
 
 @pytest.fixture
@@ -92,7 +92,7 @@ def test_texts_are_safe_inside_the_manifest() -> None:
     assert 'a &lt; b &amp; c' in text and 'Zoë &lt;x&gt;' in text
 
 
-@pytest.mark.parametrize('license', KNOWN)
+@pytest.mark.parametrize('license', LICENSES)
 def test_known_licenses_get_a_notice(create: Callable[..., list[str]], tmp_path: Path, license: str) -> None:
     said = create('p', license=license)
     assert (tmp_path / 'p/LICENSE').read_text().startswith('SPDX-License-Identifier: ') and 'WARNING' not in said[-1]

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
 from edulaunch.nearest import nearest
-from edulaunch.workspace.modules import defined_names, line_with, main_of, module_file, modules_of
-from edulaunch.workspace.sources import parsed, read_text
+from edulaunch.workspace.sources import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.rule import rule
-from edulaunch.workspace.layout import DATA_FOLDERS, install_facts
+from edulaunch.workspace.sources import DATA_FOLDERS, install_facts
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source

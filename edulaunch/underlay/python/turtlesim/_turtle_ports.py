@@ -9,8 +9,7 @@ from geometry_msgs.msg import Twist
 from rclpy.logging import LoggingSeverity
 from rclpy.node import Node
 
-from edulaunch.worlds.drawing import SIDE
-from edulaunch.worlds.float32 import as_float32
+from edulaunch.worlds.drawing import SIDE, as_float32
 from edulaunch.worlds.turtle import Turtle
 from turtlesim._rotate_absolute import RotateAbsoluteServer
 from turtlesim.msg import Color, Pose

@@ -9,10 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.worlds.drawing import SIDE
-from edulaunch.worlds.float32 import as_float32
-from edulaunch.worlds.rotation import PI
-from edulaunch.worlds.turtle import Turtle
+from edulaunch.worlds.drawing import SIDE, as_float32
+from edulaunch.worlds.turtle import PI, Turtle
 from edulaunch.worlds.turtle_world import TurtleWorld
 
 T0 = 1_700_000_000_000_000_000
