@@ -26,15 +26,12 @@ ROOMS = ('advice', 'cli', 'jupyter', 'machine', 'view')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(
-        f'edugrade/{name}.py'
-        for name in ('failure', 'judging', 'language', 'noted', 'recorded', 'results', 'steps', 'terminal', 'verdicts')
-    ),
+    *(f'edugrade/{name}.py' for name in ('evidence', 'judging', 'noted', 'results', 'terminal', 'verdicts', 'wording')),
 )
 """Of the grader: where every text that is a sentence may be told to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
-_CODE = re.compile(r'^[\w=]*\w+\(.*\)$|^\n|\(\?!|\\')
-"""A call that is to be written as it stands, a regular expression."""
+_CODE = re.compile(r'^[\w=]*\w+\(.*\)$|^\w+\.[\w-]+$|^\n|\(\?!|\\')
+"""A call that is to be written as it stands, the name of a rule, a regular expression."""
 _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
 
@@ -69,7 +66,7 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef) and any(map(_is_check, node.decorator_list)):
             yield (ast.get_docstring(node) or '').partition('\n')[0]
-        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == 'WORDS':
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in ('WORDS', 'KINDS'):
             yield from ast.literal_eval(node.value)
             inner |= {id(part) for part in ast.walk(node.value)}
         text = template_of(node) if id(node) not in inner else ''

@@ -86,7 +86,7 @@ def _copy(arguments: argparse.Namespace) -> int:
 
 
 def _personal(files: dict[str, bytes], course: str, student: str, secret: str | None) -> dict[str, bytes]:
-    from edugrade.course_secret import CourseSecret
+    from edugrade.variant import CourseSecret
 
     from edulaunch.course.personal import personal_files
     from edulaunch.errors import UnusableInput

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from edugrade.course import MANIFEST, read_course
-from edugrade.course_secret import CourseSecret
-from edugrade.variant import FILE, personal, write_variants
+from edugrade.variant import FILE, CourseSecret, personal, write_variants
 
 from edulaunch.errors import UnusableInput
 

@@ -11,10 +11,7 @@ In reading order: `submission.py` (what was handed in), `rubric.py` and `check.p
 
 from __future__ import annotations
 
-from .check import Check, check
-from .evidence import Evidence
-from .failure import Failure, Mismatch, Missing
-from .rubric import Rubric
-from .scenario import Scenario
+from .evidence import Evidence, Failure, Mismatch, Missing, Scenario
+from .rubric import Check, Rubric, check
 
 __all__ = ['Check', 'Evidence', 'Failure', 'Mismatch', 'Missing', 'Rubric', 'Scenario', 'check']

@@ -9,7 +9,7 @@ from types import ModuleType
 
 from edulaunch.errors import UnusableInput
 
-from .regular_file import read_regular
+from .files import read_regular
 from .rubric import Rubric, RubricMistake
 
 _HERE = os.path.dirname(os.path.abspath(__file__))

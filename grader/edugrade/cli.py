@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from edulaunch.errors import UnusableInput
 
 from .grading import Work, grade, plan_work
-from .limits import CAN_FORK, Limits
+from .job import CAN_FORK, Limits
 from .options import is_personal, read_options
 from .rubric import RubricMistake
 from .submission import Submission
@@ -26,16 +26,19 @@ VERBS = {
     'classroom': '.export.classroom',
     'course': '.course_check',
     'doctor': '.doctor',
-    'export': '.export.command',
+    'export': '.export.platforms',
     'gradescope': '.export.gradescope',
-    'schema': '.report_schema',
-    'similar': '.similar.command',
-    'sign': '.signature',
+    'schema': '.document:schema_command',
+    'similar': '.similar',
+    'sign': '.verify:sign_command',
     'verify': '.verify',
 }
-"""Words that may stand in the place of a path, and the modules with their `main`."""
+"""Words that may stand in the place of a path, and the modules with their `main` (or another function)."""
 FORKING = ('batch', 'doctor')
 """Those of them that are about submissions of others, which are to be confined."""
+
+HEAD = ('submission', 'result', 'checks', 'points')
+TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader broke': 'BROKE'}  # words, not colours
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -65,15 +68,15 @@ def _command(words: list[str]) -> int:
             from .in_place import NEEDED
 
             raise UnusableInput(f'edugrade {words[0]}: this system cannot confine what others wrote', help=NEEDED)
-        exit_code: int = import_module(VERBS[words[0]], __package__).main(words[1:])
+        module, _, name = VERBS[words[0]].partition(':')
+        exit_code: int = getattr(import_module(module, __package__), name or 'main')(words[1:])
         return exit_code
     options = read_options(words)
     return _hints(options) if options.hint else _grade(options)
 
 
 def _hints(options: argparse.Namespace) -> int:
-    from .hints import find_hint
-    from .noted import opened, progress_folder
+    from .noted import find_hint, opened, progress_folder
 
     for path in options.paths:
         submission = Submission(path)
@@ -100,7 +103,7 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
     works, refusals = [], []
     secret = None
     if options.course_secret_file:
-        from .course_secret import CourseSecret
+        from .variant import CourseSecret
 
         secret = CourseSecret(options.course_secret_file)
     for path in options.paths:
@@ -127,7 +130,7 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
 def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> list[Report]:
     from dataclasses import replace
 
-    from .progress_bar import progress_bar
+    from .grading import progress_bar
 
     runs = sum(len(work.scenarios) for work in works)
     with progress_bar(runs if several else 0) as advance:
@@ -147,20 +150,20 @@ def _told(report: Report, options: argparse.Namespace) -> Report:
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
     if options.json is not None:
         from .document import document, document_of_all, json_text
-        from .whole_file import write_whole
+        from .files import write_whole
 
         alone = len(options.paths) == 1
         write_whole(options.json, json_text(document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
     if options.junit is not None:
         from .document import document
+        from .files import write_whole
         from .junit import junit_text
-        from .whole_file import write_whole
 
         documents = [{'path': report.given, **document(report)} for report in reports]
         write_whole(options.junit, junit_text(documents, refusals))
     if options.html is not None:
+        from .files import write_whole
         from .page import page
-        from .whole_file import write_whole
 
         write_whole(options.html, page(reports, refusals))
 
@@ -173,10 +176,51 @@ def _render(report: Report) -> str:
 
 def _text(reports: list[Report], refusals: list[Refusal]) -> str:
     """The reports of those that have something to repair, and a summary of all."""
-    from .summary import summary
-
     texts = [_render(report) for report in reports if report.exit_code]
     return '\n'.join([*texts, summary(reports, refusals)])
+
+
+def summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
+    """One line for each submission, and the sum of the points; then what could not be graded at all."""
+    from .terminal import printable
+
+    rows = [HEAD, *(_row(report) for report in reports)]
+    rows += [(refusal.given, 'REFUSED', '-', '-') for refusal in refusals]
+    rows.append(('sum', _result(reports, refusals), _checks(reports), _points(reports)))
+    widths = [max(len(row[column]) for row in rows) for column in range(len(HEAD))]
+    lines = ['  '.join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows]
+    lines.insert(1, '-' * max(map(len, lines)))
+    lines.insert(-1, lines[1])
+    return '\n'.join([*map(printable, lines), *_refused(refusals)]) + '\n'
+
+
+def _row(report: Report) -> tuple[str, ...]:
+    mark = 'no mark' if report.earned is None else f'{report.earned} of {report.possible}'
+    result = TO_REPAIR.get(report.verdict, report.verdict)
+    return report.given, result, f'{report.passed} of {len(report.results)}', mark
+
+
+def _result(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
+    passed = sum(report.exit_code == 0 for report in reports)
+    return f'{passed} of {len(reports) + len(refusals)} passed'
+
+
+def _checks(reports: Sequence[Report]) -> str:
+    return f'{sum(report.passed for report in reports)} of {sum(len(report.results) for report in reports)}'
+
+
+def _points(reports: Sequence[Report]) -> str:
+    return f'{sum(report.earned or 0 for report in reports)} of {sum(report.possible for report in reports)}'
+
+
+def _refused(refusals: Sequence[Refusal]) -> list[str]:
+    from .terminal import printable
+
+    lines = []
+    for refusal in refusals:
+        lines += ['', printable(f'{refusal.given} was not graded: {refusal.reason}')]
+        lines += [printable(f'  help: {refusal.help}')] if refusal.help else []
+    return lines
 
 
 def _show(text: str) -> None:

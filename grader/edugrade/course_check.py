@@ -17,10 +17,9 @@ from edulaunch.errors import UnusableInput
 
 from .catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .course import LEVELS, MANIFEST, Exercise, read_course
-from .course_secret import CourseSecret
 from .grading import grade, plan_work
 from .submission import Submission
-from .variant import Variant, personal
+from .variant import CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 SHORTEST_HINT = 40

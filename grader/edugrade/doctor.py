@@ -10,9 +10,9 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from .limits import Limits
+from .evidence import Scenario
+from .job import Limits
 from .runner import Runner
-from .scenario import Scenario
 from .submission import Submission
 
 # What a hostile launch file would do. `settings` is given; each line is (layer, attempt, code that raises when it is refused).

@@ -1,4 +1,11 @@
-"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
+"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err.
+
+What a mark was made from: with the same, the same mark comes out again (`verify.py` tries it).
+
+The published schema of the JSON report (JSON Schema 2020-12): ``edugrade schema`` prints it.
+
+The launch graph of a run, written so that other names and another order make no difference.
+"""
 
 from __future__ import annotations
 
@@ -7,18 +14,71 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from .cpu_limit import TooLong, cpu_limit
-from .outcome import Outcome
-from .receipt import receipt
+from edulaunch.version import __version__
+
+from .evidence import Outcome
 from .results import CheckResult, Refusal, Report
-from .short_paths import ShortPaths
-from .similar.graph import launch_graph
-from .worker import Exceeded, in_worker
+from .wording import ShortPaths
+from .worker import Exceeded, TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
+    from edulaunch.recording import Recording
 
+    from .grading import Work
     from .variant import Variant
+
+LONGEST_S = 2.0
+MOST_LINES = 400
+USUAL = ('/rosout', '/parameter_events')
+
+
+def launch_graph(recording: Recording | None) -> list[str]:
+    """One line for each program (with the parameters it was given) and for each connection (who tells whom what), sorted.
+
+    Names of nodes and topics are left out: a copy with other names has the same graph. [] for what cannot be looked at.
+    """
+    if recording is None:
+        return []
+    try:
+        with cpu_limit(LONGEST_S):
+            return sorted(_programs(recording) + _connections(recording))[:MOST_LINES]
+    except (TooLong, AttributeError, TypeError, ValueError, LookupError, RecursionError):  # a recording that was made to be odd
+        return []
+
+
+def _programs(recording: Recording) -> list[str]:
+    return [
+        f'starts {process.package}/{process.executable}' + ''.join(f' {name}' for name in sorted(process.parameter_origins))
+        if process.package
+        else f'runs {process.argv[0].split()[0] if process.argv else ""}'
+        for process in recording.processes
+        if process.name != 'launch'
+    ]
+
+
+def _connections(recording: Recording) -> list[str]:
+    programs = {process.name: f'{process.package}/{process.executable}' for process in recording.processes}
+    owner = {node.name: programs.get(node.process, '?') for node in recording.nodes}
+    return [
+        f'{owner.get(speaker, "?")} tells {owner.get(listener, "?")} {topic.type}'
+        for topic in recording.topics.values()
+        if topic.name not in USUAL and topic.count
+        for speaker in topic.publishers
+        for listener in topic.subscriptions
+    ]
+
+
+def receipt(made: Work | Report) -> dict[str, Any]:
+    """Hashes of the submission's and the rubric's texts, the engine's version, the seed, which course secret chose it."""
+    return {
+        'submission': made.sha256,
+        'rubric': made.rubric_sha256,
+        'edulaunch': __version__,
+        'seed': made.seed,
+        'secret': made.secret,
+    }
+
 
 FORMAT = 2
 LONGEST_DIGEST_S = 5.0  # usual: a hundredth of it
@@ -130,3 +190,16 @@ def _check(result: CheckResult, paths: ShortPaths) -> dict[str, Any]:
         'root_cause': result.root_cause,
         'cause': None if result.cause is None else _cause(result.cause, paths),
     }
+
+
+SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
+
+
+def schema_command(words: Sequence[str]) -> int:
+    """The command ``edugrade schema``."""
+    import argparse
+
+    argparse.ArgumentParser(prog='edugrade schema', description='Print the JSON schema of reports and results.').parse_args(words)
+    with open(SCHEMA, encoding='utf-8') as file:
+        print(file.read(), end='')
+    return 0

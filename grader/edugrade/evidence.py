@@ -1,16 +1,66 @@
-"""What a check looks at: the recordings of a rubric's scenarios, and the submission's text."""
+"""What a check looks at, and the ways in which it says no.
+
+A rubric asks for runs (`Scenario`), each comes to something (`Outcome`); those that were recorded are the `Evidence`.
+
+::
+
+    Failure           what is wrong, and what would put it right
+    ├── Missing       something that should be there is not; names the nearest thing that is
+    └── Mismatch      something is there, but is not what was asked for
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from .scenario import Scenario
-from .source import Source
+from .source import Place, Source
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
+
+
+class Scenario(NamedTuple):
+    """A named launch of the submission.
+
+    :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
+    :param duration_s: simulated seconds.
+    :param seed: of the simulation; it decides the randomness of the students' nodes. 0: the rubric's seed decides it.
+    """
+
+    name: str
+    arguments: Mapping[str, str] = MappingProxyType({})
+    duration_s: float = 20.0
+    seed: int = 0
+
+    @property
+    def command(self) -> str:
+        """The arguments as they are typed after ``ros2 launch``."""
+        return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
+
+    @property
+    def words(self) -> str:
+        """The arguments, or that there are none: for sentences."""
+        return self.command or 'no arguments'
+
+
+class Outcome(NamedTuple):
+    """Either a recording, or in words why there is none.
+
+    :param kind: 'recorded'; 'unusable' (the launch file cannot be run); 'stopped' (the run did not come to
+        its end); 'broke' (the grader or the engine failed, which is never the student's loss).
+    """
+
+    scenario: Scenario
+    kind: str
+    recording: Recording | None = None
+    text: str = ''
+    try_: str | None = None
+    where: Place | None = None
+    sandbox: Mapping[str, str] = MappingProxyType({})  # which layers of confinement held: 'held', or why not
+    detail: str = ''  # for the course author: a traceback of the engine, or what the program printed
+
 
 Found = TypeVar('Found')
 
@@ -63,3 +113,90 @@ class Evidence(Mapping[str, 'Recording']):
     def scenario(self, name: str) -> Scenario:
         """The scenario of that name: its arguments, duration and seed."""
         return self._scenarios[name]
+
+
+class Failure(Exception):
+    """Raised by a check: the submission does not do what the check's sentence says.
+
+    :param rationale: one sentence that says what is wrong, naming the thing.
+    :param expected: what was looked for, in words or as a value.
+    :param seen: what was there instead.
+    :param where: (file, line) of the launch action or the file to change.
+    :param try_: the first thing to try; or several texts, of which a student sees the next one after some tries.
+    :param share: of the points, that are given all the same: from 0 up to, not including, 1.
+    """
+
+    def __init__(
+        self,
+        rationale: str,
+        *,
+        expected: object = None,
+        seen: object = None,
+        where: tuple[str, int | None] | None = None,
+        try_: str | Sequence[str] | None = None,
+        share: float = 0.0,
+    ) -> None:
+        super().__init__(rationale)
+        self.rationale = rationale
+        self.expected = None if expected is None else str(expected)
+        self.seen = None if seen is None else str(seen)
+        self.where = None if where is None else Place(*where)
+        texts = [try_] if isinstance(try_, str) else list(try_ or ())
+        self.steps, self.try_ = tuple(texts[:-1]), texts[-1] if texts else None
+        self.share = share if 0.0 <= share < 1.0 else 0.0
+
+
+class Missing(Failure):
+    """Something is absent.
+
+    :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
+    :param name: the bare name that was looked for; with `among`, the nearest name is offered in the report.
+    :param among: the names that are there.
+    """
+
+    def __init__(
+        self,
+        thing: str,
+        *,
+        name: str | None = None,
+        among: Iterable[str] = (),
+        expected: object = None,
+        seen: object = None,
+        where: tuple[str, int | None] | None = None,
+        try_: str | Sequence[str] | None = None,
+    ) -> None:
+        known = list(among)
+        if seen is None:
+            seen = ', '.join(known) if known else 'nothing of the kind'
+        super().__init__(
+            f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=_with_nearest(try_, name, known)
+        )
+
+
+class Mismatch(Failure):
+    """Something is there with another value; both values are shown in full, never shortened."""
+
+    def __init__(
+        self,
+        thing: str,
+        expected: object,
+        seen: object,
+        *,
+        where: tuple[str, int | None] | None = None,
+        try_: str | Sequence[str] | None = None,
+        share: float = 0.0,
+    ) -> None:
+        words = f'{thing} is not what was asked for'
+        super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)
+
+
+def _with_nearest(try_: str | Sequence[str] | None, name: str | None, known: list[str]) -> str | Sequence[str] | None:
+    if name is None or name in known or not (try_ is None or isinstance(try_, str)):
+        return try_
+    from edulaunch.nearest import nearest
+
+    close = nearest(name, known)
+    if close is None:
+        return try_
+    question = f'did you mean "{name}" where you wrote "{close}"?'
+    return question if try_ is None else f'{question} Otherwise: {try_}'

@@ -1,25 +1,28 @@
-"""Grades submissions: runs the scenarios of their rubrics, judges what happened. The command and the notebook share it."""
+"""Grades submissions: runs the scenarios of their rubrics, judges what happened. The command and the notebook share it.
+
+A progress bar on a terminal; silence elsewhere.
+"""
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from .catalogue import find_rubric
-from .limits import CAN_FORK, Limits
+from .job import CAN_FORK, Limits
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
 
 if TYPE_CHECKING:
-    from .course_secret import CourseSecret
+    from .evidence import Outcome, Scenario
     from .in_place import InPlace
-    from .outcome import Outcome
     from .results import CheckResult, Report
     from .rubric import Rubric
-    from .runner import Runner
-    from .scenario import Scenario
-    from .ticket import Ticket
+    from .runner import Runner, Ticket
+    from .variant import CourseSecret
 
 
 class Work(NamedTuple):
@@ -93,7 +96,7 @@ def grade(
     """
     with runner_here(limits, on_outcome, processors) as runner:
         tickets = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
-        from . import judged, judging, results  # noqa: F401  (loaded while the first runs are under way)
+        from . import judging, results  # noqa: F401  (loaded while the first runs are under way)
 
         tickets.reverse()
         for item in work:
@@ -114,8 +117,7 @@ def runner_here(
 
 
 def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Sequence[str]) -> Report:
-    from .judged import judged
-    from .judging import broken, judge, too_much
+    from .judging import broken, judge, judged, too_much
     from .results import Report
     from .worker import Exceeded
 
@@ -149,13 +151,13 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
 
 def _whose(work: Work) -> list[CheckResult]:
     """What is said of a submission that was evidently made from somebody else's exercise."""
-    from .results import FAILED, CheckResult
+    from .results import FAILED, OWN_VARIANT, CheckResult
 
     if work.variant is None or not any(map(work.variant.is_of_another, work.submission.source.texts().values())):
         return []
     return [
         CheckResult(
-            'own_variant',
+            OWN_VARIANT,
             'The file is made from your own exercise',
             FAILED,
             reason="this is another student's variant",
@@ -168,7 +170,7 @@ def _whose(work: Work) -> list[CheckResult]:
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace, workspaces: Sequence[str]) -> list[CheckResult]:
     """Make the runs again whose nodes are the student's; what differs is said in a result of its own."""
-    from .judged import judged
+    from .judging import judged
     from .repeated import difference, has_own_programs, result
 
     own = [outcome for outcome in outcomes if outcome.recording is not None and has_own_programs(outcome.recording)]
@@ -177,3 +179,32 @@ def _repeated(work: Work, outcomes: Sequence[Outcome], runner: Runner | InPlace,
     again = runner.wait(runner.add(work.submission, [outcome.scenario for outcome in own], workspaces, is_next=True))
     pairs = list(zip(own, again, strict=True))
     return judged(lambda: [result([(one.scenario, difference(one, two)) for one, two in pairs], work.submission.source)])
+
+
+WIDTH = 40
+
+
+@contextmanager
+def progress_bar(total: int) -> Iterator[Callable[[], None]]:
+    """Gives a function to call after each of `total` runs. The bar goes to standard error, and away at the end."""
+    if total == 0 or not sys.stderr.isatty():
+        yield lambda: None
+        return
+    done = 0
+
+    def show() -> None:
+        filled = WIDTH * done // total
+        sys.stderr.write(f'\r\x1b[Krunning the launch files [{"#" * filled}{"-" * (WIDTH - filled)}] {done}/{total}')
+        sys.stderr.flush()
+
+    def advance() -> None:
+        nonlocal done
+        done += 1
+        show()
+
+    show()
+    try:
+        yield advance
+    finally:
+        sys.stderr.write('\r\x1b[K')
+        sys.stderr.flush()

@@ -14,12 +14,10 @@ from contextlib import contextmanager, suppress
 
 from edulaunch.errors import UnusableInput
 
-from .job import environment
-from .limits import Limits
-from .outcome import Outcome
-from .scenario import Scenario
+from .evidence import Outcome, Scenario
+from .job import Limits, environment
+from .runner import Ticket
 from .submission import Submission
-from .ticket import Ticket
 
 STATE = {'the submission': 'this system cannot: only grade your own files here'}
 """What is told of the layers of confinement."""
@@ -69,7 +67,7 @@ class InPlace:
 def _run(scenario: Scenario, submission: Submission, workspaces: list[str]) -> Outcome:
     from edulaunch.session import Session
 
-    from .recorded import come_to
+    from .verdicts import come_to
 
     try:
         with _folder() as home, Session(seed=scenario.seed, workspaces=workspaces, env=environment(home)) as session:

@@ -1,18 +1,109 @@
-"""What a child process is told, and the surroundings it gets."""
+"""What a child process is told, and the surroundings it gets.
+
+What one run of a submission may use.
+
+What a confined run may read: the system's programs, Python with its packages, the engine; nothing of the grader.
+"""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from edulaunch.underlay_place import engine_folder
 
-from .limits import MEBI, Limits
-from .readable import readable_by_run
-from .scenario import Scenario
+from .catalogue import rubrics_folder
+from .evidence import Scenario
 from .submission import Submission
+
+SYSTEM = (
+    *('/usr', '/bin', '/sbin', '/lib', '/lib32', '/lib64', '/libx32', '/opt'),
+    *('/etc/ld.so.cache', '/etc/ld.so.preload', '/etc/localtime', '/etc/timezone', '/etc/passwd', '/etc/group'),
+    *('/etc/nsswitch.conf', '/etc/hosts', '/etc/os-release', '/etc/mime.types', '/etc/fonts', '/etc/alternatives'),
+)
+
+
+def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
+    """(what may be read with all below it, folders that may be listed only), for every run.
+
+    :param path: where Python looks for modules.
+    """
+    engine = os.path.realpath(engine_folder())
+    own = os.path.dirname(os.path.abspath(__file__))
+    hidden = [os.path.realpath(each) for each in (own, rubrics_folder())]
+    roots = [sys.prefix, sys.base_prefix, engine, *SYSTEM, *(each for each in path if not _is_checkout(each))]
+    read: dict[str, None] = {}
+    listed: dict[str, None] = {}
+    seen: set[str] = set()
+    for root in roots:
+        for place, is_whole in _beneath(os.path.realpath(root), hidden, seen):
+            (read if is_whole else listed).setdefault(place)
+    return list(read), list(listed)
+
+
+def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[str]:
+    """What the run of a submission may read besides: its package and workspaces; a launch file alone only itself."""
+    return [submission.package.path if submission.package else submission.file, *workspaces]
+
+
+def _is_checkout(path: str) -> bool:
+    """Whether it is the source tree of the course, which holds the solutions: of it the engine is read, and no more."""
+    return os.path.isdir(os.path.join(path, 'edulaunch')) and os.path.isdir(os.path.join(path, 'solutions'))
+
+
+def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tuple[str, bool]]:
+    """(place, whether with all below it) so that everything in `place` can be read but what is hidden. Links are resolved."""
+    if place in seen or any(place == each or place.startswith(os.path.join(each, '')) for each in hidden):
+        return
+    seen.add(place)
+    if not any(each.startswith(os.path.join(place, '')) for each in hidden):
+        yield place, True
+        return
+    yield place, False
+    for name in sorted(os.listdir(place)):
+        yield from _beneath(os.path.realpath(os.path.join(place, name)), hidden, seen)
+
+
+MEBI = 1 << 20
+CAN_FORK = hasattr(os, 'fork') and sys.platform != 'emscripten'
+"""Whether a run can have a process of its own: not on Windows, nor in a browser, where Python has the function and it fails."""
+
+
+class Limits:
+    """Limits of one child process; wall-clock time is the only one that a student should ever meet.
+
+    :param wall_s: seconds of real time for one scenario. The simulated duration is the rubric's business.
+    :param memory_mib: address space.
+    :param output_mib: what it may print.
+    :param recording_mib: what it may send back.
+    :param sandbox: 'auto' confines as far as the system can, 'require' runs nothing that is not confined wholly, 'off' confines
+        nothing but time and memory.
+    :param turn_s: processor time that one turn of a program may take (exercises need a hundredth of it, and a class waits for
+        each endless loop), a single call into C two and a half times that.
+    """
+
+    def __init__(
+        self,
+        wall_s: float = 30.0,
+        memory_mib: int = 2048,
+        output_mib: int = 4,
+        recording_mib: int = 128,
+        sandbox: str = 'auto',
+        turn_s: float = 0.8,
+    ) -> None:
+        self.wall_s = wall_s
+        self.memory_mib = memory_mib
+        self.output_mib = output_mib
+        self.recording_mib = recording_mib
+        self.sandbox = sandbox
+        self.turn_s = turn_s
+
+    @property
+    def resources(self) -> dict[str, int]:
+        """For setrlimit, by the name behind ``RLIMIT_``."""
+        return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}
 
 
 class Job:

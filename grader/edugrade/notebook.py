@@ -12,10 +12,9 @@ from edulaunch.errors import UnusableInput
 
 from .course import HIGHEST, find_course, read_course
 from .grading import grade, plan_work
-from .hints import find_hint
 from .markup import element, joined
-from .noted import noted, opened
-from .report_html import report_html
+from .noted import find_hint, noted, opened
+from .page import report_html
 from .results import ALL_PASSED, Report
 from .rubric import RubricMistake
 from .submission import ENDINGS, Submission

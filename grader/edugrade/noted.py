@@ -1,4 +1,7 @@
-"""What a student tried is noted in the student's own progress file; how much a report gives away comes from there."""
+"""What a student tried is noted in the student's own progress file; how much a report gives away comes from there.
+
+The hints of an exercise: three levels, kept in the manifest of the course.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,12 @@ from dataclasses import replace
 
 from edulaunch.errors import UnusableInput
 
-from .course import HIGHEST, MANIFEST, find_course, read_course
+from .course import HIGHEST, LEVELS, MANIFEST, find_course, read_course
 from .progress_file import NAME, ProgressFile
 from .results import ALL_PASSED, Report
-from .steps import KIND, level_of
+from .submission import Submission
+from .variant import variant_for
+from .wording import KIND, level_of
 
 UNCHANGED = 'unchanged since your last try: did you save?'
 SHORT = 16  # signs of a digest
@@ -75,3 +80,21 @@ def progress_folder(file: str) -> str | None:
             return above
         folder = above
     return None
+
+
+def find_hint(submission: Submission, level: int) -> str:
+    """A hint for the exercise that this submission belongs to.
+
+    :param level: 1 asks a question, 2 says where to look, 3 is almost the answer.
+    :raises UnusableInput: when there is no manifest, no such exercise in it, or no such level.
+    """
+    known = read_course(find_course(submission.folder))
+    for exercise in known:
+        if exercise.name == submission.exercise:
+            if not 1 <= level <= len(exercise.hints):
+                raise UnusableInput(f'there is no hint of level {level}', help=f'levels are 1 to {len(exercise.hints)}')
+            variant, hint = variant_for(exercise.name, '', None), exercise.hints[level - 1]
+            return f'{exercise.title}, hint {level} of {LEVELS}: {variant.of(hint) if variant else hint}'
+    raise UnusableInput(
+        f'there is no exercise {submission.exercise}', help='exercises: ' + ', '.join(exercise.path for exercise in known)
+    )

@@ -13,7 +13,7 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 
 from .course import read_toml
-from .whole_file import write_whole
+from .files import write_whole
 
 NAME = 'my_progress.toml'
 HEADER = '# My progress, kept by check(). It is mine: I may read it, copy it, and delete it to begin anew.\n'

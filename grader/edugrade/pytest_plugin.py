@@ -46,7 +46,7 @@ class GradedFile(pytest.File):
     def collect(self) -> Iterator[GradedCheck]:
         """A test for each check, after the one that all need."""
         from .grading import plan_work
-        from .judging import LAUNCHES
+        from .results import LAUNCHES
         from .submission import Submission
 
         seed = self.config.getoption('--edugrade-seed')

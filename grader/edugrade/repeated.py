@@ -7,18 +7,15 @@ from collections.abc import Iterator, Sequence
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
-from .cpu_limit import TooLong, cpu_limit
 from .document import digest_of
-from .outcome import Outcome
-from .place import comes_with_edulaunch
-from .results import FAILED, PASSED, CheckResult
-from .scenario import Scenario
-from .source import Source
+from .evidence import Outcome, Scenario
+from .results import FAILED, PASSED, REPEATS, CheckResult
+from .source import Source, comes_with_edulaunch
+from .worker import TooLong, cpu_limit
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
 
-REPEATS = 'repeats'
 SENTENCE = 'The same launch gives the same run'
 LONGEST_SEARCH_S = 5.0
 LONGEST_SHOWN = 200

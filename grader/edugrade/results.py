@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from .outcome import Outcome
-from .place import Place
-from .source import Gap
+from .evidence import Outcome
+from .source import Gap, Place
 
 if TYPE_CHECKING:
     from edulaunch.advice import Finding
@@ -18,6 +17,9 @@ PASSED, FAILED, NOT_RUN, GRADER_BROKE = STATUSES = ('passed', 'failed', 'not_run
 
 ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
 VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
+
+LAUNCHES, REPEATS, OWN_VARIANT = OF_NO_RUBRIC = ('launches', 'repeats', 'own_variant')
+"""Checks that no rubric has: whether it runs at all, as it did before, and is the student's own."""
 
 
 def rounded(points: float) -> float:

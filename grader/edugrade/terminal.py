@@ -7,10 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from .language import explained, points_of, retold
 from .results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, PASSED, SOME_FAILED, CheckResult, Report
-from .short_paths import ShortPaths
-from .steps import ALL, at_level
+from .wording import ALL, ShortPaths, at_level, explained, points_of, retold
 
 if TYPE_CHECKING:
     from edulaunch.advice import Reader

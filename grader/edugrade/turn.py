@@ -15,15 +15,13 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 
 from .catalogue import load_rubric, rubrics_in
 from .course import HIGHEST
+from .evidence import Outcome, Scenario
 from .judging import judge
-from .outcome import Outcome
-from .place import Place
-from .recorded import come_to
 from .results import Report
 from .rubric import Rubric
-from .scenario import Scenario
-from .source import Source
+from .source import Place, Source
 from .submission import Submission
+from .verdicts import come_to
 
 FOLDER = 'checks'
 SEED = 0

@@ -1,6 +1,8 @@
 """Judges and draws in a process of its own that may use so much and no more: whatever becomes of it costs one submission only.
 
 The worker is a fork of the grader: it needs nothing sent, and answers with JSON. While it works the runs of others go on.
+
+Ends what takes too long in the grader's own process, such as drawing a recording that was made to be large.
 """
 
 from __future__ import annotations
@@ -16,9 +18,10 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from importlib import import_module
 from time import monotonic
+from types import FrameType
 from typing import Any, NoReturn
 
-from .limits import CAN_FORK, MEBI
+from .job import CAN_FORK, MEBI
 
 LONGEST_CPU_S = 12  # of processor time; usual: a tenth of a second
 LONGEST_S = 300.0  # of real time: somebody else may keep the machine busy, so that this is no verdict
@@ -183,3 +186,29 @@ def _address_space() -> int:
     with suppress(OSError, ValueError), open('/proc/self/statm') as file:
         return int(file.read().split()[0]) * os.sysconf('SC_PAGE_SIZE')
     return 0
+
+
+class TooLong(Exception):
+    """The processor time allowed for a piece of work is over."""
+
+
+@contextmanager
+def cpu_limit(seconds: float) -> Iterator[None]:
+    """Raise TooLong inside when more than this processor time is used. A busy machine makes no difference.
+
+    Only the main thread of a POSIX system can be limited; elsewhere nothing is.
+    """
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
+        yield
+        return
+
+    def on_alarm(signum: int, frame: FrameType | None) -> None:
+        raise TooLong(f'it took longer than {seconds:g} s of processor time')
+
+    before = signal.signal(signal.SIGPROF, on_alarm)
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)

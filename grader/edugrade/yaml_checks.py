@@ -8,8 +8,7 @@ from math import inf, isfinite, tau
 from typing import Any, NamedTuple
 
 from .arithmetic import calculated
-from .evidence import Evidence
-from .failure import Failure, Mismatch, Missing
+from .evidence import Evidence, Failure, Mismatch, Missing
 from .library.arguments import require_argument, require_default
 from .library.circle_fit import fit_circle
 from .library.close import require_close

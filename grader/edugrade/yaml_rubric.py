@@ -8,11 +8,8 @@ from typing import Any
 
 import yaml
 
-from .check import Check, CheckFunction
-from .evidence import Evidence
-from .failure import Failure
-from .rubric import Rubric, RubricMistake
-from .scenario import Scenario
+from .evidence import Evidence, Failure, Scenario
+from .rubric import Check, CheckFunction, Rubric, RubricMistake
 from .yaml_checks import ARGUMENT, KINDS, Wanted
 
 Problem = Callable[[yaml.Node, str], RubricMistake]

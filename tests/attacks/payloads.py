@@ -60,7 +60,7 @@ SOFT['modules-engine'] = (
     '        for key in list(vars(module)):\n            if callable(getattr(module, key)):\n                setattr(module, key, lambda *a, **k: None)\n'
 )
 SOFT['import-edugrade'] = (
-    "import sys\nsys.path.insert(0, '.')\nimport edugrade.check\nedugrade.check.Check.__call__ = lambda *a: None\n"
+    "import sys\nsys.path.insert(0, '.')\nimport edugrade.rubric\nedugrade.rubric.Check.__call__ = lambda *a: None\n"
 )
 LOUD['ctypes-crash'] = 'import ctypes\nctypes.string_at(0)\n'
 SOFT['ctypes-ptrace'] = (

@@ -9,10 +9,9 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.catalogue import find_rubric
+from edugrade.evidence import Outcome
 from edugrade.judging import judge
-from edugrade.outcome import Outcome
-from edugrade.place import shipped_program
-from edugrade.source import Source
+from edugrade.source import Source, shipped_program
 
 from edulaunch.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from edugrade.document import document, json_text
 from edugrade.grading import Work, grade, plan_work
-from edugrade.limits import Limits
+from edugrade.job import Limits
 from edugrade.submission import Submission
 from edugrade.terminal import render
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from edugrade import Scenario
-from edugrade.outcome import Outcome
-from edugrade.place import Place
+from edugrade.evidence import Outcome
 from edugrade.results import CheckResult, Report
-from edugrade.source import Gap
+from edugrade.source import Gap, Place
 
 FILE = '/home/student/work/a.launch.py'
 PASSED = CheckResult('starts', 'It starts', 'passed', 2)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from edugrade.course_secret import CourseSecret
 from edugrade.grading import plan_work
 from edugrade.submission import Submission
+from edugrade.variant import CourseSecret
 
 from edulaunch.errors import UnusableInput
 

@@ -10,7 +10,7 @@ import sys
 import pytest
 from edugrade.cli import main
 from edugrade.doctor import Finding, examine, report
-from edugrade.limits import Limits
+from edugrade.job import Limits
 from edugrade.sandbox import landlock, seccomp
 
 CONFINES = pytest.mark.skipif(

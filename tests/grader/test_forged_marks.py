@@ -99,7 +99,7 @@ def do():
 
 
 def graded(folder: Path, text: str, limit_s: float = 8.0) -> Report:
-    from edugrade.limits import Limits
+    from edugrade.job import Limits
 
     file = folder / 'circle.launch.py'
     file.write_text(text)

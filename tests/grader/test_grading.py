@@ -1,10 +1,16 @@
-"""Grading plans the runs, makes them, and gives reports in order."""
+"""Grading plans the runs, makes them, and gives reports in order.
+
+A bar on a terminal, silence elsewhere.
+"""
 
 from __future__ import annotations
 
+import io
+import sys
 from pathlib import Path
 
-from edugrade.grading import grade, plan_work
+import pytest
+from edugrade.grading import grade, plan_work, progress_bar
 from edugrade.submission import Submission
 
 import edulaunch
@@ -35,3 +41,23 @@ def test_a_graded_run_is_the_run_that_the_student_sees() -> None:
         own = edulaunch.run(STATIC, arguments=scenario.arguments, duration_s=scenario.duration_s, seed=scenario.seed)
         assert outcome.recording is not None
         assert outcome.recording.digest() == own.digest()
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_without_a_terminal_nothing_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    with progress_bar(3) as advance:
+        advance()
+    assert capsys.readouterr() == ('', '')
+
+
+def test_on_a_terminal_runs_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, 'stderr', Terminal())
+    with progress_bar(2) as advance:
+        advance()
+        advance()
+    said = sys.stderr.getvalue().split('\r\x1b[K')
+    assert [line.rpartition(' ')[2] for line in said] == ['', '0/2', '1/2', '2/2', ''], 'at the end nothing is left of it'

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.job import Job, import_path
-from edugrade.limits import Limits
+from edugrade.job import Job, Limits, import_path
 from edugrade.submission import Submission
 
 import edulaunch

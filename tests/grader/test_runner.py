@@ -11,9 +11,8 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.limits import Limits
-from edugrade.outcome import Outcome
-from edugrade.readable import readable_by_all
+from edugrade.evidence import Outcome
+from edugrade.job import Limits, readable_by_all
 from edugrade.runner import Runner
 from edugrade.submission import Submission
 
@@ -247,7 +246,7 @@ def test_any_number_of_packages_may_be_installed(tmp_path: Path, monkeypatch: py
     for name in names:
         Path(name).touch()
     read, listed = readable_by_all([])
-    monkeypatch.setattr('edugrade.starter_link.readable_by_all', lambda path: ([*read, *names, str(last)], listed))
+    monkeypatch.setattr('edugrade.child_run.readable_by_all', lambda path: ([*read, *names, str(last)], listed))
     before = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (1024, before[1]))
     try:

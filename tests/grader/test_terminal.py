@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 from edugrade import Scenario
-from edugrade.outcome import Outcome
+from edugrade.evidence import Outcome
 from edugrade.results import CheckResult
 from edugrade.source import Gap
 from edugrade.terminal import render

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 from edugrade.cli import main
 from edugrade.course import read_course
-from edugrade.course_secret import CourseSecret
-from edugrade.variant import Variant, personal, variant_for, write_variants
+from edugrade.variant import CourseSecret, Variant, personal, variant_for, write_variants
 
 from edulaunch.cli.main import main as edulaunch
 

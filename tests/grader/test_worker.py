@@ -1,15 +1,21 @@
-"""What becomes of judging and drawing costs one submission only."""
+"""What becomes of judging and drawing costs one submission only.
+
+What takes too long in the grader's own process is ended.
+"""
 
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
 from edugrade.cli import main
+from edugrade.worker import TooLong, cpu_limit
 
 LAUNCH = """
 from launch import LaunchDescription
@@ -100,8 +106,8 @@ worker_pid = tried(os.getpid)
 got = [tried(lambda: ['a' * 300_000, 1.5, None])[1:], tried(eat), tried(loop), tried(lambda: 1 / 0), worker_pid != os.getpid()]
 got.append(tried(lambda: sorted(os.listdir('/proc/self/fd'))) if sys.platform.startswith('linux') else ['0', '1', '2'])
 import edugrade.worker
-tried(lambda: __import__('edugrade.similar.graph') and None)
-got.append('edugrade.similar.graph' in sys.modules)
+tried(lambda: __import__('edugrade.similar') and None)
+got.append('edugrade.similar' in sys.modules)
 print(json.dumps(got))
 """
 
@@ -127,3 +133,30 @@ def test_a_report_is_the_same_from_a_worker_and_without_one(tmp_path: Path, monk
     words = [str(solution), '--json', str(tmp_path / 'with')]
     subprocess.run([sys.executable, '-m', 'edugrade', *words], capture_output=True, check=False, cwd=tmp_path)
     assert (tmp_path / 'with').read_bytes() == (tmp_path / 'without').read_bytes()
+
+
+def test_an_endless_loop_is_ended_and_the_timer_put_back() -> None:
+    before = signal.getsignal(signal.SIGPROF)
+    with pytest.raises(TooLong, match='longer than 0.05 s'), cpu_limit(0.05):
+        while True:
+            pass
+    assert (signal.getsignal(signal.SIGPROF), signal.getitimer(signal.ITIMER_PROF)) == (before, (0.0, 0.0))
+
+
+def test_quick_work_is_left_alone() -> None:
+    with cpu_limit(5.0):
+        found = sum(range(10))
+    assert (found, signal.getitimer(signal.ITIMER_PROF)) == (45, (0.0, 0.0))
+
+
+def test_another_thread_goes_without() -> None:
+    found: list[int] = []
+
+    def work() -> None:
+        with cpu_limit(1.0):
+            found.append(1)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+    assert found == [1]

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from edulaunch.errors import UnusableInput
 
 from ..catalogue import exercises, find_rubric
+from ..files import write_whole
 from ..results import BROKEN_GRADER
 from ..submission import exercise_of
-from ..whole_file import write_whole
 from .entries import Entry, Finder, refuse_nothing
 from .names import ARCHIVES
 from .store import Result, Store
@@ -69,7 +69,7 @@ def _write_tables(results: Results, csv: str | None, html: str | None, junit: st
 
         write_whole(junit, junit_text([found for _, found in results if found]))
     if html is not None:
-        from .class_page import write_pages
+        from .tables import write_pages
 
         write_pages(html, results, store)
 

@@ -18,8 +18,8 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 from edulaunch.version import __version__
 
+from ..files import read_regular
 from ..grading import Work
-from ..regular_file import read_regular
 from ..results import BROKEN_GRADER
 from ..verdicts import REPORT_IT
 from .entries import Entry
@@ -53,7 +53,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
             ): entry
             for number, (entry, work) in enumerate(todo)
         }
-        from ..progress_bar import progress_bar
+        from ..grading import progress_bar
 
         with progress_bar(len(entries)) as advance:
             for future in as_completed(entries, loop=client.loop):

@@ -9,11 +9,10 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..cpu_limit import TooLong, cpu_limit
-from ..package_folder import package_at
-from ..regular_file import read_regular
+from ..files import read_regular
 from ..sandbox.remove_tree import remove_tree
-from ..submission import ENDINGS, LARGEST_BYTES, exercise_of
+from ..submission import ENDINGS, LARGEST_BYTES, exercise_of, package_at
+from ..worker import TooLong, cpu_limit
 from .names import ARCHIVES, Student, namer, plain_name
 from .unpack import OF_A_CLASS, OF_A_STUDENT, unpack
 
@@ -80,7 +79,7 @@ class Finder:
         """
         given = self._given
         if given.lower().endswith('.csv') and os.path.isfile(given):
-            from .table import clone_all
+            from .names import clone_all
 
             return [entry for row in clone_all(given, os.path.join(self._unpacked, 'table')) for entry in self._of_row(*row)]
         if given.lower().endswith(ARCHIVES) and os.path.isfile(given):

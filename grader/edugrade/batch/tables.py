@@ -1,11 +1,24 @@
-"""The results of a class as a table: CSV for a spreadsheet or a learning platform."""
+"""The results of a class as a table: CSV for a spreadsheet or a learning platform.
+
+The pages of a class: one for all, with marks, the commonest causes and every check; one for each student.
+"""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+import os
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from hashlib import sha256
 from typing import TYPE_CHECKING
+from urllib.parse import quote
+
+from ..files import write_whole
+from ..markup import Markup, element
+
+if TYPE_CHECKING:
+    from .store import Store
 
 if TYPE_CHECKING:
     from .entries import Entry
@@ -68,3 +81,128 @@ def plain(value: str) -> str:
     """A text as a spreadsheet shows it, and never runs it."""
     value = ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in value)
     return f"'{value}" if value.startswith(FORMULA) else value
+
+
+STYLE = (
+    'body{font:16px/1.45 system-ui,sans-serif;margin:2em;color:#222}'
+    'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
+)
+POLICY = "default-src 'none'; style-src 'unsafe-inline'"
+SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'first_problem')
+MOST_CAUSES = 20
+LONGEST_STEM = 80  # characters of a student's page's name
+
+
+def write_pages(folder: str, results: Results, store: Store) -> None:
+    """Write ``index.html`` and ``students/*.html``; what links lead to is the pages of the submissions, written before."""
+    os.makedirs(os.path.join(folder, 'students'), exist_ok=True)
+    pages = {entry.path: os.path.relpath(store.path(entry, '.html', folder), folder) for entry, _ in results}
+    pages = {path: page for path, page in pages.items() if os.path.exists(os.path.join(folder, page))}
+    for student in dict.fromkeys((entry.student, entry.id) for entry, _ in results):
+        own = [(entry, found) for entry, found in results if (entry.student, entry.id) == student]
+        write_whole(os.path.join(folder, student_file(*student)), student_page(student[0], own, pages))
+    write_whole(os.path.join(folder, 'index.html'), class_page(results, pages))
+
+
+def student_file(name: str, number: str = '') -> str:
+    """The path of a student's page: readable, and another one for each student."""
+    readable = ''.join(sign if sign.isalnum() else '_' for sign in name)[:LONGEST_STEM]
+    return f'students/{readable}-{sha256(f"{name}/{number}".encode("utf-8", "surrogateescape")).hexdigest()[:8]}.html'
+
+
+def class_page(results: Results, pages: dict[str, str]) -> str:
+    """All marks, what went wrong most often, and how often each check passed and failed."""
+    table = [_line('th', 'student', 'submission', *SHOWN)]
+    for (entry, _), row in zip(results, rows(results), strict=True):
+        name = element('a', entry.student, href=quote(student_file(entry.student, entry.id)))
+        table.append(_line('td', name, _link(entry.path, pages), *(row[column] for column in SHOWN)))
+    return _page(
+        'A class',
+        *(element('p', words) for words in _marks(results)),
+        element('table', *table),
+        element('h2', 'Commonest causes'),
+        element('table', *_causes(results)),
+        element('h2', 'Checks'),
+        element('table', *_checks(results)),
+    )
+
+
+def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
+    """What one student handed in, check by check."""
+    parts: list[Markup] = []
+    for (entry, found), row in zip(results, rows(results), strict=True):
+        mark = f': {row["earned"]} of {row["possible"]} points' if row['earned'] else ': no mark'
+        parts.append(element('h2', (row['exercise'] or entry.path) + mark))
+        parts.append(element('p', _link(entry.path, {path: f'../{page}' for path, page in pages.items()}), f' {row["verdict"]}'))
+        if row['first_problem'] and 'checks' not in (found or {}):
+            parts.append(element('p', f'{row["first_problem"]}. {(found or {}).get("help") or ""}'))
+        checks = [_line('th', 'check', 'result', 'points', 'why', 'seen', 'try')]
+        for check in (found or {}).get('checks', ()):
+            words = (check['reason'], check['seen'], check['try'])
+            points = f'{check["earned"]} of {check["points"]}'
+            checks.append(
+                _line('td', check['sentence'], check['status'].replace('_', ' '), points, *(word or '' for word in words))
+            )
+        parts += [element('table', *checks)] if len(checks) > 1 else []
+    return _page(name, *parts)
+
+
+def _marks(results: Results) -> Iterator[str]:
+    """For each exercise, how many have a mark, and the middle of the marks."""
+    marks: dict[str, list[float]] = {}
+    for _, found in results:
+        if found and found.get('points', {}).get('earned') is not None:
+            marks.setdefault(f'{found["rubric"]["name"]} (of {found["points"]["possible"]})', []).append(
+                found['points']['earned']
+            )
+    for exercise, given in sorted(marks.items()):
+        middle = sorted(given)[len(given) // 2]
+        mean = sum(given) / len(given)
+        yield f'{exercise}: {len(given)} marks, {min(given)} to {max(given)}, median {middle}, mean {mean:.1f}.'
+    without = sum(1 for _, found in results if not found or found.get('points', {}).get('earned') is None)
+    if without:
+        yield f'{without} without a mark: they could not be graded, which is no zero.'
+
+
+def _causes(results: Results) -> list[Markup]:
+    """The first thing that is wrong with a submission, most frequent first."""
+    counts: Counter[tuple[str, str, str]] = Counter()
+    for (_, found), row in zip(results, rows(results), strict=True):
+        if row['first_problem']:
+            bad = next(
+                (check for check in (found or {}).get('checks', ()) if check['status'] in ('failed', 'grader_broke')), None
+            )
+            counts[row['exercise'], bad['sentence'] if bad else 'It can be graded', row['first_problem']] += 1
+    lines = [_line('th', 'how many', 'exercise', 'check', 'cause')]
+    lines += [_line('td', str(count), *cause) for cause, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))]
+    return lines[: MOST_CAUSES + 1]
+
+
+def _checks(results: Results) -> list[Markup]:
+    counts: dict[tuple[str, str], Counter[str]] = {}
+    for _, found in results:
+        for check in (found or {}).get('checks', ()):
+            counts.setdefault((found['rubric']['name'], check['sentence']), Counter())[check['status']] += 1  # type: ignore[index]
+    lines = [_line('th', 'exercise', 'check', 'passed', 'failed', 'not run')]
+    for (exercise, sentence), of in counts.items():
+        lines.append(_line('td', exercise, sentence, *(str(of[status]) for status in ('passed', 'failed', 'not_run'))))
+    return lines
+
+
+def _link(path: str, pages: dict[str, str]) -> str:
+    return element('a', path, href=quote(pages[path], errors='surrogateescape')) if path in pages else path
+
+
+def _page(title: str, *parts: str) -> str:
+    head = element(
+        'head',
+        element('meta', charset='utf-8'),
+        element('meta', http_equiv='Content-Security-Policy', content=POLICY),
+        element('title', f'edugrade: {title}'),
+        element('style', Markup(STYLE)),
+    )
+    return f'<!doctype html>\n{element("html", head, element("body", element("h1", title), *parts), lang="en")}\n'
+
+
+def _line(kind: str, *cells: str) -> Markup:
+    return element('tr', *(element(kind, cell) for cell in cells))

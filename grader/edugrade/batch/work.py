@@ -11,16 +11,15 @@ from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..course_secret import CourseSecret
-from ..document import document
+from ..document import document, receipt
+from ..files import write_whole
 from ..grading import Work, grade, plan_work
-from ..limits import Limits
+from ..job import Limits
 from ..options import is_personal
-from ..receipt import receipt
 from ..results import BROKEN_GRADER, UNUSABLE_INPUT, VERDICTS, Report
 from ..submission import Submission
+from ..variant import CourseSecret
 from ..verdicts import REPORT_IT
-from ..whole_file import write_whole
 from .entries import Entry
 from .store import Result, Store
 
@@ -98,7 +97,7 @@ def keep(store: Store, entry: Entry, result: Result) -> bool:
 
 def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
     """Grade on this machine, `jobs` runs at a time."""
-    from ..progress_bar import progress_bar
+    from ..grading import progress_bar
 
     works = [work for _, work in todo]
     with progress_bar(sum(len(work.scenarios) for work in works)) as advance:
@@ -133,7 +132,7 @@ def keep_document(store: Store, entry: Entry, found: Result, options: Options) -
     """Write the result of a submission; of a single check that was graded again: into the result that is there."""
     earlier = store.result(entry) if options.only else None
     if options.only and earlier and 'checks' in earlier and 'checks' in found:
-        from .merge import merged
+        from .store import merged
 
         found = merged(earlier, found, options.only)
     keep(store, entry, found)

@@ -20,7 +20,7 @@ from edulaunch.version import __version__
 
 from ..catalogue import find_rubric
 from ..course import find_course, read_course
-from ..whole_file import write_whole
+from ..files import write_whole
 
 MINUTES = 2
 

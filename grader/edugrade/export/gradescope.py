@@ -20,16 +20,15 @@ from edulaunch.version import __version__
 
 from ..batch.entries import Finder
 from ..catalogue import find_rubric
-from ..course_secret import CourseSecret
 from ..document import document, json_text
+from ..files import read_regular, write_whole
 from ..grading import grade, plan_work
-from ..limits import Limits
-from ..regular_file import read_regular
+from ..job import Limits
 from ..results import BROKEN_GRADER, GRADER_BROKE, PASSED
-from ..steps import at_level, level_of
 from ..submission import Submission, exercise_of
 from ..terminal import printable, sandbox_line
-from ..whole_file import write_whole
+from ..variant import CourseSecret
+from ..wording import at_level, level_of
 
 LARGEST_WHEEL = 200_000_000
 LONGEST_OUTPUT = 8000

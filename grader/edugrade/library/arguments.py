@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence
-from ..failure import Mismatch, Missing
+from ..evidence import Evidence, Mismatch, Missing
 
 if TYPE_CHECKING:
     from edulaunch.recording.records import DeclaredArgument

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..evidence import Evidence
-from ..failure import Failure, Mismatch, Missing
+from ..evidence import Evidence, Failure, Mismatch, Missing
 
 _ANY = object()
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ..evidence import Evidence
-from ..failure import Mismatch
+from ..evidence import Evidence, Mismatch
 
 
 def require_close(

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ..evidence import Evidence
-from ..failure import Failure
+from ..evidence import Evidence, Failure
 from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
 
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide

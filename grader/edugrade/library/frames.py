@@ -7,8 +7,7 @@ from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence
-from ..failure import Failure, Missing
+from ..evidence import Evidence, Failure, Missing
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence
-from ..failure import Failure, Missing
-from ..place import Place, shipped_program
+from ..evidence import Evidence, Failure, Missing
+from ..source import Place, shipped_program
 from .stock import is_stock
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from math import hypot, isfinite
 from typing import TYPE_CHECKING, cast
 
-from ..failure import Failure
+from ..evidence import Failure
 from .stock import refuse_strangers
 
 if TYPE_CHECKING:

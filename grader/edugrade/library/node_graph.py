@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence
-from ..failure import Failure, Mismatch, Missing
+from ..evidence import Evidence, Failure, Mismatch, Missing
 from .launched import find_processes
 from .stock import is_of, refuse_strangers
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from ..evidence import Evidence
-from ..failure import Mismatch, Missing
-from ..place import Place
+from ..evidence import Evidence, Mismatch, Missing
+from ..source import Place
 from .launched import find_processes, node_names
 
 if TYPE_CHECKING:

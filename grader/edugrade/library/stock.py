@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from ..failure import Failure
-from ..place import comes_with_edulaunch, shipped_program
+from ..evidence import Failure
+from ..source import comes_with_edulaunch, shipped_program
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

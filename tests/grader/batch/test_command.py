@@ -13,10 +13,9 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
-from edugrade.batch.class_page import class_page
 from edugrade.batch.entries import Entry
 from edugrade.batch.store import Store
-from edugrade.batch.tables import class_csv
+from edugrade.batch.tables import class_csv, class_page
 from edugrade.cli import main
 
 SOLUTIONS = Path(__file__).parents[3] / 'solutions'

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from edugrade.cli import main
-from edugrade.export.marks import Mark, marks_of
+from edugrade.export.platforms import Mark, marks_of
 
 from edulaunch.errors import UnusableInput
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from edugrade.hints import find_hint
+from edugrade.noted import find_hint
 from edugrade.submission import Submission
 
 from edulaunch.errors import UnusableInput

@@ -10,9 +10,8 @@ from pathlib import Path
 
 import pytest
 from edugrade import Scenario
-from edugrade.job import Job
-from edugrade.limits import Limits
-from edugrade.starter_link import StarterLink
+from edugrade.child_run import StarterLink
+from edugrade.job import Job, Limits
 from edugrade.submission import Submission
 
 

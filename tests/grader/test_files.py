@@ -7,7 +7,7 @@ import stat
 from pathlib import Path
 
 import pytest
-from edugrade.whole_file import write_whole
+from edugrade.files import write_whole
 
 from edulaunch.errors import UnusableInput
 

@@ -1,0 +1,239 @@
+"""One mark for each student, from the results of a class.
+
+The lists that platforms give out to be filled in, as CSV.
+
+Marks for Canvas: its own gradebook with a column more (Canvas Guides, "How do I import grades in the Gradebook?").
+
+The first columns are Student, ID, SIS User ID, SIS Login ID, Section; the line "Points Possible" stands before the students.
+
+Marks for Moodle: the grade import (docs.moodle.org, "Grade import": CSV with a head, mapped by hand) and the offline grading
+worksheet of an assignment (docs.moodle.org, "Assignment: offline grading worksheet").
+
+``edugrade export moodle|canvas RESULTS/``: the marks of a class, as a learning platform imports them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from edulaunch.errors import UnusableInput
+
+from ..batch.store import Store
+from ..batch.tables import csv_text, first_problem, plain
+from ..files import read_regular, write_whole
+
+
+class Mark(NamedTuple):
+    """What a student has: points, or None for no mark, of how many, and what is said about it."""
+
+    student: str
+    id: str
+    earned: float | None
+    possible: int
+    feedback: str
+
+
+def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> tuple[str, list[Mark]]:
+    """The exercise and the marks in it; of several submissions of a student the best one counts.
+
+    :param exercise: its name; may be left out when the results know one exercise only.
+    :raises UnusableInput: when it is not clear which exercise is meant, or nobody handed it in.
+    """
+    known = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
+    if exercise is None and len(known) == 1:
+        exercise = known[0]
+    if exercise is None or exercise not in known:
+        raise UnusableInput(f'the results have the exercises {", ".join(known) or "(none)"}', help='give --exercise NAME')
+    possible = max(result['points']['possible'] for result in results if result.get('rubric', {}).get('name') == exercise)
+    best: dict[tuple[str, str], Mark] = {}
+    for result in results:
+        if result.get('rubric', {}).get('name', exercise) == exercise:
+            mark = _mark(result, possible)
+            other = best.get((mark.student, mark.id))
+            if other is None or (mark.earned is not None and (other.earned is None or mark.earned > other.earned)):
+                best[mark.student, mark.id] = mark
+    return exercise, list(best.values())
+
+
+def _mark(result: dict[str, Any], possible: int) -> Mark:
+    earned = result.get('points', {}).get('earned')
+    words = first_problem(result)
+    feedback = 'All checks passed.' if words is None else words if earned is not None else f'Not graded: {words}'
+    return Mark(result['student'], result.get('student_id') or '', earned, possible, ' '.join(feedback.split()))
+
+
+LARGEST_BYTES = 20_000_000
+
+
+def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
+    """Head and rows.
+
+    :raises UnusableInput: when it cannot be read.
+    """
+    try:
+        text = read_regular(path, LARGEST_BYTES).decode('utf-8-sig')
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnusableInput(f'the list {path} cannot be read: {error}', help='it is CSV in UTF-8') from None
+    reader = csv.DictReader(io.StringIO(text), restval='')
+    rows = [{key: value for key, value in row.items() if isinstance(key, str)} for row in reader]
+    return list(reader.fieldnames or ()), rows
+
+
+def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
+    """The list as it was, but for what was filled in."""
+    file = io.StringIO()
+    writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore')
+    writer.writeheader()
+    writer.writerows(rows)
+    return file.getvalue()
+
+
+def points(mark: Mark) -> str:
+    """The mark as a number, or nothing."""
+    return '' if mark.earned is None else f'{mark.earned:g}'
+
+
+class People:
+    """Finds the mark of somebody: by a number, else by a name that only one has ('Lovelace, Ada' is 'Ada Lovelace')."""
+
+    def __init__(self, marks: Sequence[Mark]) -> None:
+        self._marks = marks
+        self._met: set[tuple[str, str]] = set()
+        names = Counter(_words(mark.student) for mark in marks)
+        self._by_id = {mark.id: mark for mark in marks if mark.id}
+        self._by_name = {_words(mark.student): mark for mark in marks if names[_words(mark.student)] == 1}
+
+    def find(self, numbers: Sequence[str], name: str) -> Mark | None:
+        """The mark of whoever has one of these numbers, or this name."""
+        found = next((self._by_id[number] for number in numbers if number in self._by_id), None)
+        if found is None:
+            found = self._by_name.get(_words(name))
+        if found is not None:
+            self._met.add((found.student, found.id))
+        return found
+
+    @property
+    def unmet(self) -> list[str]:
+        """Names of those who have a mark, or should have one, and were not asked for."""
+        return [mark.student for mark in self._marks if (mark.student, mark.id) not in self._met]
+
+
+def _words(name: str) -> str:
+    return ' '.join(sorted(name.casefold().replace(',', ' ').split()))
+
+
+STUDENT, POSSIBLE = 'Student', 'Points Possible'
+NUMBERS = ('ID', 'SIS User ID', 'SIS Login ID')
+KEPT = (STUDENT, *NUMBERS, 'Section')
+
+
+def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
+    """The gradebook with the marks in the column of that title (a new one, or one called ``title (1234)``), and who is not in it.
+
+    Students are known by a number (which Canvas writes into the names of downloads), else by their name. Other columns are left
+    out: Canvas changes what a file has.
+
+    :raises UnusableInput: when it is no gradebook of Canvas.
+    """
+    head, rows = read_list(path)
+    if not {STUDENT, 'ID', 'Section'} <= set(head):
+        raise UnusableInput(f'{path} is no gradebook of Canvas', help='export it there: Grades, Export')
+    column = next((name for name in head if name == title or name.startswith(f'{title} (')), title)
+    people, possible = People(marks), str(marks[0].possible if marks else '')
+    kept = [{STUDENT: f'    {POSSIBLE}', column: possible}]
+    for row in rows:
+        if row[STUDENT].strip() == POSSIBLE:
+            kept[0] = {**row, column: possible}
+            continue
+        mark = people.find([row[key] for key in NUMBERS if row.get(key)], row[STUDENT])
+        if mark is not None:
+            kept.append({**row, column: points(mark) or row.get(column, '')})
+    return list_text([*(name for name in KEPT if name in head), column], kept), people.unmet
+
+
+IDENTIFIER, NAME, GRADE, FEEDBACK = 'Identifier', 'Full name', 'Grade', 'Feedback comments'
+MAXIMUM = ('Maximum Grade', 'Maximum grade')
+
+
+def moodle_csv(title: str, marks: Sequence[Mark]) -> str:
+    """For *Grades, Import, CSV file*: students by their names (and numbers), the mark, feedback."""
+    columns = (NAME, 'ID number', title, f'{title} (feedback)')
+    lines = [dict(zip(columns, (mark.student, mark.id, points(mark), mark.feedback), strict=True)) for mark in marks]
+    return csv_text(columns, lines)
+
+
+def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
+    """The worksheet with grades and feedback filled in, and the students that it does not name.
+
+    Students are known by the number behind "Participant", which the names of downloads have too, else by their name.
+
+    :raises UnusableInput: when it is no worksheet, or its maximum is not that of the exercise.
+    """
+    head, rows = read_list(path)
+    lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]
+    if lacking:
+        raise UnusableInput(
+            f'{path} is no grading worksheet: it has no column {lacking[0]}', help='download it in Moodle, in English'
+        )
+    people = People(marks)
+    for row in rows:
+        mark = people.find(row[IDENTIFIER].split()[-1:], row[NAME])
+        if mark is None:
+            continue
+        maximum = next((row[name] for name in MAXIMUM if row.get(name)), '')
+        if maximum and not _is(maximum, mark.possible):
+            words = f'the worksheet is out of {maximum}, the exercise out of {mark.possible}'
+            raise UnusableInput(words, help='set the maximum grade of the assignment in Moodle')
+        row[GRADE] = points(mark) or row[GRADE]
+        if FEEDBACK in head:
+            row[FEEDBACK] = plain(mark.feedback)
+    return list_text(head, rows), people.unmet
+
+
+def _is(text: str, number: int) -> bool:
+    try:
+        return float(text.replace(',', '.')) == number
+    except ValueError:
+        return False
+
+
+def main(words: Sequence[str]) -> int:
+    """The command. Says of whom the platform's list knows nothing."""
+    parser = argparse.ArgumentParser(
+        prog='edugrade export',
+        description='Write the marks of a batch for a learning platform. No mark stays empty: it is no zero.',
+    )
+    parser.add_argument('format', choices=('moodle', 'canvas'))
+    parser.add_argument('results', metavar='RESULTS', help='the folder that edugrade batch has written')
+    parser.add_argument('--out', metavar='FILE', required=True)
+    parser.add_argument('--exercise', metavar='NAME', help='of which exercise (needed when the results have several)')
+    parser.add_argument(
+        '--list',
+        metavar='FILE',
+        help="the platform's own file, to be filled in: Moodle's offline grading worksheet, or the gradebook of Canvas",
+    )
+    parser.add_argument('--title', metavar='TEXT', help='what the column is called (default: the exercise)')
+    options = parser.parse_args(words)
+    exercise, marks = marks_of(Store(options.results).all(), options.exercise)
+    title = options.title or exercise
+    if options.format == 'canvas':
+        if options.list is None:
+            raise UnusableInput(
+                'Canvas imports its own gradebook only', help='export it there (Grades, Export), and give --list FILE'
+            )
+        text, unknown = canvas_csv(options.list, title, marks)
+    elif options.list is not None:
+        text, unknown = moodle_worksheet(options.list, marks)
+    else:
+        text, unknown = moodle_csv(title, marks), []
+    write_whole(options.out, text)
+    without = sum(mark.earned is None for mark in marks)
+    print(f'{len(marks) - without} marks of {exercise} for {len(marks)} students: {options.out}')
+    if unknown:
+        print('not in the list: ' + ', '.join(unknown))
+    return 1 if unknown else 0
