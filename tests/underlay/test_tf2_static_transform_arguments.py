@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tf2_ros.static_transform_arguments import ArgumentError, parse
+from tf2_ros.static_transform_publisher_node import ArgumentError, parse
 
 from edulaunch.tf.quaternions import from_euler
 

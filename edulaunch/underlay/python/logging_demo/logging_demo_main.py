@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, program
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.logging import LoggingSeverity, set_logger_level
 
@@ -76,10 +75,4 @@ def _work() -> None:
     executor.spin()
 
 
-def main() -> None:
-    """Run the program."""
-    sys.exit(run_program(_work))
-
-
-if __name__ == '__main__':
-    main()
+main = program(_work)

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from message_filters.approximate_time_synchronizer import ApproximateTimeSynchronizer
-from message_filters.cache import Cache
-from message_filters.simple_filter import SimpleFilter
-from message_filters.subscriber import Subscriber
+from message_filters.filters import ApproximateTimeSynchronizer, Cache, SimpleFilter, Subscriber, TimeSynchronizer
 from message_filters.tf2_message_filter import FilterFailureReason, MessageFilter
-from message_filters.time_synchronizer import TimeSynchronizer
 
 __all__ = [
     'ApproximateTimeSynchronizer',

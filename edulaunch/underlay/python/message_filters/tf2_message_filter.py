@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy.duration import Duration
 from rclpy.time import Time
 
-from message_filters.simple_filter import SimpleFilter
+from message_filters.filters import SimpleFilter
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -1,4 +1,4 @@
-"""The program robot_state_publisher: tells tf where the links of a robot are."""
+"""The programs robot_state_publisher, which tells tf where the links of a robot are, and xacro."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from typing import Any
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import ParameterDescriptor
-from rclcpp_like import CppNode, run_program
-from rclcpp_like.errors import CppError
+from rclcpp_like import CppError, CppNode, program
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
@@ -125,10 +124,28 @@ def _work() -> None:
         raise CppError(f'{files[0]}: {error.strerror}') from None
 
 
-def main() -> None:
-    """Run the program. A file on the command line is the robot description."""
-    sys.exit(run_program(_work))
+main = program(_work)
 
 
-if __name__ == '__main__':
-    main()
+def run_xacro() -> int:
+    """The program xacro: prints a robot description with its macros filled in by the library of that name.
+
+    `xacro FILE name:=value ... [-o OUT]`; 2 for a file that it cannot fill in.
+    """
+    import xacro
+
+    options, file = xacro.process_args(sys.argv[1:])
+    try:
+        document = xacro.process_file(file, **vars(options))
+        while document.firstChild is not document.documentElement:
+            document.removeChild(document.firstChild)  # a comment with the path of the file, which is another on each machine
+        text = document.toprettyxml(indent='  ')
+    except Exception as error:  # the file may raise anything: its expressions are Python
+        print(f'error: {error}\nwhen processing file: {file}', file=sys.stderr)
+        return 2
+    if options.output is None:
+        print(text)
+        return 0
+    with open(options.output, 'w', encoding='utf-8') as out:
+        out.write(text)
+    return 0

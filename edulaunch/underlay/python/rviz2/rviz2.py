@@ -102,7 +102,3 @@ def main() -> None:
         parser.add_argument(*flag, action='store_true', help='accepted, without effect')
     options = parser.parse_args(remove_ros_args(sys.argv)[1:])
     sys.exit(run_program(lambda: rclpy.spin(Rviz(options.display_config, options.fixed_frame))))
-
-
-if __name__ == '__main__':
-    main()

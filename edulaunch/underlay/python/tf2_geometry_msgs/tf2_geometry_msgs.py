@@ -15,7 +15,7 @@ from geometry_msgs.msg import (
     TransformStamped,
     Vector3Stamped,
 )
-from tf2_ros.registrations import provide
+from tf2_ros.buffer_interface import provide
 
 from edulaunch.tf import quaternions, transforms
 from edulaunch.tf.quaternions import Matrix, Quaternion

@@ -1,4 +1,4 @@
-"""`BufferCore`: messages in, messages out. The buffer itself is `edulaunch.tf.TransformBuffer`."""
+"""`BufferCore`: messages in, messages out, and tf2's exceptions. The buffer itself is `edulaunch.tf.TransformBuffer`."""
 
 from __future__ import annotations
 
@@ -9,11 +9,83 @@ from geometry_msgs.msg import TransformStamped
 
 from edulaunch.tf import TransformBuffer, TransformFailure
 from edulaunch.tf.buffer import DEFAULT_CACHE_NS
+from edulaunch.tf.rejection import Rejection
 from edulaunch.tf.transforms import Transform
 from edulaunch.tf.velocity import lookup_velocity
-from tf2_py._reports import report
-from tf2_py._times import nanoseconds
-from tf2_py.exceptions import TransformException, exception_of
+
+
+def report(rejections: tuple[Rejection, ...]) -> None:
+    """Log each line with its severity."""
+    from rclpy.impl.rcutils_logger import RcutilsLogger
+    from rclpy.logging import LoggingSeverity
+
+    logger = RcutilsLogger('')
+    for severity, text in rejections:
+        logger.log(text, LoggingSeverity.ERROR if severity == 'error' else LoggingSeverity.WARN)
+
+
+def nanoseconds(value: Any, name: str = 'time') -> int:
+    """Integer nanoseconds of an rclpy or builtin_interfaces time or duration.
+
+    :raises TypeError: for anything else, numbers included.
+    """
+    try:
+        return value.nanoseconds  # type: ignore[no-any-return]
+    except AttributeError:
+        pass
+    try:
+        return value.sec * 1_000_000_000 + value.nanosec  # type: ignore[no-any-return]
+    except AttributeError:
+        raise TypeError(f'{name} must have sec and nanosec, or nanoseconds.') from None
+
+
+class TransformException(Exception):
+    """Base of all tf2 exceptions: no transform could be given."""
+
+    __module__ = 'tf2'
+
+
+class LookupException(TransformException):
+    """A frame does not exist, or the tree runs in a loop."""
+
+    __module__ = 'tf2'
+
+
+class ConnectivityException(TransformException):
+    """Both frames exist, but are not in the same tree."""
+
+    __module__ = 'tf2'
+
+
+class ExtrapolationException(TransformException):
+    """There is no data at the requested time."""
+
+    __module__ = 'tf2'
+
+
+class InvalidArgumentException(TransformException):
+    """A frame name is empty or starts with a slash."""
+
+    __module__ = 'tf2'
+
+
+class TimeoutException(TransformException):
+    """An answer did not come in time (buffer client only)."""
+
+    __module__ = 'tf2'
+
+
+_BY_KIND: dict[str, type[TransformException]] = {
+    'lookup': LookupException,
+    'connectivity': ConnectivityException,
+    'extrapolation': ExtrapolationException,
+    'invalid_argument': InvalidArgumentException,
+}
+
+
+def exception_of(failure: TransformFailure) -> TransformException:
+    """The tf2 exception that belongs to a failure of `edulaunch.tf`."""
+    return _BY_KIND[failure.kind](str(failure))
 
 
 def wire_of(transform: Any) -> tuple[Any, ...]:

@@ -1,4 +1,4 @@
-"""The buffer that nodes use: a buffer core that can wait."""
+"""The buffer that nodes use: a buffer core that can wait, and keeps facts of lookups that found nothing."""
 
 from __future__ import annotations
 
@@ -9,22 +9,69 @@ from rclpy.duration import Duration
 from rclpy.impl.passed_on import passed_on
 from rclpy.time import Time
 from tf2_py import BufferCore
-from tf2_py._reports import report
-from tf2_py._times import nanoseconds
-from tf2_py.buffer_core import NS_PER_S, message
-from tf2_py.exceptions import exception_of
+from tf2_py.buffer_core import NS_PER_S, exception_of, message, nanoseconds, report
 
 from edulaunch.facts import kind_of, with_facts
+from edulaunch.processes.current import current_process
+from edulaunch.processes.student_line import student_line
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
 from edulaunch.tf import TransformFailure
 from tf2_ros.buffer_interface import NO_WAIT, BufferInterface
-from tf2_ros.failed_lookups import of_next_buffer
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import TransformStamped
     from rclpy.node import Node
     from rclpy.task import Future
+
+    from edulaunch.tf import TransformBuffer
+
+KIND = 'lookup failed'
+MOST_FRAMES = 40
+
+
+class FailedLookups:
+    """Those of one buffer, by target and source frame.
+
+    :param number: which one it is of its program's buffers.
+    """
+
+    def __init__(self, number: int) -> None:
+        self._number = number
+        self.pairs: set[tuple[str, str]] = set()
+
+    def note(
+        self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str, waited_s: float = 0.0
+    ) -> None:
+        """There was no answer; `kind` is that of the failure, `text` tf2's own; `waited_s` the time limit it had."""
+        process = current_process()
+        self.pairs.add((target, source))
+        names = buffer.frame_names()
+        data = {
+            'target': target,
+            'source': source,
+            'why': kind,
+            'text': text,
+            'asked_s': (time_ns - process.sim.start_ns) / 1e9 if time_ns else None,
+            'unknown': [name for name in dict.fromkeys((target, source)) if not buffer.frame_exists(name)],
+            'frames': names[:MOST_FRAMES],
+            'waited_s': waited_s,
+        }
+        process.fact(KIND, (self._number, target, source), {**data, **student_line()})
+
+    def found(self, target: str, source: str) -> None:
+        """Now there is an answer: all is well."""
+        if (target, source) in self.pairs:
+            self.pairs.remove((target, source))
+            current_process().fact_over(KIND, (self._number, target, source))
+
+
+def of_next_buffer() -> FailedLookups:
+    """Those of a new buffer of the running program."""
+    state = current_process().state
+    state['tf2_ros.buffers'] = number = state.get('tf2_ros.buffers', 0) + 1
+    return FailedLookups(number)
+
 
 POLL_S = 0.02
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
-import rclpy
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, spinning
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.duration import Duration
 from tf2_msgs.action import LookupTransform
@@ -102,16 +100,4 @@ class BufferServer(CppNode):
         return result
 
 
-def run() -> int:
-    """Serve until stopped."""
-    rclpy.spin(BufferServer())
-    return 0
-
-
-def main() -> None:
-    """Run the program; its exit code is that of the original."""
-    sys.exit(run_program(run))
-
-
-if __name__ == '__main__':
-    main()
+main = spinning(BufferServer)

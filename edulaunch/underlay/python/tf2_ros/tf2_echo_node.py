@@ -7,7 +7,7 @@ import sys
 
 import rclpy
 from geometry_msgs.msg import TransformStamped
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, program
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 from tf2_py import TransformException
@@ -97,10 +97,4 @@ def run() -> int:
     return 0
 
 
-def main() -> None:
-    """Run the program; its exit code is that of the original."""
-    sys.exit(run_program(run))
-
-
-if __name__ == '__main__':
-    main()
+main = program(run)

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from typing import Any
 
 import rclpy
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, program
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
@@ -143,10 +143,4 @@ def run() -> int:
     return 0
 
 
-def main() -> None:
-    """Run the program; its exit code is that of the original."""
-    sys.exit(run_program(run))
-
-
-if __name__ == '__main__':
-    main()
+main = program(run)

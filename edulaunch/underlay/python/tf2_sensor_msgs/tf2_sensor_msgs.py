@@ -7,7 +7,7 @@ from typing import Any
 from geometry_msgs.msg import Transform, TransformStamped
 from sensor_msgs.msg import PointCloud2
 from std_msgs.msg import Header
-from tf2_ros.registrations import provide
+from tf2_ros.buffer_interface import provide
 
 
 def to_msg_msg(msg: Any) -> Any:

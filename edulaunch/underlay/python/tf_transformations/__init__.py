@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
+from random import Random
 from typing import Any, TypeAlias
 
 import numpy
@@ -31,7 +32,7 @@ from transforms3d._gohlketransforms import (
     vector_norm,
 )
 
-from tf_transformations.chance import numbers as _by_chance
+from edulaunch.processes.current import current_process
 
 __all__ = [
     'ROTATION_IDENTITY',
@@ -231,3 +232,10 @@ def _w_first(quaternion: Sequence[float]) -> Quaternion:
 def _w_last(quaternion: Sequence[float]) -> Quaternion:
     w, x, y, z = (float(value) for value in quaternion)
     return (x, y, z, w)
+
+
+def _by_chance(size: int) -> Any:
+    """So many numbers from 0 to 1, as an array."""
+    process = current_process()
+    generator: Random = process.state.setdefault('tf_transformations', process.sim.random(f'{process.name}/tf_transformations'))
+    return numpy.array([generator.random() for _ in range(size)])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
-from turtle_tf2_py._carrot import CarrotPublisher
-from turtle_tf2_py._programs import spin
+from demo_nodes_py._running import spin
+
+from turtle_tf2_py.fixed_frame_tf2_broadcaster import CarrotPublisher
 
 
 class DynamicFramePublisher(CarrotPublisher):

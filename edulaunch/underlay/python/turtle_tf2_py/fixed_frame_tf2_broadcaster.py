@@ -1,9 +1,36 @@
-"""The program fixed_frame_tf2_broadcaster: a carrot two metres to the left of turtle1."""
+"""The program fixed_frame_tf2_broadcaster: a frame that hangs two metres to the left of turtle1, a carrot before a donkey."""
 
 from __future__ import annotations
 
-from turtle_tf2_py._carrot import CarrotPublisher
-from turtle_tf2_py._programs import spin
+from demo_nodes_py._running import spin
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+
+PERIOD_S = 0.1
+
+
+class CarrotPublisher(Node):
+    """Sends turtle1 -> carrot1 ten times a second; where, says :meth:`place`."""
+
+    def __init__(self, node_name: str) -> None:
+        super().__init__(node_name)
+        self._broadcaster = TransformBroadcaster(self)
+        self._timer = self.create_timer(PERIOD_S, self._on_timer)
+
+    def place(self, seconds: int) -> tuple[float, float]:
+        """x and y of the carrot in the turtle's frame, metres, at the node's time in whole `seconds`."""
+        return 0.0, 2.0
+
+    def _on_timer(self) -> None:
+        now = self.get_clock().now()
+        stamped = TransformStamped()
+        stamped.header.stamp = now.to_msg()
+        stamped.header.frame_id = 'turtle1'
+        stamped.child_frame_id = 'carrot1'
+        translation = stamped.transform.translation
+        translation.x, translation.y = self.place(now.seconds_nanoseconds()[0])
+        self._broadcaster.sendTransform(stamped)
 
 
 def main() -> None:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from math import cos, sin
 from typing import Any
 
-import rclpy
 from geometry_msgs.msg import TransformStamped, Twist, TwistStamped
 from nav_msgs.msg import Odometry
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, spinning
 from tf2_ros import TransformBroadcaster
 
 from edulaunch.worlds.planar_robot import PlanarRobot
@@ -87,10 +85,4 @@ class WaffleSimulator(CppNode):
         self._broadcaster.sendTransform(stamped)
 
 
-def main() -> None:
-    """Run the program; its exit code is that of the original."""
-    sys.exit(run_program(lambda: rclpy.spin(WaffleSimulator())))
-
-
-if __name__ == '__main__':
-    main()
+main = spinning(WaffleSimulator)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import rclpy
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
-from rclcpp_like import CppNode, run_program
+from rclcpp_like import CppNode, program
 from rclpy.executors import SingleThreadedExecutor
 from std_srvs.srv import Empty
 
@@ -15,8 +14,8 @@ from edulaunch.processes.current import current_process
 from edulaunch.sim.task import current_task
 from edulaunch.worlds.turtle import Turtle
 from edulaunch.worlds.turtle_world import TurtleWorld
-from turtlesim._turtle_ports import TurtlePorts
 from turtlesim.srv import Kill, Spawn
+from turtlesim.turtle_ports import TurtlePorts
 
 BACKGROUND = (('background_r', 'Red', 69), ('background_g', 'Green', 86), ('background_b', 'Blue', 255))
 
@@ -122,10 +121,4 @@ def run() -> None:
         frame.update()
 
 
-def main() -> None:
-    """Run the program; its exit code is that of the original."""
-    sys.exit(run_program(run))
-
-
-if __name__ == '__main__':
-    main()
+main = program(run)

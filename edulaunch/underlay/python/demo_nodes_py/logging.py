@@ -58,10 +58,6 @@ def work() -> None:
     rclpy.shutdown()
 
 
-def main() -> None:
+def use_logger_service() -> None:
     """Run the program."""
     run(work)
-
-
-if __name__ == '__main__':
-    main()

@@ -1,10 +1,11 @@
-"""A periodic timer that, every third time, sets going a timer which fires only once."""
+"""The programs one_off_timer and reuse_timer: a periodic timer that, every third time, sets going one which fires only once."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
-from rclcpp_like import CppNode
+from rclcpp_like import CppNode, spinning
 
 
 class TwoTimers(CppNode):
@@ -39,3 +40,9 @@ class TwoTimers(CppNode):
         else:
             self.destroy_timer(self._one_off)
             self._one_off = self.create_wall_timer(1.0, self._on_one_off)
+
+
+OneOffTimer = partial(TwoTimers, 'one_off_timer', reuse=False)
+ReuseTimer = partial(TwoTimers, 'reuse_timer', reuse=True)
+one_off_timer = spinning(OneOffTimer)
+reuse_timer = spinning(ReuseTimer)

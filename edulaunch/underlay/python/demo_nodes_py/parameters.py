@@ -1,4 +1,4 @@
-"""The program async_param_client: sets, lists, gets, loads and deletes parameters of parameter_blackboard."""
+"""The programs async_param_client, which asks another node for its parameters, and set_parameters_callback."""
 
 from __future__ import annotations
 
@@ -7,11 +7,12 @@ from typing import Any
 
 import rclpy
 from ament_index_python.packages import get_package_share_directory
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 
-from demo_nodes_py._running import run
+from demo_nodes_py._running import run, spin
 
 REMOTE = 'parameter_blackboard'
 VALUES = [
@@ -22,7 +23,7 @@ VALUES = [
 NAMES = [parameter.name for parameter in VALUES]
 
 
-def work() -> None:
+def _set_list_get() -> None:
     """One request after the other, each waited for."""
     node = rclpy.create_node('async_param_client')
     client = AsyncParameterClient(node, REMOTE)
@@ -57,10 +58,39 @@ def _say_results(node: Node, names: list[str], future: Any) -> None:
             node.get_logger().info(f'        reason: {result.reason}')
 
 
-def main() -> None:
-    """Run the program until Ctrl-C or a shutdown."""
-    run(work)
+class SetParametersCallback(Node):
+    """Setting param1 sets param2 to 4.0 too (before); neither may be negative (on); both are kept (after)."""
+
+    def __init__(self) -> None:
+        super().__init__('set_parameters_callback')
+        self.remembered = {name: self.declare_parameter(name, 0.0).value for name in ('param1', 'param2')}
+        self.add_pre_set_parameters_callback(self._before)
+        self.add_on_set_parameters_callback(self._check)
+        self.add_post_set_parameters_callback(self._after)
+
+    def _before(self, parameters: list[Parameter]) -> list[Parameter]:
+        if any(parameter.name == 'param1' for parameter in parameters):
+            return [*parameters, Parameter('param2', Parameter.Type.DOUBLE, 4.0)]
+        return parameters
+
+    def _check(self, parameters: list[Parameter]) -> SetParametersResult:
+        for parameter in parameters:
+            if parameter.name in self.remembered and not parameter.value >= 0.0:
+                return SetParametersResult(successful=False, reason=f'{parameter.name} must not be negative')
+        return SetParametersResult(successful=True)
+
+    def _after(self, parameters: list[Parameter]) -> None:
+        for parameter in parameters:
+            if parameter.name in self.remembered:
+                self.remembered[parameter.name] = parameter.value
+                self.get_logger().info(f'{parameter.name} is now {parameter.value}')
 
 
-if __name__ == '__main__':
-    main()
+def async_param_client() -> None:
+    """Sets, lists, gets, loads and deletes parameters of parameter_blackboard."""
+    run(_set_list_get)
+
+
+def set_parameters_callback() -> None:
+    """The three moments at which a node has its say on a new value."""
+    spin(SetParametersCallback)
