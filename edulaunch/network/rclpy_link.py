@@ -36,6 +36,8 @@ MOST_WAITING = 32 << 20
 """Bytes that wait for a side process which does not read; messages beyond that are dropped."""
 AT_ONCE = 1 << 20
 """Bytes that are taken in one turn of the machine."""
+_PROFILE = os.path.join(os.path.dirname(__file__), 'rclpy_side.xml')
+"""Fast DDS's settings of the side process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.network.rclpy_side', function='main')
 
 
@@ -64,7 +66,7 @@ class RclpyLink:
         self.title = f'rclpy {environment.version}'
         env = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'ROS_'))}
         env.update(ROS_DOMAIN_ID=str(settings.domain), ROS_AUTOMATIC_DISCOVERY_RANGE=settings.discovery_range)
-        env.update(ROS_STATIC_PEERS=';'.join(settings.static_peers))
+        env.update(ROS_STATIC_PEERS=';'.join(settings.static_peers), FASTRTPS_DEFAULT_PROFILES_FILE=_PROFILE)
         words = command(environment, _SIDE, ProcessSpec((), 'link'), Index())
         self._socket, theirs = self._sockets = list(socket.socketpair())
         number = theirs.fileno()

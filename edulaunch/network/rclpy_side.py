@@ -1,7 +1,8 @@
 """The side process of the full link: on the real rclpy it makes the nodes and endpoints that it is told of.
 
-Frames (`rclpy_wire`) come on the socket whose number is the first word of the command line, and go there. Messages pass as bytes;
-everything of rclpy happens in the thread of its executor, which another thread wakes when there is something to read.
+Frames (`rclpy_wire`) come on the socket whose number is the first word of the command line, and go there. Messages pass as bytes.
+One thread reads, and publishes what it reads; everything else of rclpy happens in the thread of its executor, which it wakes for
+that: an executor looks at all its nodes each time, which costs more than the messages.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import socket
 import sys
 import threading
 import time
-from collections import Counter, deque
+from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from hashlib import sha256
@@ -30,41 +31,19 @@ from edulaunch.native.typesupport.classes import ITS_OWN, SupportedClasses, laye
 from edulaunch.network import rclpy_wire as wire
 
 LOOK_EVERY_S = 0.1
-ECHO_S = 5.0
-"""A message of ours that has not come back by then does not."""
-MOST_ECHOES = 10_000
+"""How often the names of nodes and topics are looked at."""
+LOOK_CLOSELY_EVERY_S = 0.5
+"""How often all endpoints are, also when no name has come or gone."""
+SETTLED_S = 2.0
+"""So long after a name has come or gone, all endpoints are looked at each time: a node makes them one after the other."""
+WAITING = 1000
+"""How many messages wait for their subscription at most, or as many as its depth says; others do not see that."""
+AT_ONCE = 100
+"""How many messages of one subscription are taken in one turn."""
 FOREVER_NS = 2**62
 """Infinite, as rclpy says it, is more."""
 _NOT_YET = object()
 _HELPER = '_edulaunch_link'
-
-
-class Subscription:
-    """One subscription of ours, and the messages of our own that will come to it, too."""
-
-    def __init__(self) -> None:
-        self.echoes: Counter[bytes] = Counter()
-        self.order: deque[tuple[float, bytes]] = deque()
-
-    def expect(self, data: bytes) -> None:
-        """We have published this, on its topic."""
-        now = time.monotonic()
-        self.echoes[data] += 1
-        self.order.append((now, data))
-        while self.order and (now - self.order[0][0] > ECHO_S or len(self.order) > MOST_ECHOES):
-            self._forget(self.order.popleft()[1])
-
-    def is_echo(self, data: bytes) -> bool:
-        """Whether this is one of them; each comes once."""
-        if not self.echoes[data]:
-            return False
-        self._forget(data)
-        return True
-
-    def _forget(self, data: bytes) -> None:
-        self.echoes[data] -= 1
-        if self.echoes[data] <= 0:
-            del self.echoes[data]
 
 
 class Side:
@@ -76,16 +55,16 @@ class Side:
         self.helper = _node(_HELPER, '/')
         self.executor.add_node(self.helper)
         self.inbox: deque[tuple[int, int, int, bytes]] = deque()
+        self.lock, self.mouth = threading.Lock(), threading.Lock()
         self.nodes: dict[int, Any] = {}
         self.ends: dict[int, tuple[str, Any, int]] = {}
-        self.topics: dict[int, str] = {}
-        self.heard: dict[str, dict[int, Subscription]] = {}
-        self.kept: dict[int, deque[bytes]] = {}
         self.pending: dict[int, tuple[Any, Any]] = {}
         self.early: list[tuple[int, int, bytes]] = []
         self.serial = 0
         self.registries: dict[str, SupportedClasses] = {}
         self.told = ''
+        self.names: list[Any] = []
+        self.changed_s = self.looked_s = 0.0
         self.own = self._own_prefix()
         self.guard = self.helper.create_guard_condition(self.work)
 
@@ -99,24 +78,40 @@ class Side:
 
     def say(self, kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> None:
         """Send a frame."""
-        self.connection.sendall(wire.frame(kind, handle, number, data))
+        with self.mouth:
+            self.connection.sendall(wire.frame(kind, handle, number, data))
 
     def read(self) -> None:
         """In a thread: take frames, until the link goes."""
         frames = wire.Frames()
-        while data := self.connection.recv(1 << 16):
-            self.inbox.extend(frames.feed(data))
-            self.guard.trigger()
+        with suppress(ConnectionResetError):
+            while data := self.connection.recv(1 << 16):
+                left = [frame for frame in frames.feed(data) if not self.is_published(*frame)]
+                if left:
+                    self.guard.trigger()
         rclpy.try_shutdown()
+
+    def is_published(self, *frame: Any) -> bool:
+        """Publish a message when all that was told before is done; anything else waits for the executor."""
+        with self.lock:
+            if frame[0] != wire.PUBLISH or self.inbox:
+                self.inbox.append(frame)
+                return False
+            self.do(*frame)
+            return True
 
     def work(self) -> None:
         """Do what we were told."""
         while self.inbox:
-            kind, handle, number, data = self.inbox.popleft()
-            try:
-                _WORK[kind](self, handle, number, data)
-            except Exception as error:  # whatever rclpy refuses is told, and the rest goes on
-                self.say(wire.TROUBLE, handle, 0, f'{type(error).__name__}: {error}'.encode())
+            with self.lock:
+                self.do(*self.inbox.popleft())
+
+    def do(self, kind: int, handle: int, number: int, data: bytes) -> None:
+        """One thing; whatever rclpy refuses is told, and the rest goes on."""
+        try:
+            _WORK[kind](self, handle, number, data)
+        except Exception as error:
+            self.say(wire.TROUBLE, handle, 0, f'{type(error).__name__}: {error}'.encode())
 
     def add_node(self, handle: int, number: int, data: bytes) -> None:
         namespace, name = json.loads(data)
@@ -134,7 +129,6 @@ class Side:
         cls, qos = self._class(told['type'], told['layers']), _profile(told['qos'])
         end = getattr(self, f'_add_{kind}')(handle, node, name, cls, qos)
         self.ends[handle] = kind, end, number
-        self.topics[handle] = name
 
     def _class(self, type_name: str, layers: list[Any]) -> Any:
         package, kind, name = type_name.split('/')
@@ -146,24 +140,23 @@ class Side:
         return self.registries[key].get(type_name)
 
     def _add_publisher(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
-        if qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-            self.kept[handle] = deque(maxlen=qos.depth if qos.history == HistoryPolicy.KEEP_LAST else MOST_ECHOES)
         silent = PublisherEventCallbacks(use_default_callbacks=False)
         return node.create_publisher(cls, name, qos, event_callbacks=silent)
 
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
-        mine = self.heard.setdefault(name, {})[handle] = Subscription()
-        if qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-            for publisher, messages in self.kept.items():
-                for data in messages if self.topics[publisher] == name else ():
-                    mine.expect(data)
-
         def heard(data: bytes, info: Any) -> None:
-            if not (mine.echoes and mine.is_echo(data)):
-                self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
+            """Hand on a message, and what has come behind it: each turn of the executor takes longer than all of that."""
+            taken = data, info
+            for _ in range(AT_ONCE):
+                self.say(wire.MESSAGE, handle, taken[1]['source_timestamp'], taken[0])
+                taken = made.handle.take_message(cls, True)
+                if taken is None:
+                    return
 
         silent = SubscriptionEventCallbacks(use_default_callbacks=False)
-        return node.create_subscription(cls, name, heard, qos, raw=True, event_callbacks=silent)
+        qos.depth = max(qos.depth, WAITING)
+        made = node.create_subscription(cls, name, heard, qos, raw=True, event_callbacks=silent)
+        return made
 
     def _add_service(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
         def asked(request: Any, response: Any) -> Any:
@@ -188,15 +181,9 @@ class Side:
 
     def remove(self, handle: int, number: int, data: bytes) -> None:
         kind, end, node = self.ends.pop(handle)
-        self.heard.get(self.topics.pop(handle), {}).pop(handle, None)
-        self.kept.pop(handle, None)
         getattr(self.nodes[node], f'destroy_{kind}')(end)
 
     def publish(self, handle: int, number: int, data: bytes) -> None:
-        for subscription in self.heard.get(self.topics[handle], {}).values():
-            subscription.expect(data)
-        if handle in self.kept:
-            self.kept[handle].append(data)
         self.ends[handle][1].publish(data)
 
     def ask(self, handle: int, number: int, data: bytes) -> None:
@@ -218,12 +205,22 @@ class Side:
         header, answer = self.pending.pop(number)
         answer(deserialize_message(data, self.ends[handle][1].srv_type.Response), header)
 
+    def glance(self) -> None:
+        """Look around, more closely when names have come or gone: to ask about each topic takes long."""
+        now_s = time.monotonic()
+        names = [self.helper.get_node_names_and_namespaces(), self.helper.get_topic_names_and_types()]
+        if names != self.names:
+            self.names, self.changed_s = names, now_s
+        if now_s - self.changed_s < SETTLED_S or now_s - self.looked_s > LOOK_CLOSELY_EVERY_S:
+            self.looked_s = now_s
+            self.look()
+
     def look(self) -> None:
         """Tell who else is there, when that has changed."""
         mine = {f'{node.get_namespace().rstrip("/")}/{node.get_name()}' for node in (*self.nodes.values(), self.helper)}
         ends: list[list[Any]] = []
         participants: dict[str, str] = {}
-        for topic, _ in self.helper.get_topic_names_and_types():
+        for topic, _ in self.names[1]:
             for kind, infos in (
                 ('publisher', self.helper.get_publishers_info_by_topic(topic)),
                 ('subscription', self.helper.get_subscriptions_info_by_topic(topic)),
@@ -271,7 +268,7 @@ class Side:
             if early:
                 self.work()
             if time.monotonic() - looked > LOOK_EVERY_S:
-                self.look()
+                self.glance()
                 looked = time.monotonic()
 
 

@@ -118,9 +118,8 @@ rclpy.spin(node)
     assert (came.handle, came.gid) == (heard, b'')
     assert deserialize(came.cdr, REGISTRY.get('geometry_msgs/msg/Twist')).linear.x == 42.0
     assert abs(came.source_ns - time.time_ns()) < LONGEST_S * 1e9
-    until(link, lambda _: _end_of(link.graph(), 'subscription', '/there') is not None)
+    until(link, lambda _: (end := _end_of(link.graph(), 'subscription', '/there')) is not None and end.node is not None)
     end = _end_of(link.graph(), 'subscription', '/there')
-    assert end is not None and end.node is not None
     assert (end.type_name, end.hash, end.node.name) == ('turtlesim/msg/Pose', interface('turtlesim/msg/Pose').hash, 'peer')
     assert (end.qos.reliability, end.qos.durability) == ('reliable', 'volatile')
     assert [node.name for node in link.graph().nodes] == ['peer']
