@@ -72,8 +72,8 @@ def host(words: list[str], link: str, until_closed: bool = True) -> None:
     from edulaunch.network.bridge import Bridge
     from edulaunch.network.link import Settings
     from edulaunch.network.links import make_link
-    from edulaunch.processes.shared_streams import streams_of_programs
     from edulaunch.processes.spec import ProcessSpec
+    from edulaunch.processes.streams import streams_of_programs
     from edulaunch.session import Session
     from edulaunch.sim.pacing import RealTime
 

@@ -15,8 +15,8 @@ from edulaunch.launching import find_launch_file
 from edulaunch.packages import Index
 from edulaunch.packages.discovery import install_folders, workspaces_of_command
 from edulaunch.processes.host import Host
-from edulaunch.processes.machine_roots import machine_roots, with_real_paths
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.real_machine import machine_roots, with_real_paths
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.processes.watchdog import Watchdog
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.interruption import Interruption

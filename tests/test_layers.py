@@ -18,11 +18,11 @@ HEIGHT = {name: -index for index, line in enumerate(LAYERS['order']) for name in
 NEIGHBOURS: dict[str, list[str]] = LAYERS['neighbours']
 ENGINE = ('sim', 'interfaces', 'tf', 'worlds', 'packages', 'graph', 'processes', 'recording', 'canvas')
 REAL_CLOCK = {
-    'processes/script_clock.py',
+    'processes/ambient.py',
     'sim/pacing.py',
     'sim/real_pace.py',
     'sim/real_threads.py',
-    'processes/views/time_view.py',
+    'processes/views/time_views.py',
     'processes/watchdog.py',
 }
 

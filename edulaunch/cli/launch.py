@@ -189,7 +189,7 @@ class Terminal:
 
     def run(self, speed: float) -> None:
         """Run until launch has ended; after `seconds`, press Ctrl-C."""
-        from edulaunch.processes.shared_streams import streams_of_programs
+        from edulaunch.processes.streams import streams_of_programs
         from edulaunch.sim.pacing import Pacer
 
         sim = self._session.sim

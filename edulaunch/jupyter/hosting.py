@@ -18,7 +18,7 @@ from edulaunch.machine.place import Address, UnsafePlace, domain, folder, locked
 from edulaunch.machine.server import LOOK_EVERY_S, Server
 from edulaunch.machine.snapshot import snapshot
 from edulaunch.machine.starting import listen
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
 

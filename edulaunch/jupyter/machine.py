@@ -25,8 +25,7 @@ from edulaunch.machine.remote_input import RemoteInput
 from edulaunch.machine.snapshot import glance, snapshot
 from edulaunch.packages import Index
 from edulaunch.processes.process import Process
-from edulaunch.processes.signals import Signals
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import ProcessSpec, Signals
 from edulaunch.recording import Recording
 from edulaunch.session import Session, index_for
 

@@ -22,8 +22,8 @@ from edulaunch.link.trusted_host import is_hosted
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
-from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.recording.recorder import Recorder
 from edulaunch.session import Session
 

@@ -20,8 +20,8 @@ from edulaunch.link.half import Half
 from edulaunch.link.replica import Replica
 from edulaunch.link.trusted_host import TrustedHost, hosted_program, shipped_path, spec_from_data, text_of
 from edulaunch.packages import Index
-from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.recording.recorder import Recorder
 from edulaunch.sourcing import source
 from edulaunch.underlay_place import underlay_prefix

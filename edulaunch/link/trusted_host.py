@@ -18,10 +18,9 @@ from edulaunch.link.half import Half
 from edulaunch.packages import Program
 from edulaunch.packages.prefix import Underlay
 from edulaunch.processes.host import Host
-from edulaunch.processes.origin import Origin
 from edulaunch.processes.process import Process
 from edulaunch.processes.programs import run_program
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import Origin, ProcessSpec
 from edulaunch.underlay_place import underlay_prefix
 
 OF_THE_STUDENT = {

@@ -14,7 +14,7 @@ from importlib import import_module
 from edulaunch.machine.impatience import Impatience, wake_by_signal
 from edulaunch.machine.place import LISTENER, Address, locked, read_address, remove_address
 from edulaunch.machine.server import LOOK_EVERY_S, Server
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 
 GRACE_S = 10.0

@@ -19,8 +19,8 @@ from edulaunch.machine.outer_loop import outer_loop_set_aside
 from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.process import Process
-from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import PathLike, Session
 from edulaunch.sim.pacing import RealTime
 from edulaunch.view import TABS

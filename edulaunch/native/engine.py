@@ -127,7 +127,7 @@ def install(name: str) -> ThisProcess:
     _module('edulaunch.sim.task', current_task=lambda: task, running_task=lambda: task)
     _module('edulaunch.sim.sync', sleep=time.sleep, Lock=threading.Lock)
     _module('edulaunch.processes.current', current_process=lambda: process)
-    _module('edulaunch.processes.student_line', student_line=dict)
+    _module('edulaunch.processes.whose_code', student_line=dict)
     _module('edulaunch.processes', current_process=lambda: process).__path__ = [_folder('processes')]
     return process
 

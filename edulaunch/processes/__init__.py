@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from edulaunch.processes.current import current_process
-from edulaunch.processes.origin import Origin
 from edulaunch.processes.process import Process
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import Origin, ProcessSpec
 
 __all__ = ['Origin', 'Process', 'ProcessSpec', 'current_process']

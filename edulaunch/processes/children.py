@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.inputs import Input, PipedInput
-from edulaunch.processes.signals import Signals
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import ProcessSpec, Signals
 from edulaunch.sim.sync import wait_until
 
 if TYPE_CHECKING:

@@ -1,21 +1,104 @@
-"""What is known about an error that ended a program and its text does not say: plain data, for `edulaunch.advice`."""
+"""What is known about an error that ended a program and its text does not say: plain data, for `edulaunch.advice`. Of modules
+of the workspace that are compiled code, or would be after a build; of a `with` around something of ROS that is no context
+manager.
+"""
 
 from __future__ import annotations
 
+import linecache
 import os
 import re
 import sys
 from importlib.machinery import PathFinder
+from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import facts_of
 from edulaunch.nearest import nearest
 from edulaunch.packages.absent import absent_module_kind
-from edulaunch.processes.compiled_modules import compiled_module, missing_library
-from edulaunch.processes.with_statements import with_facts_at
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
+
+ENDED_BY = {
+    'Node': 'destroy_node()',
+    'LifecycleNode': 'destroy_node()',
+    'Publisher': 'destroy()',
+    'LifecyclePublisher': 'destroy()',
+    'Subscription': 'destroy()',
+    'Client': 'destroy()',
+    'Service': 'destroy()',
+    'Timer': 'destroy()',
+    'GuardCondition': 'destroy()',
+    'Rate': 'destroy()',
+}
+"""What ends something that rclpy makes, by its class."""
+
+
+def with_facts_at(error: BaseException) -> dict[str, Any]:
+    """For `with rclpy.init():`, and for `with node:` where Python tells the class of what it was given (since 3.11)."""
+    if '__enter__' not in str(error) and 'context manager' not in str(error):
+        return {}
+    trace = _innermost(error.__traceback__)
+    if trace is None:
+        return {}
+    if 'rclpy.init(' in linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno):
+        return {'about': 'programs.with-init'}
+    said = re.match(r"'(?:[\w.]+\.)?(\w+)' object does not support the \w*? ?context manager protocol", str(error))
+    ending = None if said is None else ENDED_BY.get(_kind(said[1], trace))
+    return {} if said is None or ending is None else {'about': 'programs.with-entity', 'thing': said[1], 'ending': ending}
+
+
+def _innermost(trace: TracebackType | None) -> TracebackType | None:
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace
+
+
+def _kind(name: str, trace: TracebackType) -> str:
+    """The class of rclpy behind the name of a class: its nearest base there, or the name when the program does not have it."""
+    known = trace.tb_frame.f_locals.get(name) or trace.tb_frame.f_globals.get(name)
+    if not isinstance(known, type):
+        return name
+    return next((base.__name__ for base in known.__mro__ if base.__module__.startswith('rclpy.')), '')
+
+
+ENDINGS = ('.so', '.dylib', '.pyd', '.pyx')
+"""Compiled for Unix, macOS and Windows, and what Cython would compile."""
+_TARGET = r'(?:pybind11_add_module|nanobind_add_module|[Pp]ython3?_add_library|cython_add_module)\s*\(\s*{name}\b'
+_LIBRARY = re.compile(r'(\S+): cannot open shared object file')
+
+
+def compiled_module(process: Process, name: str) -> str | None:
+    """Where the compiled code of a module is that Python did not find, 'robo/fast.so', or what would make it; None: nowhere."""
+    parent, _, leaf = name.rpartition('.')
+    if parent:
+        folders = list(getattr(process.loader.modules.get(parent), '__path__', ()))
+    else:
+        folders = process.loader.finder.folders()
+    for folder in folders:
+        for file in sorted(os.listdir(folder)) if os.path.isdir(folder) else ():
+            if file.endswith(ENDINGS) and file.partition('.')[0] == leaf:
+                return f'{os.path.basename(folder)}/{file}'
+    return _built_by_cmake(process, name.partition('.')[0], leaf)
+
+
+def missing_library(error: BaseException) -> str | None:
+    """The native library that the operating system did not find when something was loaded."""
+    found = _LIBRARY.match(str(error))
+    return found[1] if found is not None else None
+
+
+def _built_by_cmake(process: Process, package: str, leaf: str) -> str | None:
+    source = process.index.source_folder(package) if package in process.index.packages() else None
+    try:
+        with open(os.path.join(source or '', 'CMakeLists.txt'), encoding='utf-8', errors='replace') as file:
+            text = file.read()
+    except OSError:
+        return None
+    found = re.search(_TARGET.format(name=re.escape(leaf)), text) if source is not None else None
+    return None if found is None else f'{package}/CMakeLists.txt:{text.count(chr(10), 0, found.start()) + 1}'
+
 
 Found = dict[str, Any]
 INTERFACE_ENDINGS = ('_msgs', '_srvs', '_interfaces', '_interface', '_msg', '_srv', '_actions')

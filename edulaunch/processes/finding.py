@@ -1,11 +1,24 @@
-"""Where one program's own modules are: its script's folder, its package, the workspace, and what it put on `sys.path`."""
+"""Where one program's own modules are: its script's folder, its package, the workspaces (what these add to the underlay is
+read once per index, when first asked for), and what it put on `sys.path`; and their compiled code.
+"""
 
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, NamedTuple
+import warnings
+from functools import cached_property, lru_cache
+from importlib.machinery import SourceFileLoader
+from types import CodeType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from edulaunch.interfaces.registry import answer_with
+from edulaunch.packages.index import interfaces_of
+from edulaunch.sim.task import running_task
 
 if TYPE_CHECKING:
+    from edulaunch.interfaces.importer import InterfaceFinder
+    from edulaunch.interfaces.registry import Registry
+    from edulaunch.packages import Index
     from edulaunch.processes.process import Process
 
 
@@ -118,3 +131,83 @@ def _at(place: str) -> Found | None:
         return Found(place, False)
     package = os.path.join(place, '__init__.py')
     return Found(package, True) if os.path.isfile(package) else Found(place, True) if os.path.isdir(place) else None
+
+
+class Overlay:
+    """The importable part of one index."""
+
+    def __init__(self, index: Index) -> None:
+        self._index = index
+
+    @cached_property
+    def modules(self) -> dict[str, str]:
+        """Top-level modules of the workspaces, as their build files install them: name -> folder or .py file."""
+        return self._index.python_modules()
+
+    @cached_property
+    def _interfaces(self) -> tuple[frozenset[str], Registry]:
+        return interfaces_of(self._index)
+
+    @property
+    def interface_packages(self) -> frozenset[str]:
+        """Packages whose interfaces come from a workspace."""
+        return self._interfaces[0]
+
+    @property
+    def registry(self) -> Registry:
+        """The interfaces that programs over this index see."""
+        return self._interfaces[1]
+
+    @cached_property
+    def finder(self) -> InterfaceFinder:
+        """Makes the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so nobody else sees them."""
+        from edulaunch.interfaces.importer import InterfaceFinder
+
+        return InterfaceFinder(self.registry)
+
+
+def _registry_of_the_running_program() -> Registry | None:
+    task = running_task()
+    owner = None if task is None else task.owner
+    overlay: Overlay | None = None if owner is None else owner.overlay
+    return overlay.registry if overlay is not None and overlay.interface_packages else None
+
+
+answer_with(_registry_of_the_running_program)
+
+
+def read_script(path: str) -> CodeType:
+    """The code of a script or launch file, of which Python keeps no compiled copy.
+
+    :raises: whatever compiling raises.
+    """
+    with open(path, 'rb') as file:
+        source = file.read()
+    return _flawless(source, path, tuple(warnings.filters)) or compile(source, path, 'exec', dont_inherit=True)
+
+
+@lru_cache(maxsize=64)
+def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
+    """The code of a text that Python says nothing about, kept for the next run: a notebook or a grader runs a file many times.
+
+    None for one with errors or warnings: these are to come each time. (`catch_warnings` is not used to find out: it makes
+    Python forget which warnings it has shown, so that a first run would show more of them than a second one.)
+
+    :param filters: those in force, which decide what is said.
+    """
+    said: list[Any] = []
+    before, warnings.showwarning = warnings.showwarning, lambda *told, **more: said.append(told)
+    try:
+        code = compile(source, path, 'exec', dont_inherit=True)
+    except Exception:
+        return None
+    finally:
+        warnings.showwarning = before
+    return None if said else code
+
+
+def code_of(source: SourceFileLoader) -> CodeType:
+    """The compiled code of a source file, through Python's own cache of compiled files."""
+    code = source.get_code(source.name)
+    assert code is not None
+    return code

@@ -15,10 +15,9 @@ from edulaunch.graph.tracer import Tracer
 from edulaunch.packages import Index, Program
 from edulaunch.processes import real_machine
 from edulaunch.processes.asides import Asides
-from edulaunch.processes.overlay import Overlay
+from edulaunch.processes.finding import Overlay
 from edulaunch.processes.process import OnExit, OnOutput, Process
-from edulaunch.processes.programs import run_program
-from edulaunch.processes.python_commands import python_command
+from edulaunch.processes.programs import python_command, run_program
 from edulaunch.processes.spec import SHELLS, ProcessSpec
 from edulaunch.sim.real_pace import RealPace
 from edulaunch.sim.simulation import Simulation
@@ -169,7 +168,7 @@ class Host:
     def stdin_for(self, spec: ProcessSpec) -> Any:
         """What the program reads: what is given for its launch name or executable, else nothing."""
         from edulaunch.processes.inputs import Input, SilentPipe, TypedInput
-        from edulaunch.processes.real_input import RealInput
+        from edulaunch.processes.real import RealInput
 
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
         name = next((name for name in names if name in self._stdin), None)

@@ -19,8 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.packages.absent import REFUSED
 from edulaunch.processes import real_machine
-from edulaunch.processes.compiled import code_of, read_script
-from edulaunch.processes.finding import Finder, Found, namespace, regular
+from edulaunch.processes.finding import Finder, Found, code_of, namespace, read_script, regular
 from edulaunch.processes.views import PRIVATE_COPIES, VIEWS, make_view
 from edulaunch.processes.whose_code import is_own
 

@@ -6,19 +6,17 @@ from collections.abc import Callable, Hashable
 from threading import get_ident
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.addresses import MARK, Addresses
-from edulaunch.processes.signals import Signals
-from edulaunch.processes.spec import ProcessSpec
-from edulaunch.processes.streams import OutputStream
+from edulaunch.processes.spec import ProcessSpec, Signals
+from edulaunch.processes.streams import MARK, Addresses, OutputStream
 from edulaunch.processes.watchdog import RunawayProgram
 from edulaunch.sim.task import Task, TaskKilled, running_task
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index
+    from edulaunch.processes.finding import Overlay
     from edulaunch.processes.host import Host
     from edulaunch.processes.loader import Loader
-    from edulaunch.processes.origin import Origin
-    from edulaunch.processes.overlay import Overlay
+    from edulaunch.processes.spec import Origin
 
 MOST_WRITES = 10_000
 MOST_TEXT = 4_000_000
@@ -224,7 +222,7 @@ class Process:
 
     def _note_waits(self, signum: int) -> None:
         """SIGTERM or SIGKILL: it did not heed Ctrl-C. Where each of its threads stands, main first."""
-        from edulaunch.processes.student_line import waiting_line
+        from edulaunch.processes.whose_code import waiting_line
 
         waits = [{'thread': task.name, **waiting_line(task)} for task in (self.task, *self.threads) if not task.finished]
         self.fact('ended by force', signum, {'signal': signum, 'waits': waits})

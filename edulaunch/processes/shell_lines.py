@@ -16,8 +16,7 @@ from typing import Any
 from edulaunch.processes.children import Child
 from edulaunch.processes.process import Process
 from edulaunch.processes.shell_filters import Filter, RealFilter, Sink, is_filter
-from edulaunch.processes.shell_grammar import Command, Job, Line, Pipeline, Redirection, commands, parsed
-from edulaunch.processes.shell_words import Expansion, known_words
+from edulaunch.processes.shell_grammar import Command, Expansion, Job, Line, Pipeline, Redirection, commands, known_words, parsed
 from edulaunch.processes.spec import SHELLS, ProcessSpec
 from edulaunch.sim.sync import sleep
 

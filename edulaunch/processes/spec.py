@@ -1,12 +1,24 @@
-"""What to start: the frozen description of a program, made by launch actions and judged by most checks."""
+"""What to start: the frozen description of a program, made by launch actions and judged by most checks; where it was written,
+and the signals that it may get: those of a Linux, also on a Windows, which has six of its own.
+"""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
-from edulaunch.processes.origin import Origin
+
+class Origin(NamedTuple):
+    """The place in a student's file that made a launch action or a parameter."""
+
+    file: str
+    line: int
+
+    def __str__(self) -> str:
+        return f'{self.file}:{self.line}'
+
 
 SHELLS = ('bash', 'dash', 'sh', 'zsh')
 
@@ -37,3 +49,15 @@ class ProcessSpec(NamedTuple):
     parameter_origins: Mapping[str, str] = MappingProxyType({})
     emulate_tty: bool = False
     has_pipe: bool = False
+
+
+if sys.platform != 'win32':
+    from signal import Signals as Signals
+else:
+    from enum import IntEnum
+
+    NAMES = (
+        'HUP INT QUIT ILL TRAP ABRT BUS FPE KILL USR1 SEGV USR2 PIPE ALRM TERM STKFLT CHLD CONT STOP TSTP TTIN TTOU '
+        'URG XCPU XFSZ VTALRM PROF WINCH IO PWR SYS'
+    )
+    Signals = IntEnum('Signals', [f'SIG{name}' for name in NAMES.split()])

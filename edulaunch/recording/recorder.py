@@ -10,7 +10,7 @@ from edulaunch.graph.graph import NodeEntry
 from edulaunch.graph.tracer import Look, Record, Tracer
 
 if TYPE_CHECKING:
-    from edulaunch.processes.overlay import Overlay
+    from edulaunch.processes.finding import Overlay
     from edulaunch.processes.process import Process
     from edulaunch.recording.recording import Recording
     from edulaunch.sim.simulation import Simulation

@@ -71,7 +71,7 @@ class FakeHost:
         return self._pid
 
     def overlay(self, index: Any) -> Any:
-        from edulaunch.processes.overlay import Overlay
+        from edulaunch.processes.finding import Overlay
 
         return Overlay(index)
 

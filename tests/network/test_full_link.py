@@ -15,8 +15,8 @@ from edulaunch.native.command import command
 from edulaunch.network.link import Settings
 from edulaunch.network.rclpy_link import RclpyLink
 from edulaunch.packages import Index, Program
-from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.sim.pacing import RealTime
 from tests.network.places import Place
 from tests.network.wires import LIMIT_S, own_domain

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.processes.compiled import read_script
+from edulaunch.processes.finding import read_script
 
 
 def test_two_copies_of_a_program_do_not_share_globals(world: Any) -> None:

@@ -9,9 +9,8 @@ import pytest
 import edulaunch
 from edulaunch.graph.graph import Graph
 from edulaunch.graph.qos import QoS
-from edulaunch.processes.origin import Origin
 from edulaunch.processes.process import Process
-from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.spec import Origin, ProcessSpec
 from edulaunch.recording import Recorder, Recording
 from edulaunch.sim.simulation import Simulation
 

@@ -108,7 +108,7 @@ for _need, _names in REFUSED.items():
         setattr(ProcessEventLoop, _name, _refusal(_name, _need))
 
 
-def make(view: ModuleType, process: Process) -> ModuleType:
+def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
     """`run`, `Runner` and everything that makes or gives a loop."""
     loops: dict[Task, Any] = {}
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.facts import with_facts
 from edulaunch.processes.views import copy_names
-from edulaunch.processes.views.os_view import CPUS
+from edulaunch.processes.views.os_views import CPUS
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process

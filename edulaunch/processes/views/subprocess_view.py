@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from edulaunch.processes.process import Process
 
 
-def make(view: ModuleType, process: Process) -> ModuleType:
+def make_subprocess(view: ModuleType, process: Process) -> ModuleType:
     """`Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`.
 
     A real program that is waited for takes no simulated time; one that runs beside (`Popen`) keeps simulated time at the pace

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
 from edulaunch.processes.process import Process
-from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.processes.spec import ProcessSpec
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 from edulaunch.sim.pacing import Pacer
 from edulaunch.testing.package_tests import workspaces_of

@@ -12,7 +12,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 from edulaunch.processes.current import current_process
-from edulaunch.processes.student_line import student_line
+from edulaunch.processes.whose_code import student_line
 from tf2_ros.buffer import fills_directly
 
 if TYPE_CHECKING:

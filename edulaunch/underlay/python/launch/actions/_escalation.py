@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.signals import Signals
+from edulaunch.processes.spec import Signals
 
 from ..events.matchers import matches_action
 from ..events.process.signal_process import SignalProcess

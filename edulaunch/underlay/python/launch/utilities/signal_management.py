@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.processes.signals import Signals
+from edulaunch.processes.spec import Signals
 
 from .._engine import is_plain_script, running_process
 

@@ -11,7 +11,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
-from edulaunch.processes.student_line import student_line, waiting_line
+from edulaunch.processes.whose_code import student_line, waiting_line
 from edulaunch.sim.task import current_task, running_task
 from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edulaunch.processes.signals import Signals
+from edulaunch.processes.spec import Signals
 
 from ..._read_only import ReadOnly
 from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent

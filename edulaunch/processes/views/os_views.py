@@ -1,17 +1,22 @@
-"""`os` of a simulated program: its own environment, folder, pid, children and end."""
+"""`os`, `sys` and `atexit` of a simulated program: its own environment, folder, pid, children, arguments, streams, modules and
+end.
+"""
 
 from __future__ import annotations
 
 import io
-import os as real
+import os
+import sys
+from collections import ChainMap
+from collections.abc import Callable
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from edulaunch.processes.real_machine import FUNCTIONS as REAL_MACHINE
 from edulaunch.processes.real_machine import noting
-from edulaunch.processes.signals import Signals
+from edulaunch.processes.spec import Signals
 from edulaunch.processes.views import copy_names
-from edulaunch.processes.views.files_view import FUNCTIONS, PATH, PlainFunction
+from edulaunch.processes.views.file_views import FUNCTIONS, PATH, PlainFunction
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
@@ -36,7 +41,7 @@ class Reader(io.StringIO):
         return self._status or None
 
 
-def make(view: ModuleType, process: Process) -> ModuleType:
+def make_os(view: ModuleType, process: Process) -> ModuleType:
     """`environ` is the process's own dict; `kill` reaches simulated processes by their simulated pid and nothing else;
     `system` and `popen` are those of `subprocess`; `urandom` repeats.
     """
@@ -52,11 +57,11 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         return drawn
 
     def getcwd() -> str:
-        return process.cwd or real.getcwd()
+        return process.cwd or os.getcwd()
 
     def chdir(path: Any) -> None:
-        target = real.path.abspath(real.path.join(getcwd(), path))
-        real.listdir(target)  # raises what the real one does
+        target = os.path.abspath(os.path.join(getcwd(), path))
+        os.listdir(target)  # raises what the real one does
         process.cwd = target
 
     view.__dict__.update(FUNCTIONS, path=PATH, **_noted(process), **_files(process), **_commands(process))
@@ -76,7 +81,7 @@ def make(view: ModuleType, process: Process) -> ModuleType:
         process_cpu_count=lambda: CPUS,
         urandom=urandom,
     )
-    copy_names(view, real)
+    copy_names(view, os)
     for name in LEFT_OUT:
         view.__dict__.pop(name, None)
     return view
@@ -84,28 +89,26 @@ def make(view: ModuleType, process: Process) -> ModuleType:
 
 def _noted(process: Process) -> dict[str, Any]:
     """What tells of the real machine: the recording says that it was asked."""
-    return {
-        name: PlainFunction(noting(process, f'os.{name}', getattr(real, name))) for name in REAL_MACHINE if hasattr(real, name)
-    }
+    return {name: PlainFunction(noting(process, f'os.{name}', getattr(os, name))) for name in REAL_MACHINE if hasattr(os, name)}
 
 
 def _files(process: Process) -> dict[str, Any]:
     """The numbers 0, 1 and 2 are the process's own streams."""
 
     def read(fd: int, length: int, /) -> bytes:
-        return process.stdin.read1(length).encode() if fd == 0 else real.read(fd, length)
+        return process.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
 
     def write(fd: int, data: Any, /) -> int:
         if fd not in (1, 2):
-            return real.write(fd, data)
+            return os.write(fd, data)
         return (process.stdout if fd == 1 else process.stderr).buffer.write(data)
 
     def get_terminal_size(fd: int = 1, /) -> Any:
-        return real.terminal_size(process.stdin.terminal_size())
+        return os.terminal_size(process.stdin.terminal_size())
 
     def isatty(fd: int, /) -> bool:
         if fd not in (0, 1, 2):
-            return real.isatty(fd)
+            return os.isatty(fd)
         return bool(process.stdin.isatty() if fd == 0 else process.stdout.isatty())
 
     return {'read': read, 'write': write, 'get_terminal_size': get_terminal_size, 'isatty': isatty}
@@ -137,3 +140,64 @@ def _kill(process: Process, pid: int, signum: int) -> None:
             other.send_signal(signum)
             return
     raise ProcessLookupError(3, 'No such process')
+
+
+class SysView(ModuleType):
+    """Everything that is not the program's own comes from the real `sys`, at the moment it is asked for."""
+
+    def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
+        """A program that makes a module of its own by `type(sys)('name')` gets an ordinary one."""
+        return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
+
+    def __init__(self, process: Process) -> None:
+        super().__init__('sys')
+        self.__edulaunch_view__ = True
+        self.argv = process.argv
+        self.stdin = self.__stdin__ = process.stdin
+        self.stdout = self.__stdout__ = process.stdout
+        self.stderr = self.__stderr__ = process.stderr
+        self._shared_path = list(sys.path)
+        self.path = [*process.loader.roots, *self._shared_path]
+        self.modules = ChainMap(process.loader.modules, sys.modules)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(sys, name)
+
+    def private_path(self) -> tuple[list[str], list[str]]:
+        """The folders that this program put on its path: before the shared ones, and after the first of them."""
+        first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
+        return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
+
+    @staticmethod
+    def exit(status: object = None) -> None:
+        """End this program only."""
+        raise SystemExit(status)
+
+
+def make_sys(view: ModuleType, process: Process) -> ModuleType:
+    """See `SysView`."""
+    return SysView(process)
+
+
+Function = TypeVar('Function', bound=Callable[..., object])
+
+
+def make_atexit(view: ModuleType, process: Process) -> ModuleType:
+    """`register` and `unregister` for this process."""
+    calls = process.exit_calls
+
+    def register(function: Function, /, *arguments: Any, **options: Any) -> Function:
+        calls.append((function, arguments, options))
+        return function
+
+    def unregister(function: Callable[..., object], /) -> None:
+        calls[:] = [call for call in calls if call[0] != function]
+
+    view.__dict__.update(
+        register=register,
+        unregister=unregister,
+        _clear=calls.clear,
+        _ncallbacks=lambda: len(calls),
+        _run_exitfuncs=process.run_exit_calls,
+    )
+    return view

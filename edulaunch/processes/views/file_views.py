@@ -2,17 +2,65 @@
 
 from __future__ import annotations
 
-import os as real
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.views import copy_names
-from edulaunch.processes.views.folder_listing import Listing
 from edulaunch.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
+
+
+class Entry:
+    """An `os.DirEntry` of a folder that was given relative to the program's own one."""
+
+    __slots__ = ('_entry', 'path')
+
+    def __init__(self, entry: Any, path: Any) -> None:
+        self._entry = entry
+        self.path = path
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._entry, name)
+
+    def __fspath__(self) -> Any:
+        return self.path
+
+    def __repr__(self) -> str:
+        return repr(self._entry)
+
+
+class Listing:
+    """What `os.scandir` gives: an iterator that can be closed.
+
+    :param shown: the folder as the program wrote it.
+    :param folder: where it is.
+    """
+
+    def __init__(self, shown: Any, folder: Any) -> None:
+        self._shown = os.fspath(shown)
+        self._entries = os.scandir(folder)
+
+    def __iter__(self) -> Iterator[Entry]:
+        return self
+
+    def __next__(self) -> Entry:
+        entry = next(self._entries)
+        return Entry(entry, os.path.join(self._shown, entry.name))
+
+    def __enter__(self) -> Listing:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop before the end."""
+        self._entries.close()
+
 
 ONE_PATH = (
     'access',
@@ -53,7 +101,7 @@ def inside(path: Any) -> Any:
     folder = current_task().owner.cwd
     if folder is None or isinstance(path, int):
         return path
-    return real.path.join(real.fsencode(folder) if isinstance(path, bytes) else folder, path)
+    return os.path.join(os.fsencode(folder) if isinstance(path, bytes) else folder, path)
 
 
 class PlainFunction:
@@ -86,44 +134,44 @@ class Relative(PlainFunction):
 
 def _scandir(path: Any = '.') -> Any:
     where = inside(path)
-    return real.scandir(path) if where is path else Listing(path, where)
+    return os.scandir(path) if where is path else Listing(path, where)
 
 
 def _walk(top: Any, *arguments: Any, **options: Any) -> Any:
     start = inside(top)
-    for folder, folders, files in real.walk(start, *arguments, **options):
-        yield folder if start == top else real.path.join(top, real.path.relpath(folder, start)).removesuffix('/.'), folders, files
+    for folder, folders, files in os.walk(start, *arguments, **options):
+        yield folder if start == top else os.path.join(top, os.path.relpath(folder, start)).removesuffix('/.'), folders, files
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    **{name: Relative(getattr(real, name)) for name in ONE_PATH if hasattr(real, name)},
-    **{name: Relative(getattr(real, name), 2) for name in TWO_PATHS if hasattr(real, name)},
+    **{name: Relative(getattr(os, name)) for name in ONE_PATH if hasattr(os, name)},
+    **{name: Relative(getattr(os, name), 2) for name in TWO_PATHS if hasattr(os, name)},
     'walk': _walk,
     'scandir': PlainFunction(_scandir),
 }
 """For the view of `os`; the same for all programs."""
 
 
-def _relpath(path: Any, start: Any = real.curdir) -> Any:
-    return real.path.relpath(inside(path), inside(start))
+def _relpath(path: Any, start: Any = os.curdir) -> Any:
+    return os.path.relpath(inside(path), inside(start))
 
 
 def _expanduser(path: Any) -> Any:
-    text, home = real.fspath(path), current_task().owner.env.get('HOME')
+    text, home = os.fspath(path), current_task().owner.env.get('HOME')
     if home and isinstance(text, str) and (text == '~' or text.startswith('~/')):
         return home + text[1:]
-    return real.path.expanduser(text)
+    return os.path.expanduser(text)
 
 
 def _make_path() -> ModuleType:
-    view = ModuleType(real.path.__name__)
+    view = ModuleType(os.path.__name__)
     view.__dict__.update(
-        {name: Relative(getattr(real.path, name)) for name in QUESTIONS},
+        {name: Relative(getattr(os.path, name)) for name in QUESTIONS},
         relpath=_relpath,
         expanduser=_expanduser,
         __edulaunch_view__=True,
     )
-    copy_names(view, real.path)
+    copy_names(view, os.path)
     return view
 
 

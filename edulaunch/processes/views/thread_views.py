@@ -1,7 +1,8 @@
-"""`threading` in simulated time: a thread is a task of the same process."""
+"""`threading` and `queue` in simulated time: a thread is a task of the same process."""
 
 from __future__ import annotations
 
+import queue
 import threading as real
 from collections.abc import Callable, Iterable, Mapping
 from types import ModuleType
@@ -40,7 +41,7 @@ class Threads:
         return [thread for thread in self.by_task.values() if thread.is_alive()]
 
 
-def make(view: ModuleType, process: Process) -> ModuleType:
+def make_threading(view: ModuleType, process: Process) -> ModuleType:
     """Threads, locks, conditions, events, timers and thread-local data of this process."""
     threads = process.state['threads'] = Threads(process)
     current = threads.current
@@ -261,3 +262,60 @@ def _print_exception(args: Any, /) -> None:
     if args.exc_type is not SystemExit:
         process = current_task().owner
         process.write('stderr', f'Exception in thread {args.thread.name}:\n{student_traceback(args.exc_value)[0]}')
+
+
+class _SimulatedWaiting:
+    """Python's own queue classes, with simulated locks and conditions put in; their logic is used as it is."""
+
+    def __init__(self, maxsize: int = 0) -> None:
+        self.maxsize = maxsize
+        self._init(maxsize)  # type: ignore[attr-defined]
+        self.mutex = sync.Lock()
+        self.not_empty = sync.Condition(self.mutex)
+        self.not_full = sync.Condition(self.mutex)
+        self.all_tasks_done = sync.Condition(self.mutex)
+        self.unfinished_tasks = 0
+        self.is_shutdown = False
+
+    def put(self, item: Any, block: bool = True, timeout: float | None = None) -> None:
+        """As `queue.Queue.put`."""
+        with self.not_full:
+            if self.maxsize > 0 and not self._wait(self.not_full, lambda: self._qsize() < self.maxsize, block, timeout):  # type: ignore[attr-defined]
+                raise queue.Full
+            self._put(item)  # type: ignore[attr-defined]
+            self.unfinished_tasks += 1
+            self.not_empty.notify()
+
+    def get(self, block: bool = True, timeout: float | None = None) -> Any:
+        """As `queue.Queue.get`."""
+        with self.not_empty:
+            if not self._wait(self.not_empty, lambda: self._qsize() > 0, block, timeout):  # type: ignore[attr-defined]
+                raise queue.Empty
+            item = self._get()  # type: ignore[attr-defined]
+            self.not_full.notify()
+            return item
+
+    @staticmethod
+    def _wait(condition: sync.Condition, ready: Any, block: bool, timeout: float | None) -> bool:
+        if block and timeout is not None and timeout < 0:
+            raise ValueError("'timeout' must be a non-negative number")
+        return bool(ready() if not block else condition.wait_for(ready, timeout))
+
+
+class Queue(_SimulatedWaiting, queue.Queue):  # type: ignore[type-arg, misc]
+    """As `queue.Queue`, waiting in simulated time."""
+
+
+class LifoQueue(_SimulatedWaiting, queue.LifoQueue):  # type: ignore[type-arg, misc]
+    """As `queue.LifoQueue`, waiting in simulated time."""
+
+
+class PriorityQueue(_SimulatedWaiting, queue.PriorityQueue):  # type: ignore[type-arg, misc]
+    """As `queue.PriorityQueue`, waiting in simulated time."""
+
+
+def make_queue(view: ModuleType, process: Process) -> ModuleType:
+    """All queue classes wait in simulated time; `SimpleQueue` is a `Queue` without a limit."""
+    view.__dict__.update(Queue=Queue, LifoQueue=LifoQueue, PriorityQueue=PriorityQueue, SimpleQueue=Queue)
+    copy_names(view, queue)
+    return view

@@ -13,7 +13,7 @@ import pytest
 from greenlet import getcurrent
 
 from edulaunch.processes import current_process
-from edulaunch.processes.script_clock import script_sees_the_clock
+from edulaunch.processes.ambient import script_sees_the_clock
 from edulaunch.sim import real_threads
 from edulaunch.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.sim.task import AmbientTask
