@@ -55,7 +55,7 @@ class ShortPaths:
             text = _WORD.sub(lambda word: self._of_word(word[0]), text)
         if ' at 0x' not in text:
             return text
-        from edulaunch.processes.addresses import Addresses
+        from edulaunch.processes.streams import Addresses
 
         return Addresses().steady(text)
 

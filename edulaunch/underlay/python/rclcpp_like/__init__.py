@@ -26,7 +26,7 @@ from rclpy.subscription import Subscription
 from rclpy.timer import Timer
 
 from edulaunch.processes.current import current_process
-from edulaunch.processes.signals import Signals
+from edulaunch.processes.spec import Signals
 
 _NAMES: tuple[tuple[type[Exception], str], ...] = (
     (InvalidTopicNameException, 'rclcpp::exceptions::InvalidTopicNameError'),

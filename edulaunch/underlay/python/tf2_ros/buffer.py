@@ -13,7 +13,7 @@ from tf2_py.buffer_core import NS_PER_S, exception_of, message, nanoseconds, rep
 
 from edulaunch.facts import kind_of, with_facts
 from edulaunch.processes.current import current_process
-from edulaunch.processes.student_line import student_line
+from edulaunch.processes.whose_code import student_line
 from edulaunch.sim.sync import sleep
 from edulaunch.sim.task import current_task
 from edulaunch.tf import TransformFailure
