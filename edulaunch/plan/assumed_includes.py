@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch.actions.set_launch_configuration import SetLaunchConfiguration
+from launch.actions.configurations import SetLaunchConfiguration
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext

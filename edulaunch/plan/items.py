@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.utilities.texts import perform_substitutions
 
 from edulaunch.plan.process_items import process_item
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.utilities.texts import perform_substitutions
 
 from edulaunch.graph.names import fully_qualified_name, remapped_namespace, remapped_node_name
 from edulaunch.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments

@@ -20,8 +20,7 @@ from launch.actions import (
     TimerAction,
 )
 from launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO, OnProcessStart
-from launch.events import matches_action
-from launch.events.execution_complete import ExecutionComplete
+from launch.events import ExecutionComplete, matches_action
 from launch.events.process import ShutdownProcess, SignalProcess
 from launch.substitutions import LaunchConfiguration
 

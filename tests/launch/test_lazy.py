@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import inspect
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -21,6 +23,151 @@ PACKAGES = [
     'launch.substitutions',
     'launch.utilities',
 ]
+
+
+PATHS = [
+    'launch.action',
+    'launch.actions',
+    'launch.actions.append_environment_variable',
+    'launch.actions.declare_launch_argument',
+    'launch.actions.emit_event',
+    'launch.actions.execute_local',
+    'launch.actions.execute_process',
+    'launch.actions.group_action',
+    'launch.actions.include_launch_description',
+    'launch.actions.log_info',
+    'launch.actions.opaque_coroutine',
+    'launch.actions.opaque_function',
+    'launch.actions.pop_environment',
+    'launch.actions.pop_launch_configurations',
+    'launch.actions.push_environment',
+    'launch.actions.push_launch_configurations',
+    'launch.actions.register_event_handler',
+    'launch.actions.reset_environment',
+    'launch.actions.reset_launch_configurations',
+    'launch.actions.set_environment_variable',
+    'launch.actions.set_launch_configuration',
+    'launch.actions.shutdown_action',
+    'launch.actions.timer_action',
+    'launch.actions.unregister_event_handler',
+    'launch.actions.unset_environment_variable',
+    'launch.actions.unset_launch_configuration',
+    'launch.condition',
+    'launch.conditions',
+    'launch.conditions.evaluate_condition_expression_impl',
+    'launch.conditions.if_condition',
+    'launch.conditions.invalid_condition_expression_error',
+    'launch.conditions.launch_configuration_equals',
+    'launch.conditions.launch_configuration_not_equals',
+    'launch.conditions.unless_condition',
+    'launch.descriptions',
+    'launch.descriptions.executable',
+    'launch.event',
+    'launch.event_handler',
+    'launch.event_handlers',
+    'launch.event_handlers.event_named',
+    'launch.event_handlers.on_action_event_base',
+    'launch.event_handlers.on_execution_complete',
+    'launch.event_handlers.on_include_launch_description',
+    'launch.event_handlers.on_process_exit',
+    'launch.event_handlers.on_process_io',
+    'launch.event_handlers.on_process_start',
+    'launch.event_handlers.on_shutdown',
+    'launch.events',
+    'launch.events.execution_complete',
+    'launch.events.include_launch_description',
+    'launch.events.matchers',
+    'launch.events.process',
+    'launch.events.process.process_exited',
+    'launch.events.process.process_io',
+    'launch.events.process.process_matchers',
+    'launch.events.process.process_started',
+    'launch.events.process.process_stderr',
+    'launch.events.process.process_stdin',
+    'launch.events.process.process_stdout',
+    'launch.events.process.process_targeted_event',
+    'launch.events.process.running_process_event',
+    'launch.events.process.shutdown_process',
+    'launch.events.process.signal_process',
+    'launch.events.shutdown',
+    'launch.events.timer_event',
+    'launch.frontend',
+    'launch.frontend.entity',
+    'launch.frontend.expose',
+    'launch.frontend.invalid_frontend_launch_file_error',
+    'launch.frontend.parse_substitution',
+    'launch.frontend.parser',
+    'launch.frontend.type_utils',
+    'launch.invalid_launch_file_error',
+    'launch.launch_context',
+    'launch.launch_description',
+    'launch.launch_description_entity',
+    'launch.launch_description_source',
+    'launch.launch_description_sources',
+    'launch.launch_description_sources.any_launch_description_source',
+    'launch.launch_description_sources.any_launch_file_utilities',
+    'launch.launch_description_sources.frontend_launch_description_source',
+    'launch.launch_description_sources.frontend_launch_file_utilities',
+    'launch.launch_description_sources.python_launch_description_source',
+    'launch.launch_description_sources.python_launch_file_utilities',
+    'launch.launch_introspector',
+    'launch.launch_service',
+    'launch.logging',
+    'launch.logging.handlers',
+    'launch.some_actions_type',
+    'launch.some_entities_type',
+    'launch.some_substitutions_type',
+    'launch.substitution',
+    'launch.substitutions',
+    'launch.substitutions.anon_name',
+    'launch.substitutions.boolean_substitution',
+    'launch.substitutions.command',
+    'launch.substitutions.environment_variable',
+    'launch.substitutions.equals_substitution',
+    'launch.substitutions.file_content',
+    'launch.substitutions.find_executable',
+    'launch.substitutions.if_else_substitution',
+    'launch.substitutions.launch_configuration',
+    'launch.substitutions.launch_log_dir',
+    'launch.substitutions.local_substitution',
+    'launch.substitutions.not_equals_substitution',
+    'launch.substitutions.path_join_substitution',
+    'launch.substitutions.path_substitution',
+    'launch.substitutions.python_expression',
+    'launch.substitutions.string_join_substitution',
+    'launch.substitutions.substitution_failure',
+    'launch.substitutions.text_substitution',
+    'launch.substitutions.this_launch_file',
+    'launch.substitutions.this_launch_file_dir',
+    'launch.utilities',
+    'launch.utilities.class_tools_impl',
+    'launch.utilities.ensure_argument_type_impl',
+    'launch.utilities.normalize_to_list_of_entities_impl',
+    'launch.utilities.normalize_to_list_of_substitutions_impl',
+    'launch.utilities.perform_substitutions_impl',
+    'launch.utilities.signal_management',
+    'launch.utilities.type_utils',
+    'launch.utilities.typing_file_path',
+    'launch.utilities.visit_all_entities_and_collect_futures_impl',
+]
+"""The paths at which launch's modules are in ROS 2, whichever file they are in here."""
+
+
+def test_every_module_of_ros_can_be_imported_at_its_path_alone() -> None:
+    """Each in a row of its own order: the last first, so that none finds its file loaded by one before."""
+    for paths in (PATHS, PATHS[::-1]):
+        _run(''.join(f'import {path}\nassert {path} is not None\n' for path in paths))
+
+
+@pytest.mark.parametrize('package', PACKAGES)
+def test_a_class_says_the_path_that_it_has_in_ros_and_comes_back_from_it(package: str) -> None:
+    module = importlib.import_module(package)
+    for name in dir(module):
+        value = getattr(module, name)
+        if isinstance(value, type):
+            assert value.__module__ in PATHS
+            assert pickle.loads(pickle.dumps(value)) is value
+            assert inspect.getsource(value).startswith(f'class {name}')
 
 
 @pytest.mark.parametrize('package', PACKAGES)

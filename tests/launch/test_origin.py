@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from launch import Action, LaunchContext, LaunchDescription
 from launch.actions import IncludeLaunchDescription, LogInfo
-from launch.utilities.visit_all_entities_and_collect_futures_impl import visit_all_entities_and_collect_futures
+from launch.utilities.entities import visit_all_entities_and_collect_futures
 
 
 def seconds_per_action(constants: int) -> float:

@@ -3,7 +3,7 @@
 import pytest
 from launch.actions import ExecuteProcess
 from launch.frontend import Parser
-from launch.frontend.command_line import words_of
+from launch.frontend.elements import words_of
 
 
 def described(text):

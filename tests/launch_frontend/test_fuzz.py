@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from launch import LaunchDescription
 from launch.frontend import InvalidFrontendLaunchFileError, Parser
 from launch.frontend.expose import action_parse_methods
-from launch.frontend.substitution_errors import SubstitutionSyntaxError
+from launch.frontend.parse_substitution import SubstitutionSyntaxError
 
 from edulaunch.facts import facts_of
 

@@ -2,8 +2,13 @@
 
 import pytest
 from launch.frontend.expose import substitution_parse_methods
-from launch.frontend.parse_substitution import parse_if_substitutions, parse_substitution, replace_escaped_characters
-from launch.frontend.substitution_errors import SubstitutionSyntaxError, VisitError
+from launch.frontend.parse_substitution import (
+    SubstitutionSyntaxError,
+    VisitError,
+    parse_if_substitutions,
+    parse_substitution,
+    replace_escaped_characters,
+)
 from launch.substitutions import TextSubstitution
 
 from edulaunch.facts import facts_of

@@ -3,8 +3,14 @@
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from launch.frontend.substitution_errors import SubstitutionSyntaxError, UnexpectedCharacters, UnexpectedEOF
-from launch.frontend.substitution_grammar import MAX_DEPTH, Call, parse_template
+from launch.frontend.parse_substitution import (
+    MAX_DEPTH,
+    Call,
+    SubstitutionSyntaxError,
+    UnexpectedCharacters,
+    UnexpectedEOF,
+    parse_template,
+)
 
 
 @pytest.mark.parametrize(

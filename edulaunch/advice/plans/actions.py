@@ -25,7 +25,7 @@ IDLE = frozenset(
 )
 def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Where both names are written out; a name from an argument may well be the same for once."""
-    from launch.utilities._plain_text import plain_text
+    from launch.utilities.texts import plain_text
 
     for branch, item in nodes(rehearsal):
         written = branch.action._Node__remappings

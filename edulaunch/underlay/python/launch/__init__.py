@@ -36,5 +36,12 @@ _EXPORTS = {
     'utilities': '',
 }
 _UPSTREAM_DOES_NOT_EXPORT = ('event_handlers', 'launch_description_sources', 'utilities')
+_FILES = {
+    'conditions': ('condition',),
+    'events': ('event',),
+    'substitution': ('some_substitutions_type',),
+    'launch_description_entity': ('some_entities_type', 'some_actions_type'),
+    'launch_description_source': ('invalid_launch_file_error',),
+}
 __all__ = [name for name in _EXPORTS if name not in _UPSTREAM_DOES_NOT_EXPORT]
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

@@ -16,7 +16,7 @@ from edulaunch.facts import facts_of
 from edulaunch.nearest import nearest
 
 from ._engine import running_process
-from .invalid_launch_file_error import InvalidLaunchFileError
+from .launch_description_source import InvalidLaunchFileError
 
 if TYPE_CHECKING:
     from edulaunch.packages import Index

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from types import FunctionType
+from typing import TYPE_CHECKING, Any
 
 from ._engine import process_state
 
@@ -39,3 +40,20 @@ def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, or
 def names_read() -> dict[str, bool]:
     """The names of launch configurations that substitutions asked for (`launch.read`), in order."""
     return process_state('launch.read', dict)
+
+
+_KEY = 'launch.wrong_return'
+
+
+def note_wrong_return(function: Any) -> None:
+    """Remember the function for :func:`tell_wrong_return`."""
+    remembered: list[Any] = process_state(_KEY, list)
+    remembered[:] = [function] if isinstance(function, FunctionType) else []
+
+
+def tell_wrong_return(error: Any) -> None:
+    """Put the place of the function that was remembered last on the error."""
+    remembered: list[Any] = process_state(_KEY, list)
+    for function in remembered:
+        code = function.__code__
+        error.edulaunch_file, error.edulaunch_line = code.co_filename, code.co_firstlineno

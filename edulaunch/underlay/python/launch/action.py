@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from ._bases import ParsedByFrontend, ReadOnly
 from ._origin import MAKERS, caller_outside_launch, note_origin, origin_of
-from ._parsed_by import ParsedByFrontend
-from ._read_only import ReadOnly
-from .condition import Condition
-from .events.execution_complete import ExecutionComplete
+from .conditions import Condition
+from .events import ExecutionComplete
 from .launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
 
 if TYPE_CHECKING:
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
 
 def _only_a_condition(entity: Entity, parser: Parser) -> tuple[type, dict[str, Any]]:
     """What every action element may have: `if` and `unless`."""
-    from .frontend.element import condition_of
+    from .frontend.elements import condition_of
 
     return Action, condition_of(entity, parser)
 

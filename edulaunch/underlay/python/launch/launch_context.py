@@ -7,10 +7,9 @@ from collections.abc import Iterable, MutableMapping
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from ._engine import environment, process_state, running_process
-from ._handler_table import HandlerTable
 from ._run_notes import names_read
-from .event import Event
-from .event_handler import BaseEventHandler
+from .event_handler import BaseEventHandler, HandlerTable
+from .events import Event
 from .substitution import Substitution
 
 if TYPE_CHECKING:

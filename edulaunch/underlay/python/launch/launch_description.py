@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ._argument_search import FoundArguments, found_arguments
-from ._read_only import ReadOnly
+from ._bases import ReadOnly
 from .launch_description_entity import LaunchDescriptionEntity
 
 if TYPE_CHECKING:

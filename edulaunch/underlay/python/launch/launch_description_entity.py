@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import collections.abc
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from ._stable_repr import StableRepr
+from ._bases import StableRepr
+from ._lazy import has_ros_paths
 
 if TYPE_CHECKING:
     import asyncio
@@ -42,3 +44,13 @@ class LaunchDescriptionEntity(StableRepr):
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """What launch waits for before it is idle, or None."""
         return None
+
+
+SomeEntitiesType = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity]
+"""One entity or several."""
+
+SomeEntitiesType_types_tuple = (LaunchDescriptionEntity, collections.abc.Iterable)
+
+SomeActionsType, SomeActionsType_types_tuple = SomeEntitiesType, SomeEntitiesType_types_tuple  # as ROS 2 Humble calls them
+
+has_ros_paths(__name__)

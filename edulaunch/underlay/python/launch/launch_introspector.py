@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from .actions.emit_event import EmitEvent
+from .actions.events import EmitEvent, RegisterEventHandler
 from .actions.execute_process import ExecuteProcess
-from .actions.log_info import LogInfo
-from .actions.register_event_handler import RegisterEventHandler
+from .actions.opaque import LogInfo
 from .launch_description import LaunchDescription
 from .substitution import Substitution
-from .utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from .utilities.texts import normalize_to_list_of_substitutions
 
 
 class LaunchIntrospector:

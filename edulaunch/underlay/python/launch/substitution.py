@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import collections.abc
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from ._parsed_by import ParsedByFrontend
-from ._stable_repr import StableRepr
+from ._bases import ParsedByFrontend, StableRepr
+from ._lazy import has_ros_paths
 
 if TYPE_CHECKING:
     from .launch_context import LaunchContext
@@ -30,3 +32,12 @@ class Substitution(StableRepr):
         :raises NotImplementedError: in this base class, as upstream.
         """
         raise NotImplementedError('Substitution is an abstract base class')
+
+
+SomeSubstitutionsType = str | Substitution | Iterable[str | Substitution]
+"""A text, a substitution, or several of them, which are joined without a separator."""
+
+SomeSubstitutionsType_types_tuple = (str, Substitution, collections.abc.Iterable)
+
+
+has_ros_paths(__name__)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from launch.substitutions.launch_configuration import LaunchConfiguration
+from launch.substitutions.values import LaunchConfiguration
 
 from ._given_parameters import Given
 from ._written_lines import key_lines

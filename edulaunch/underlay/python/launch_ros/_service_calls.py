@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
     """Wait for the service, then for its answer; None when launch shuts down before there is one."""
-    from launch.event_handlers.on_shutdown import OnShutdown
+    from launch.event_handlers.general import OnShutdown
 
     from edulaunch.processes import current_process
 

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch.frontend.element import Attributes, Element, Substitutions, pairs, text, typed
-from launch.frontend.elements import PROCESS, PROCESS_CHILDREN, TIMER, words
+from launch.frontend.elements import (
+    PROCESS,
+    PROCESS_CHILDREN,
+    TIMER,
+    Attributes,
+    Element,
+    Substitutions,
+    pairs,
+    text,
+    typed,
+    words,
+)
 from launch.frontend.entity import Entities, Entity
-from launch.frontend.registry import action_parse_methods, substitution_parse_methods
+from launch.frontend.expose import action_parse_methods, substitution_parse_methods
 from launch.frontend.substitution_parsers import Keywords, LateSubstitution, takes
 
 from ._param_element import parameters_in

@@ -5,14 +5,11 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from launch._bases import ReadOnly
 from launch._engine import assumptions, state_of
-from launch._read_only import ReadOnly
-from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
-from launch.substitution import Substitution
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
-from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from launch.utilities.type_utils import ensure_argument_type, normalize_typed_substitution, perform_typed_substitution
 
 from ._generated_file import GeneratedFile, temporary_path
 
@@ -178,7 +175,7 @@ def _substituted(context: LaunchContext, path: Path) -> str:
     """The file's text with its substitutions performed."""
     import yaml
     from launch.frontend.parse_substitution import parse_substitution
-    from launch.substitutions.substitution_failure import SubstitutionFailure
+    from launch.substitutions.text_substitution import SubstitutionFailure
 
     assumed = assumptions()
     if assumed is not None and assumed.lacks_file(str(path)):

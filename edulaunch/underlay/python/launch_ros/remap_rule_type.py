@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
+from launch.substitution import SomeSubstitutionsType, Substitution
 
 SomeRemapRule = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
 """A pair (from, to) as a launch file writes it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._read_only import ReadOnly
+from launch._bases import ReadOnly
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -86,7 +86,7 @@ class ROSAdapter:
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
     """The adapter of a launch, made at first use and shut down with launch."""
     if _KEY not in context.get_locals_as_dict():
-        from launch.event_handlers.on_shutdown import OnShutdown
+        from launch.event_handlers.general import OnShutdown
 
         adapter = ROSAdapter(argv=list(context.argv or ()))
         context.extend_globals({_KEY: adapter})

@@ -6,11 +6,9 @@ import unittest
 from collections.abc import Sequence
 from typing import Any
 
+from launch.actions.events import RegisterEventHandler
 from launch.actions.include_launch_description import IncludeLaunchDescription
-from launch.actions.register_event_handler import RegisterEventHandler
-from launch.event_handlers.on_process_exit import OnProcessExit
-from launch.event_handlers.on_process_io import OnProcessIO
-from launch.event_handlers.on_process_start import OnProcessStart
+from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from launch.launch_description import LaunchDescription
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.launch_description_source import LaunchDescriptionSource

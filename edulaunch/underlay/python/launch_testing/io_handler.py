@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from launch.events.process.process_io import ProcessIO
+from launch.events.process import ProcessIO
 
 from edulaunch.sim.sync import Condition
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from launch.events.process.process_exited import ProcessExited
-from launch.events.process.running_process_event import RunningProcessEvent
+from launch.events.process import ProcessExited, RunningProcessEvent
 
 from edulaunch.sim.sync import Condition
 

@@ -13,4 +13,4 @@ _ABSENT = {
     'tools': 'they filter the output of a middleware, which there is none of; compare with proc_output.assertWaitFor',
 }
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _ABSENT)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, absent=_ABSENT)

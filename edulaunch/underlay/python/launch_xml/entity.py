@@ -6,9 +6,8 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import places
-from launch.frontend.entity import Entities, Pair
+from launch.frontend.entity import Entities, Pair, check_is_list_entity
 from launch.frontend.entity import Entity as BaseEntity
-from launch.frontend.type_utils import check_is_list_entity
 
 from .typed_text import typed
 

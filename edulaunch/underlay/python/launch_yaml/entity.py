@@ -6,10 +6,9 @@ from collections.abc import Collection
 from typing import Any
 
 from launch.frontend import places
-from launch.frontend.entity import Entities, Pair
+from launch.frontend.entity import Entities, Pair, check_is_list_entity
 from launch.frontend.entity import Entity as BaseEntity
-from launch.frontend.registry import action_parse_methods
-from launch.frontend.type_utils import check_is_list_entity
+from launch.frontend.expose import action_parse_methods
 from launch.utilities.type_utils import is_instance_of
 
 _SCALARS = frozenset((str, int, float, bool))

@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Any
 
 from launch.utilities._yaml_values import YAML_BOOLEANS
-from launch.utilities.yaml_mapping import Mapping
+from launch.utilities.yaml_reader import Mapping
 
 MAX_DEPTH = 40
 """Deeper texts are left to libyaml, too."""

@@ -28,5 +28,24 @@ _EXPORTS = {
     'UnsetEnvironmentVariable': 'unset_environment_variable',
     'UnsetLaunchConfiguration': 'unset_launch_configuration',
 }
+_FILES = {
+    'environment': (
+        'append_environment_variable',
+        'pop_environment',
+        'push_environment',
+        'reset_environment',
+        'set_environment_variable',
+        'unset_environment_variable',
+    ),
+    'configurations': (
+        'pop_launch_configurations',
+        'push_launch_configurations',
+        'reset_launch_configurations',
+        'set_launch_configuration',
+        'unset_launch_configuration',
+    ),
+    'events': ('emit_event', 'register_event_handler', 'shutdown_action', 'unregister_event_handler'),
+    'opaque': ('log_info', 'opaque_coroutine', 'opaque_function'),
+}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

@@ -2,37 +2,38 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
-from ..event import Event
+from .._engine import running_process
+from ..conditions import evaluate_condition_expression
 from ..event_handler import BaseEventHandler
-from ..events.process.process_exited import ProcessExited
-from ..events.process.process_io import ProcessIO
-from ..events.process.process_started import ProcessStarted
-from ..events.process.process_stderr import ProcessStderr
-from ..events.process.process_stdout import ProcessStdout
-from ..events.process.process_targeted_event import ProcessTargetedEvent
-from ..events.process.running_process_event import RunningProcessEvent
-from ..events.process.shutdown_process import ShutdownProcess
-from ..events.process.signal_process import SignalProcess
-from ..events.shutdown import Shutdown
+from ..events import Event, Shutdown
+from ..events.process import (
+    ProcessExited,
+    ProcessIO,
+    ProcessStarted,
+    ProcessStderr,
+    ProcessStdout,
+    ProcessTargetedEvent,
+    RunningProcessEvent,
+    ShutdownProcess,
+    SignalProcess,
+)
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..logging import get_logger, get_output_loggers
 from ..logging._output import normalize_output_configuration
-from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from ._output_lines import OutputLines
-from ._process_options import DEFAULT_OUTPUT_FORMAT
+from ..utilities.texts import normalize_to_list_of_substitutions
+from ._process_run import DEFAULT_OUTPUT_FORMAT, OutputLines
 
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable
 
     from ..launch_context import LaunchContext
-    from ._process_options import ProcessOptions
-    from ._process_run import ProcessRun
+    from ._process_run import ProcessOptions, ProcessRun
     from .execute_local import ExecuteLocal
 
 Entities = list[LaunchDescriptionEntity]
@@ -122,8 +123,6 @@ class ProcessWatch(BaseEventHandler):
         try:
             self._run = self._start(context, emulate_tty)
         except Exception as error:
-            from ._start_failure import start_failure
-
             self._logger.error(f'exception occurred while executing process:\n{start_failure(error, self._action, details)}')
             self._finish()
             return
@@ -270,3 +269,32 @@ def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
     if wanted is None:
         return bool(options.emulate_tty)
     return evaluate_condition_expression(context, normalize_to_list_of_substitutions(wanted))
+
+
+def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
+    """Python's own last line about `error`, and a line of help with the place of the action.
+
+    ROS 2 shows a traceback of launch instead, in which nothing is the student's.
+    """
+    from traceback import format_exception_only
+
+    said = ''.join(format_exception_only(error)).rstrip()
+    origin = action.origin
+    place = '' if origin is None else f'{running_process().index.source_path(origin.file)}:{origin.line}: '
+    advice = _advice(error, details)
+    return f'{said}\n  help: {place}{advice}' if place or advice else said
+
+
+def _advice(error: Exception, details: dict[str, Any]) -> str:
+    program, folder = details['cmd'][0], details['cwd']
+    if folder and not os.path.isdir(folder):
+        return f'cwd={folder!r} is no folder'
+    if isinstance(error, FileNotFoundError):
+        if len(details['cmd']) > 1 and all(len(word) == 1 for word in details['cmd']):
+            return 'cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True'
+        blank = '; write each argument as an item of cmd of its own, or shell=True' if ' ' in program else ''
+        where = 'there is no such file' if os.sep in program else f'there is no program {program!r} on the PATH'
+        return where + blank
+    if isinstance(error, PermissionError):
+        return f'{program!r} is not executable: chmod +x it'
+    return 'this program could not be started'

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from .._read_only import ReadOnly
+from .._bases import ReadOnly
 from .._run_notes import note_declared
 from ..action import Action
-from ..some_substitutions_type import SomeSubstitutionsType
-from ..substitution import Substitution
-from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from ..utilities.perform_substitutions_impl import perform_substitutions
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext

@@ -5,20 +5,18 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from .._bases import ReadOnly
 from .._engine import environment
-from .._read_only import ReadOnly
 from ..action import Action
-from ..descriptions.executable import Executable
-from ..event_handlers.on_action_event_base import OnActionEventBase
-from ..events.process.process_exited import ProcessExited
+from ..descriptions import Executable
+from ..event_handlers.general import OnActionEventBase
+from ..events.process import ProcessExited
 from ..launch_description_entity import LaunchDescriptionEntity
-from ..some_substitutions_type import SomeSubstitutionsType
-from ..substitution import Substitution
-from ..substitutions.launch_configuration import LaunchConfiguration
-from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from ..utilities.perform_substitutions_impl import perform_substitutions
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..substitutions.values import LaunchConfiguration
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
-from ._process_options import DEFAULT_OUTPUT_FORMAT, ProcessOptions
+from ._process_run import DEFAULT_OUTPUT_FORMAT, ProcessOptions
 
 if TYPE_CHECKING:
     import asyncio

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from ..descriptions.executable import Executable, Substitutions, Variables
-from ..some_substitutions_type import SomeSubstitutionsType
+from ..descriptions import Executable, Substitutions, Variables
+from ..substitution import SomeSubstitutionsType
 from .execute_local import ExecuteLocal
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class ExecuteProcess(ExecuteLocal):
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[Substitutions]:
         """The words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
-        from ..frontend.command_line import words_of
+        from ..frontend.elements import words_of
 
         return words_of(cmd, parser)
 

@@ -7,19 +7,17 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from .._absent_packages import is_left_out
+from .._bases import ReadOnly
 from .._failure import is_students
 from .._include_ring import enter_include
-from .._read_only import ReadOnly
-from .._run_notes import note_declared, note_include, note_undeclared
-from .._wrong_return import tell_wrong_return
+from .._run_notes import note_declared, note_include, note_undeclared, tell_wrong_return
 from ..action import Action
 from ..launch_description_entity import LaunchDescriptionEntity
 from ..launch_description_source import LaunchDescriptionSource
-from ..launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
-from ..some_substitutions_type import SomeSubstitutionsType
-from ..utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from ..utilities.perform_substitutions_impl import perform_substitutions
-from .set_launch_configuration import SetLaunchConfiguration
+from ..launch_description_sources import AnyLaunchDescriptionSource
+from ..substitution import SomeSubstitutionsType
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from .configurations import SetLaunchConfiguration
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext

@@ -7,16 +7,15 @@ import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .._read_only import ReadOnly
+from .._bases import ReadOnly
 from ..action import Action
 from ..event_handler import EventHandler
-from ..event_handlers.on_shutdown import OnShutdown
-from ..events.timer_event import TimerEvent
+from ..event_handlers.general import OnShutdown
+from ..events import TimerEvent
 from ..launch_description_entity import ConditionalEntities, LaunchDescriptionEntity
-from ..some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
-from ..utilities.ensure_argument_type_impl import ensure_argument_type
-from ..utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
-from .opaque_function import OpaqueFunction
+from ..substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from ..utilities.type_utils import ensure_argument_type, normalize_typed_substitution, perform_typed_substitution
+from .opaque import OpaqueFunction
 
 if TYPE_CHECKING:
     import asyncio

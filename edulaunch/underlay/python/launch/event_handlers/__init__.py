@@ -12,5 +12,9 @@ _EXPORTS = {
     'OnShutdown': 'on_shutdown',
     'event_named': 'event_named',
 }
+_FILES = {
+    'general': ('event_named', 'on_action_event_base', 'on_execution_complete', 'on_include_launch_description', 'on_shutdown'),
+    'processes': ('on_process_exit', 'on_process_io', 'on_process_start'),
+}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

@@ -11,5 +11,6 @@ _EXPORTS = {
     'parse_substitution': '',
     'type_utils': '',
 }
+_FILES = {'entity': ('type_utils',)}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

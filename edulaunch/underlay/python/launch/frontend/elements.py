@@ -2,15 +2,181 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.facts import with_facts
+
+from ..substitution import Substitution
+from ..substitutions.text_substitution import TextSubstitution
 from . import places
-from .command_line import words_of
-from .element import Attributes, Element, Substitutions, as_given, literal, mapping, pairs, text, typed
 from .entity import Entities, Entity
 
 if TYPE_CHECKING:
     from .parser import Parser
+
+Word = list[Substitution]
+
+
+def words_of(text: str, parser: Parser) -> list[Word]:
+    """The words of a command line; each is a list of substitutions.
+
+    Substitutions are found first, then the literal pieces between them are split as a shell would. What
+    touches a substitution stays in one word with it, and what comes out of a substitution is never split.
+    As upstream, a text of nothing, and blanks before the first substitution, are one empty word.
+
+    :raises ValueError: when a quote is not closed within one literal piece.
+    """
+    words: list[Word] = []
+    word: Word = []
+    for piece in parser.parse_substitution(text):
+        if not isinstance(piece, TextSubstitution):
+            word.append(piece)
+            continue
+        tokens = _split(piece.text)
+        if not tokens or (word and piece.text[0].isspace()):
+            words.append(word)
+            word = []
+        for number, token in enumerate(tokens):
+            if number:
+                words.append(word)
+                word = []
+            word.append(TextSubstitution(text=token))
+        if word and piece.text[-1:].isspace():
+            words.append(word)
+            word = []
+    if word:
+        words.append(word)
+    return words
+
+
+def _split(text: str) -> list[str]:
+    if '"' not in text and "'" not in text and '\\' not in text:
+        return text.split()
+    from shlex import split
+
+    try:
+        return split(text)
+    except ValueError as error:
+        raise with_facts(error, 'launch.open-quote', text=text) from None
+
+
+Parsed = tuple[type, dict[str, Any]]
+"""What to make: a class (or function) and its keyword arguments."""
+Substitutions = list[Substitution]
+Reader = Callable[[Entity, 'Parser', str], Any]
+Attributes = dict[str, tuple[str, Reader]]
+"""Name of an attribute or child -> (keyword argument, how it is read)."""
+NOTHING: Attributes = {}
+
+
+class Element:
+    """Reads one kind of element; the class it makes is imported when the first one is read.
+
+    :param made_by: module and class, such as 'launch.actions.log_info.LogInfo'.
+    :param needed: attributes and children that it must have.
+    :param optional: attributes that it may have.
+    :param children: child elements that it may have.
+    :param holds_actions: all other children are actions.
+    """
+
+    def __init__(
+        self,
+        made_by: str,
+        needed: Attributes = NOTHING,
+        optional: Attributes = NOTHING,
+        children: Attributes = NOTHING,
+        *,
+        holds_actions: bool = False,
+    ) -> None:
+        self.module, _, self.class_name = made_by.rpartition('.')
+        self.needed = needed
+        self.optional = optional
+        self.children = children
+        self.holds_actions = holds_actions
+        self._class: Any = None
+
+    def __call__(self, entity: Entity, parser: Parser, ignore: Collection[str] = ()) -> Parsed:
+        """The class, and its keyword arguments.
+
+        :param ignore: attributes and children that somebody else reads.
+        """
+        if self._class is None:
+            self._class = getattr(import_module(self.module), self.class_name)
+        needed, optional, children = self.needed, self.optional, self.children
+        if ignore:
+            needed, optional, children = (_without(ignore, attributes) for attributes in (needed, optional, children))
+        kwargs = condition_of(entity, parser)
+        for name, (keyword, reader) in needed.items():
+            kwargs[keyword] = reader(entity, parser, name)
+        for name in entity.given(optional, children):
+            keyword, reader = optional[name] if name in optional else children[name]
+            kwargs[keyword] = reader(entity, parser, name)
+        if self.holds_actions:
+            kwargs['actions'] = [parser.parse_action(child) for child in entity.children if child.type_name not in children]
+        return self._class, kwargs
+
+
+def _without(ignore: Collection[str], attributes: Attributes) -> Attributes:
+    return {name: how for name, how in attributes.items() if name not in ignore}
+
+
+def condition_of(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Keyword argument `condition`, when the element has `if` or `unless`.
+
+    :raises RuntimeError: when it has both.
+    """
+    given = entity.given(('if', 'unless'))
+    if not given:
+        return {}
+    if len(given) > 1:
+        raise RuntimeError("if and unless conditions can't be used simultaneously")
+    from .. import conditions
+
+    (name,) = given
+    condition = conditions.IfCondition if name == 'if' else conditions.UnlessCondition
+    return {'condition': condition(predicate_expression=parser.parse_substitution(entity.get_attr(name)))}
+
+
+def text(entity: Entity, parser: Parser, name: str) -> Substitutions:
+    """An attribute that is a text with substitutions."""
+    return parser.parse_substitution(entity.get_attr(name))
+
+
+def literal(entity: Entity, parser: Parser, name: str) -> str:
+    """An attribute that is a text without substitutions."""
+    return parser.escape_characters(entity.get_attr(name))
+
+
+def typed(data_type: type) -> Reader:
+    """An attribute of that type, or a text with substitutions."""
+    return lambda entity, parser, name: parser.parse_if_substitutions(entity.get_attr(name, data_type=data_type))
+
+
+def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
+    """An attribute of that type; upstream looks for no substitutions in a text there."""
+    return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
+
+
+def pairs(
+    entity: Entity, parser: Parser, tag: str, first: str = 'name', second: str = 'value'
+) -> list[tuple[Substitutions, Substitutions]]:
+    """Children like `<arg name="a" value="b"/>`, in order."""
+    parse = parser.parse_substitution
+    plain = entity.plain_pairs(tag, first, second)
+    if plain is not None:
+        return [(parse(name), parse(value)) for name, value, _ in plain]
+    found = []
+    for child in entity.get_attr(tag, data_type=Entities):
+        found.append((parse(child.get_attr(first)), parse(child.get_attr(second))))
+        child.assert_entity_completely_parsed()
+    return found
+
+
+def mapping(entity: Entity, parser: Parser, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
+    """The same as :func:`pairs`, as a dictionary."""
+    return {tuple(name): value for name, value in pairs(entity, parser, tag)}
 
 
 def words(entity: Entity, parser: Parser, name: str) -> list[Substitutions]:

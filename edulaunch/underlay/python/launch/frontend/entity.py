@@ -9,6 +9,7 @@ from typing import Any
 
 from edulaunch.nearest import nearest
 
+from .._lazy import has_ros_paths
 from . import places
 
 Pair = tuple[str, Any, int]
@@ -118,3 +119,16 @@ class Entity(ABC):
 
 Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)
 """The data type with which a parse function asks for child elements."""
+
+
+def check_is_list_entity(data_type: Any) -> bool:
+    """Whether the data type is `List[Entity]` (or of a kind of entity)."""
+    if data_type is Entities:
+        return True
+    if getattr(data_type, '__origin__', None) is not list:
+        return False
+    item_type = (data_type.__args__ or (None,))[0]
+    return isinstance(item_type, type) and issubclass(item_type, Entity)
+
+
+has_ros_paths(__name__)

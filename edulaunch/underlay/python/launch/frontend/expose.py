@@ -8,8 +8,15 @@ from types import FunctionType, MethodType
 from typing import Any, TypeVar
 
 from .elements import ELEMENTS
-from .registry import ParseMethod, action_parse_methods, substitution_parse_methods
 from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
+
+ParseMethod = Callable[..., tuple[type, dict[str, Any]]]
+"""Gives what to make: a class (or function) and its keyword arguments."""
+
+action_parse_methods: dict[str, ParseMethod] = {}
+"""Element name -> function (entity, parser) -> (class, keyword arguments)."""
+substitution_parse_methods: dict[str, ParseMethod] = {}
+"""Name of `$(name ...)` -> function (list of arguments) -> (class, keyword arguments)."""
 
 __all__ = ['action_parse_methods', 'expose_action', 'expose_substitution', 'substitution_parse_methods']
 

@@ -4,19 +4,196 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from edulaunch.facts import with_facts
 from edulaunch.nearest import nearest
 
 from ..substitution import Substitution
 from ..substitutions.text_substitution import TextSubstitution
-from .expose import substitution_parse_methods
+from .expose import ParseMethod, substitution_parse_methods
 from .extensions import load_launch_extensions
-from .registry import ParseMethod
-from .substitution_errors import VisitError
-from .substitution_grammar import Call, Template, parse_template
 from .substitution_parsers import LateSubstitution
+
+MAX_DEPTH = 50
+"""How deep `$(...)` may stand inside each other."""
+
+
+class Call(NamedTuple):
+    """One `$(name argument...)`."""
+
+    name: str
+    arguments: tuple[Template, ...]
+
+
+Template = tuple[str | Call, ...]
+
+_NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
+_OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
+_BARE = {'': re.compile(r'[^ \'"\\$()]+'), "'": re.compile(r"[^ '\\$()]+"), '"': re.compile(r'[^ "\\$()]+')}
+"""By the quotes around the call."""
+_QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\$"]+|\$(?!\())+')}
+
+
+@lru_cache(maxsize=4096)
+def parse_template(text: str) -> Template:
+    """The pieces of a text, in order; equal texts share one (immutable) result.
+
+    :raises UnexpectedCharacters: for a character that the grammar does not allow.
+    :raises UnexpectedEOF: when a `$(` or a quote in it is not closed.
+    """
+    reader = _Reader(text)
+    pieces = reader.pieces(_OUTSIDE)
+    if reader.position < len(text):
+        raise UnexpectedCharacters(text, reader.position, 'a character after the backslash')
+    return pieces
+
+
+class _Reader:
+    """A recursive-descent parser over one text."""
+
+    __slots__ = ('text', 'position', 'depth', 'quote')
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.position = 0
+        self.depth = 0
+        self.quote = ''
+
+    def pieces(self, literal: re.Pattern[str]) -> Template:
+        """Calls, escapes and runs of `literal`, up to the first character that is neither."""
+        text = self.text
+        pieces: list[str | Call] = []
+        run: list[str] = []
+        while True:
+            match = literal.match(text, self.position)
+            if match:
+                run.append(match.group())
+                self.position = match.end()
+            elif text.startswith('$(', self.position):
+                if run:
+                    pieces.append(''.join(run))
+                    run = []
+                pieces.append(self.call())
+            elif text.startswith('\\', self.position) and self.position + 1 < len(text):
+                run.append(text[self.position + 1])
+                self.position += 2
+            else:
+                break
+        if run:
+            pieces.append(''.join(run))
+        return tuple(pieces)
+
+    def call(self) -> Call:
+        """One `$(...)`, starting at its dollar sign."""
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise SubstitutionSyntaxError(f'more than {MAX_DEPTH} substitutions stand inside each other')
+        self.position += 2
+        name = _NAME.match(self.text, self.position)
+        if name is None:
+            raise self.unexpected('the name of a substitution, such as var')
+        self.position = name.end()
+        arguments = []
+        while self.text.startswith(' ', self.position):
+            self.position += 1
+            arguments.append(self.argument())
+        if not self.text.startswith(')', self.position):
+            raise self.unexpected("one space and an argument, or ')'")
+        self.position += 1
+        self.depth -= 1
+        return Call(name.group(), tuple(arguments))
+
+    def argument(self) -> Template:
+        """One argument, bare or in quotes."""
+        quote = self.text[self.position : self.position + 1]
+        if self.quote or quote not in ("'", '"'):
+            pieces = self.pieces(_BARE[self.quote])
+            if not pieces:
+                raise self.unexpected('an argument (after exactly one space)')
+            return pieces
+        self.position += 1
+        self.quote = quote
+        pieces = self.pieces(_QUOTED[quote])
+        self.quote = ''
+        if not self.text.startswith(quote, self.position):
+            raise self.unexpected(f'the closing quote {quote}')
+        self.position += 1
+        return pieces
+
+    def unexpected(self, expected: str) -> SubstitutionSyntaxError:
+        """The error for what stands (or does not stand) at the position."""
+        if self.position >= len(self.text):
+            return UnexpectedEOF(self.text, self.position, expected)
+        return UnexpectedCharacters(self.text, self.position, expected)
+
+
+CONTEXT_WIDTH = 40
+LONGEST_SHOWN = 60
+
+
+class SubstitutionSyntaxError(Exception):
+    """Base of the errors in the text of a `$(...)`."""
+
+
+class UnexpectedInput(SubstitutionSyntaxError):
+    """The text does not follow the grammar.
+
+    :param position: index of the offending character.
+    :param expected: what would have been allowed there, in words.
+    :ivar line: line of that character within the text, from 1.
+    :ivar column: its column, from 1.
+    """
+
+    def __init__(self, text: str, position: int, expected: str) -> None:
+        self.pos_in_stream = position
+        self.line = text.count('\n', 0, position) + 1
+        self.column = position - text.rfind('\n', 0, position)
+        shown = text if len(text) <= LONGEST_SHOWN else f'{text[:LONGEST_SHOWN]}...'
+        with_facts(self, 'launch.call-syntax', expected_there=expected, column=self.column, text=shown)
+        super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
+
+    def first_line(self, text: str) -> str:
+        """What lark says before it lists what it expected."""
+        return 'Unexpected input. '
+
+
+class UnexpectedCharacters(UnexpectedInput):
+    """A character stands where the grammar does not allow it; the message shows it with a caret."""
+
+    def first_line(self, text: str) -> str:
+        """Names the character and its place, and shows both."""
+        found = text[self.pos_in_stream]
+        place = f'at line {self.line} col {self.column}'
+        return f"No terminal matches '{found}' in the current parser context, {place}\n\n{_pointing_at(text, self.pos_in_stream)}"
+
+
+class UnexpectedEOF(UnexpectedInput):
+    """The text ends inside a `$(...)`."""
+
+    def first_line(self, text: str) -> str:
+        """There is nothing to show."""
+        return 'Unexpected end-of-input. '
+
+
+class VisitError(SubstitutionSyntaxError):
+    """A `$(...)` is well-formed but cannot be made: unknown name, or wrong number of arguments.
+
+    :ivar rule: the grammar rule, 'substitution'.
+    :ivar orig_exc: the error behind it, which is also the `__cause__`.
+    """
+
+    def __init__(self, rule: str, error: Exception) -> None:
+        super().__init__(f'Error trying to process rule "{rule}":\n\n{error}')
+        self.rule = rule
+        self.orig_exc = error
+
+
+def _pointing_at(text: str, position: int) -> str:
+    before = text[max(position - CONTEXT_WIDTH, 0) : position].rsplit('\n', 1)[-1]
+    after = text[position : position + CONTEXT_WIDTH].split('\n', 1)[0]
+    return f'{before}{after}\n{" " * len(before.expandtabs())}^\n'
+
 
 _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 

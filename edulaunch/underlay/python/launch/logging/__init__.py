@@ -20,10 +20,8 @@ import logging
 from typing import Any
 
 from . import handlers
-from ._config import LaunchConfig
-from ._log_dir import _get_logging_directory, _make_unique_log_dir, _renew_latest_log_dir
 from ._output import OutputConfig, normalize_output_configuration
-from ._state import LaunchLogger, logging_state
+from ._state import LaunchConfig, LaunchLogger, _get_logging_directory, _make_unique_log_dir, _renew_latest_log_dir, logging_state
 
 __all__ = [
     'LaunchConfig',

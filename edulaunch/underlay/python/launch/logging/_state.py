@@ -3,10 +3,203 @@
 from __future__ import annotations
 
 import logging
+import os
+import warnings
+from collections.abc import Callable
 from typing import Any
 
-from .._engine import process_state, running_process
-from ._config import LaunchConfig
+from .._engine import environment, process_state, running_process
+from . import handlers
+
+
+def _get_logging_directory() -> str:
+    """The folder below which each launch makes its own: $ROS_LOG_DIR, else $ROS_HOME/log, else ~/.ros/log."""
+    env = environment()
+    log_dir = env.get('ROS_LOG_DIR')
+    if not log_dir:
+        log_dir = os.path.join(env.get('ROS_HOME') or os.path.join('~', '.ros'), 'log')
+    return os.path.expanduser(log_dir)
+
+
+def _make_unique_log_dir(*, base_path: str) -> str:
+    """Make `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID`, of the simulated time; `-2`, `-3` ... when
+    that exists.
+    """
+    from socket import gethostname
+    from time import gmtime, strftime
+
+    process = running_process()
+    seconds, ns = divmod(process.sim.now_ns, 1_000_000_000)
+    date = strftime('%Y-%m-%d-%H-%M-%S', gmtime(seconds))
+    name = f'{date}-{ns // 1000:06d}-{gethostname()}-{process.pid}'
+    first = os.path.join(base_path, name)
+    count = _free_number(first)
+    while True:
+        path = _numbered(first, count)
+        try:
+            os.makedirs(path)
+            return path
+        except FileExistsError:  # another program was faster
+            count += 1
+
+
+def _numbered(first: str, count: int) -> str:
+    return first if count == 1 else f'{first}-{count}'
+
+
+def _free_number(first: str) -> int:
+    """A number that is not in use, found by halving: one launch after the other begins at the same simulated time."""
+    if not os.path.exists(first):
+        return 1
+    taken, free = 1, 2
+    while os.path.exists(_numbered(first, free)):
+        taken, free = free, free * 2
+    while free - taken > 1:
+        middle = (taken + free) // 2
+        if os.path.exists(_numbered(first, middle)):
+            taken = middle
+        else:
+            free = middle
+    return free
+
+
+def _renew_latest_log_dir(*, log_dir: str) -> bool:
+    """Let the link `latest` beside `log_dir` point to it. False when something else of that name is in the
+    way.
+    """
+    link = os.path.join(os.path.dirname(log_dir), 'latest')
+    if os.path.lexists(link):
+        if not os.path.islink(link):
+            return False
+        os.unlink(link)
+    os.symlink(os.path.basename(log_dir), link, target_is_directory=True)
+    return True
+
+
+ALIASES = {'default': '[{levelname}] [{name}]: {msg}', 'default_with_timestamp': '{created:.7f} [{levelname}] [{name}]: {msg}'}
+
+
+class LaunchConfig:
+    """The logging configuration of one process.
+
+    :ivar log_handler_factory: called with the path of a log file to make its handler; None for the usual file
+        handler.
+    """
+
+    def __init__(self, root: logging.Logger) -> None:
+        self._root = root
+        self._log_dir: str | None = None
+        self.file_handlers: dict[str, Any] = {}
+        self.screen_handler: Any = None
+        self.log_handler_factory: Callable[[str], Any] | None = None
+        self.dry = False
+        """Whether nothing is to be left behind: a plan writes no log files."""
+        self._silent_handlers: dict[str, Any] = {}
+        self._screen_formatter: logging.Formatter
+        self._log_formatter: logging.Formatter
+        self.set_screen_format('default')
+        self.set_log_format('default')
+
+    @property
+    def level(self) -> int:
+        """Records below this level are dropped."""
+        return self._root.level
+
+    @level.setter
+    def level(self, new_level: Any) -> None:
+        self._root.setLevel(new_level)
+
+    @property
+    def log_dir(self) -> str:
+        """The folder of this launch's log files; made when first asked for, with the link `latest` beside it."""
+        if self._log_dir is None:
+            self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
+            _renew_latest_log_dir(log_dir=self._log_dir)
+        return self._log_dir
+
+    @log_dir.setter
+    def log_dir(self, new_log_dir: str | None) -> None:
+        if self.file_handlers:
+            warnings.warn(
+                f'Loggers have been already configured to output to log files below {self._log_dir}. Proceed at your own risk.',
+                stacklevel=2,
+            )
+        self._log_dir = None if new_log_dir is None else _make_unique_log_dir(base_path=new_log_dir)
+
+    @property
+    def _writes_files(self) -> bool:
+        if self.dry:
+            return False
+        if self._log_dir is not None or self.log_handler_factory is not None:
+            return True
+        env = environment()
+        return bool(env.get('ROS_LOG_DIR') or env.get('ROS_HOME'))
+
+    def set_screen_format(self, screen_format: str | None, *, screen_style: str | None = None) -> None:
+        """How lines look on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment comes first.
+
+        :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
+        :raises ValueError: when a style is given for one of the two names.
+        """
+        formatter = _formatter('screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES)
+        if formatter is not None:
+            self._screen_formatter = formatter
+            if self.screen_handler is not None:
+                self.screen_handler.setFormatter(formatter)
+
+    def set_log_format(self, log_format: str | None, *, log_style: str | None = None) -> None:
+        """How lines look in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment comes first.
+
+        :param log_format: 'default' or a format; None changes nothing.
+        :raises ValueError: when a style is given for 'default'.
+        """
+        aliases = {'default': ALIASES['default_with_timestamp']}
+        formatter = _formatter('log', 'OVERRIDE_LAUNCH_LOG_FORMAT', log_format, log_style, aliases)
+        if formatter is not None:
+            self._log_formatter = formatter
+            for handler in self.file_handlers.values():
+                handler.setFormatter(formatter)
+
+    def get_screen_handler(self) -> Any:
+        """The handler that writes to the standard output of the process that asked first."""
+        if self.screen_handler is None:
+            self.screen_handler = handlers.StreamHandler(running_process().stdout)
+            self.screen_handler.setFormatter(self._screen_formatter)
+        return self.screen_handler
+
+    def get_log_file_path(self, file_name: str = 'launch.log') -> str:
+        """Where a log file of that name is."""
+        return os.path.join(self.log_dir, file_name)
+
+    def get_log_file_handler(self, file_name: str = 'launch.log') -> Any:
+        """The handler that writes to that file; one that does nothing when no files are wanted."""
+        if not self._writes_files:
+            return self._silent_handlers.setdefault(file_name, handlers.NullHandler())
+        handler = self.file_handlers.get(file_name)
+        if handler is None:
+            factory = self.log_handler_factory or _file_handler
+            handler = self.file_handlers[file_name] = factory(self.get_log_file_path(file_name))
+            handler.setFormatter(self._log_formatter)
+        return handler
+
+
+def _file_handler(path: str) -> Any:
+    return handlers.FileHandler(path, encoding='utf-8')
+
+
+def _formatter(
+    what: str, variable: str, text: str | None, style: str | None, aliases: dict[str, str]
+) -> logging.Formatter | None:
+    override = environment().get(variable)
+    if override:
+        text, style = override.encode('latin1').decode('unicode_escape'), '{'
+    if text is None:
+        return None
+    if text in aliases:
+        if style is not None and not override:
+            raise ValueError(f'Cannot set a custom format style for the "{text}" {what} format.')
+        text = aliases[text]
+    return logging.Formatter(text, style='{' if style is None else style)  # type: ignore[arg-type]
 
 
 class LaunchLogger(logging.Logger):

@@ -28,5 +28,21 @@ _EXPORTS = {
     'ThisLaunchFile': 'this_launch_file',
     'ThisLaunchFileDir': 'this_launch_file_dir',
 }
+_FILES = {
+    'booleans': ('boolean_substitution', 'equals_substitution', 'if_else_substitution', 'not_equals_substitution'),
+    'evaluated': ('command', 'python_expression'),
+    'paths': (
+        'file_content',
+        'find_executable',
+        'launch_log_dir',
+        'path_join_substitution',
+        'path_substitution',
+        'string_join_substitution',
+        'this_launch_file',
+        'this_launch_file_dir',
+    ),
+    'text_substitution': ('substitution_failure',),
+    'values': ('anon_name', 'environment_variable', 'launch_configuration', 'local_substitution'),
+}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

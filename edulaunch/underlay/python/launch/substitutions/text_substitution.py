@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from .._lazy import has_ros_paths
 from ..substitution import Substitution
 
 if TYPE_CHECKING:
@@ -33,3 +35,15 @@ class TextSubstitution(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """The text."""
         return self._text
+
+
+class SubstitutionFailure(RuntimeError):
+    """A substitution could not be evaluated."""
+
+
+def describe_all(substitutions: Iterable[Substitution]) -> str:
+    """Several substitutions that are joined: `'a' + LaunchConfig('b')`."""
+    return ' + '.join([substitution.describe() for substitution in substitutions])
+
+
+has_ros_paths(__name__)

@@ -14,5 +14,10 @@ _EXPORTS = {
     'type_utils': '',
     'visit_all_entities_and_collect_futures': 'visit_all_entities_and_collect_futures_impl',
 }
+_FILES = {
+    'entities': ('normalize_to_list_of_entities_impl', 'visit_all_entities_and_collect_futures_impl'),
+    'texts': ('normalize_to_list_of_substitutions_impl', 'perform_substitutions_impl'),
+    'type_utils': ('class_tools_impl', 'ensure_argument_type_impl', 'typing_file_path'),
+}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

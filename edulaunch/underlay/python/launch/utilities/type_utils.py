@@ -6,12 +6,14 @@ Used by parameter values, by typed arguments of actions and by the XML and YAML 
 from __future__ import annotations
 
 import collections.abc
-from typing import TYPE_CHECKING, Any, List  # noqa: UP035
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, List, Union  # noqa: UP035
 
+from .._lazy import has_ros_paths
 from ..substitution import Substitution
 from ._yaml_values import YAML_BOOLEANS, load_yaml_value
-from .normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from .perform_substitutions_impl import perform_substitutions
+from .texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
     from ..launch_context import LaunchContext
@@ -246,3 +248,38 @@ def _checked(value: Any, data_type: AllowedTypesType, error: type[Exception] = T
     if not is_instance_of(value, data_type):
         raise error(f"value='{value}' is not an instance of {data_type}")
     return value
+
+
+def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_name: str, caller: str | None = None) -> None:
+    """Check that `argument` is an instance of one of `types`.
+
+    :param caller: the function or class named in the message.
+    :raises TypeError: naming the caller, the argument, the expected types, and what came.
+    """
+    expected = types if isinstance(types, tuple) else (types,) if isinstance(types, type) else tuple(types)
+    if isinstance(argument, expected):
+        return
+    start = 'Expected' if caller is None else f"'{caller}' expected"
+    shown = ', '.join(str(one) for one in expected)
+    raise TypeError(f"{start} '{argument_name}' to be one of [{shown}], but got '{argument}' of type '{type(argument)}'")
+
+
+def isclassinstance(obj: Any) -> bool:
+    """Whether `obj` is an instance of a class, which everything is; kept for code of Python 2's time."""
+    return hasattr(obj, '__class__')
+
+
+def is_a(obj: Any, entity_type: Any) -> bool:
+    """Whether `obj` is an instance of exactly `entity_type` (or of a sub-class)."""
+    return isinstance(obj, entity_type)
+
+
+def is_a_subclass(obj: Any, entity_type: Any) -> bool:
+    """Whether `obj` is an instance of `entity_type`, or a class derived from it."""
+    return isinstance(obj, entity_type) or (isinstance(obj, type) and issubclass(obj, entity_type))
+
+
+FilePath = Union[bytes, str, 'os.PathLike[str]']
+
+
+has_ros_paths(__name__)

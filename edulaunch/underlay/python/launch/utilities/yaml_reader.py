@@ -12,7 +12,17 @@ import yaml
 
 from edulaunch.facts import with_facts
 
-from .yaml_mapping import Mapping
+
+class Mapping(dict):  # type: ignore[type-arg]
+    """A mapping of the file.
+
+    :ivar line: where its first key stands, from 1.
+    """
+
+    __slots__ = ('line',)
+
+    line: int
+
 
 MAX_DEPTH = 100
 """How deep lists and mappings may be nested."""

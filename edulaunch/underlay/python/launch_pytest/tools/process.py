@@ -149,9 +149,7 @@ def _wait_sync(
 
 def _handler(kind: str, action: ExecuteLocal, tell: Callable[[], object]) -> Any:
     """What calls `tell` after each event of that kind."""
-    from launch.event_handlers.on_process_exit import OnProcessExit
-    from launch.event_handlers.on_process_io import OnProcessIO
-    from launch.event_handlers.on_process_start import OnProcessStart
+    from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 
     def on_event(event: object, context: object = None) -> None:
         tell()

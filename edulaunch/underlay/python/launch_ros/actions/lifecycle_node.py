@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import launch.logging
 from launch._engine import running_process
 from launch.event_handler import EventHandler
-from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitution import SomeSubstitutionsType
 
 from .._service_calls import call_service
 from ..events.lifecycle.change_state import ChangeState
@@ -16,7 +16,7 @@ from ..ros_adapters import get_ros_node
 from .node import Node
 
 if TYPE_CHECKING:
-    from launch.event import Event
+    from launch.events import Event
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
 
@@ -66,7 +66,7 @@ class LifecycleNode(Node):
 
 def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
     """An action that sends the ChangeState event that is handled just now."""
-    from launch.actions.opaque_function import OpaqueFunction
+    from launch.actions.opaque import OpaqueFunction
 
     def send(context: LaunchContext) -> None:
         event: Event = context.locals.event

@@ -7,14 +7,12 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from launch.action import Action
-from launch.actions.emit_event import EmitEvent
-from launch.actions.opaque_function import OpaqueFunction
-from launch.actions.register_event_handler import RegisterEventHandler
+from launch.actions.events import EmitEvent, RegisterEventHandler
+from launch.actions.opaque import OpaqueFunction
 from launch.event_handler import EventHandler
 from launch.logging import get_logger
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 from ..events.lifecycle.change_state import ChangeState
 from ..events.lifecycle.state_transition import StateTransition

@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import launch.logging
 from launch.action import Action
-from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from launch.utilities.type_utils import ensure_argument_type
 
 from .._service_calls import call_service
 from ..descriptions import ComposableNode

@@ -6,15 +6,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
+from launch._bases import ReadOnly
 from launch._engine import process_counter, process_state
-from launch._read_only import ReadOnly
 from launch.actions.execute_process import ExecuteProcess
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities._plain_text import plain_text
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions, plain_text
+from launch.utilities.type_utils import ensure_argument_type
 
 from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._read_only import ReadOnly
+from launch._bases import ReadOnly
 from launch.action import Action
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 from edulaunch.graph.names import namespace_problem
 
@@ -37,7 +35,7 @@ class PushROSNamespace(Action):
         previous = context.launch_configurations.get('ros_namespace')
         namespace = make_namespace_absolute(prefix_namespace(previous, pushed))
         if namespace is None or namespace_problem(namespace) is not None:
-            from launch.substitutions.substitution_failure import SubstitutionFailure
+            from launch.substitutions.text_substitution import SubstitutionFailure
 
             raise SubstitutionFailure(
                 f"The resulting namespace is invalid: [previous_namespace='{previous}', pushed_namespace='{pushed}']"

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from launch.action import Action
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import perform_substitutions
 
 from .._parameter_origins import GlobalParameter
 from ..utilities import normalize_parameter_dict

@@ -5,12 +5,10 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from launch._read_only import ReadOnly
+from launch._bases import ReadOnly
 from launch.action import Action
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -34,6 +32,6 @@ class SetROSLogDir(Action):
 
 
 def _launch_log_dir(context: LaunchContext) -> str:
-    from launch.substitutions.launch_log_dir import LaunchLogDir
+    from launch.substitutions.paths import LaunchLogDir
 
     return LaunchLogDir().perform(context)

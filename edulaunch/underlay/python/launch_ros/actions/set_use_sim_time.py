@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._read_only import ReadOnly
+from launch._bases import ReadOnly
 from launch.action import Action
 from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
 

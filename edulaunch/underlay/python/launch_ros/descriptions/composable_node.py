@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from launch._read_only import ReadOnly
-from launch.condition import Condition
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch._bases import ReadOnly
+from launch.conditions import Condition
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions
 
 from ..parameters_type import Parameters, SomeParameters
 from ..remap_rule_type import RemapRules, SomeRemapRules

@@ -6,15 +6,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from launch.event_handler import EventHandler
-from launch.some_entities_type import SomeEntitiesType
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.launch_description_entity import SomeEntitiesType
+from launch.substitution import SomeSubstitutionsType
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 from ..events.lifecycle.state_transition import StateTransition
 
 if TYPE_CHECKING:
-    from launch.event import Event
+    from launch.events import Event
 
     from ..actions.lifecycle_node import LifecycleNode
 

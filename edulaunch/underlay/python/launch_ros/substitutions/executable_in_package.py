@@ -6,12 +6,9 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from launch._engine import absent_package, state_of
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.substitutions.substitution_failure import SubstitutionFailure
-from launch.utilities._plain_text import plain_text
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.substitutions.text_substitution import SubstitutionFailure
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions, plain_text
 
 from edulaunch.facts import with_facts
 

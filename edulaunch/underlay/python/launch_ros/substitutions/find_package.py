@@ -5,11 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities._plain_text import plain_text
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions, plain_text
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext

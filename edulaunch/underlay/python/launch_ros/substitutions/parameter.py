@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from launch._read_only import ReadOnly
-from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch._bases import ReadOnly
+from launch.substitution import SomeSubstitutionsType, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
@@ -42,6 +40,6 @@ class Parameter(Substitution):
                 return str(entry[1])
         if self.__default is not None:
             return perform_substitutions(context, self.__default)
-        from launch.substitutions.substitution_failure import SubstitutionFailure
+        from launch.substitutions.text_substitution import SubstitutionFailure
 
         raise SubstitutionFailure(f"parameter '{name}' not found")

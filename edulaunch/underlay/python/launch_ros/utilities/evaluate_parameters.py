@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from launch.substitution import Substitution
 from launch.utilities._yaml_values import load_yaml_value
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.perform_substitutions_impl import perform_substitutions
+from launch.utilities.texts import perform_substitutions
+from launch.utilities.type_utils import ensure_argument_type
 
 from ..parameter_descriptions import ParameterFile, ParameterValue
 from ..parameters_type import EvaluatedParameters, EvaluatedParameterValue, Parameters, ParametersDict

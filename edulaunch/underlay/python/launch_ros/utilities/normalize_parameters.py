@@ -10,10 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from launch.some_substitutions_type import SomeSubstitutionsType_types_tuple
-from launch.substitution import Substitution
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.substitution import SomeSubstitutionsType_types_tuple, Substitution
+from launch.utilities.texts import normalize_to_list_of_substitutions
+from launch.utilities.type_utils import ensure_argument_type
 
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from ..parameters_type import Parameters, ParametersDict, SomeParameters, SomeParametersDict

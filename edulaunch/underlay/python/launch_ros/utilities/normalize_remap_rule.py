@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from launch.utilities.ensure_argument_type_impl import ensure_argument_type
-from launch.utilities.normalize_to_list_of_substitutions_impl import normalize_to_list_of_substitutions
+from launch.utilities.texts import normalize_to_list_of_substitutions
+from launch.utilities.type_utils import ensure_argument_type
 
 from ..remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
 

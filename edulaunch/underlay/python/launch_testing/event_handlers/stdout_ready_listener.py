@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from launch.event_handlers.on_process_io import OnProcessIO
-from launch.events.process.process_io import ProcessIO
+from launch.event_handlers.processes import OnProcessIO
+from launch.events.process import ProcessIO
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 

@@ -10,4 +10,4 @@ _ABSENT = {
     **dict.fromkeys(('launch_process', 'ProcessProxy', 'process'), _PROCESS),
 }
 __all__ = ['build_text_match']
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _ABSENT)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, absent=_ABSENT)

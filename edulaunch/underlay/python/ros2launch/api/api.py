@@ -81,7 +81,7 @@ def load_launch_file(path: str) -> LaunchDescription:
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
-    from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
+    from launch.launch_description_sources import get_launch_description_from_any_launch_file
 
     return get_launch_description_from_any_launch_file(path)
 
@@ -133,7 +133,7 @@ def launch_a_launch_file(
     """
     from launch.actions.include_launch_description import IncludeLaunchDescription
     from launch.launch_description import LaunchDescription
-    from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+    from launch.launch_description_sources import AnyLaunchDescriptionSource
     from launch.launch_service import LaunchService
 
     texts = list(launch_file_arguments)

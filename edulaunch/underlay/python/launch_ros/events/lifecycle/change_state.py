@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar
 
-from launch._read_only import ReadOnly
-from launch.event import Event
+from launch._bases import ReadOnly
+from launch.events import Event
 
 if TYPE_CHECKING:
     from ...actions.lifecycle_node import LifecycleNode

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from launch._read_only import ReadOnly
-from launch.event import Event
+from launch._bases import ReadOnly
+from launch.events import Event
 
 if TYPE_CHECKING:
     from lifecycle_msgs.msg import TransitionEvent

@@ -1,0 +1,120 @@
+"""Actions on the environment variables of launch's process, which later processes inherit."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from .._bases import ReadOnly
+from .._lazy import has_ros_paths
+from ..action import Action
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from ..utilities.type_utils import is_substitution, normalize_typed_substitution, perform_typed_substitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+class SetEnvironmentVariable(Action):
+    """Set an environment variable of launch's process, which later processes inherit."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set it."""
+        name = perform_substitutions(context, self.__name)
+        context.environment[name] = perform_substitutions(context, self.__value)
+
+
+class AppendEnvironmentVariable(Action):
+    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is
+    not there.
+
+    :param prepend: add at the beginning; a boolean, or substitutions that give one.
+    :param separator: between the values, by default that of search paths.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeSubstitutionsType,
+        prepend: bool | SomeSubstitutionsType = False,
+        separator: SomeSubstitutionsType = os.pathsep,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+        as_text = isinstance(prepend, str) or is_substitution(prepend)
+        given: Any = prepend
+        self.__prepend: Any = normalize_to_list_of_substitutions(given) if as_text else normalize_typed_substitution(given, bool)
+        self.__separator = normalize_to_list_of_substitutions(separator)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+    value: ReadOnly[list[Substitution]] = ReadOnly('The value, as substitutions.')
+
+    @property
+    def prepend(self) -> bool | list[Substitution]:
+        """Whether the value goes to the beginning."""
+        prepend: bool | list[Substitution] = self.__prepend
+        return prepend
+
+    separator: ReadOnly[list[Substitution]] = ReadOnly('What stands between the values, as substitutions.')
+
+    def execute(self, context: LaunchContext) -> None:
+        """Add it."""
+        name = perform_substitutions(context, self.__name)
+        value = perform_substitutions(context, self.__value)
+        if name in context.environment:
+            old = context.environment[name]
+            parts = [value, old] if perform_typed_substitution(context, self.__prepend, bool) else [old, value]
+            value = perform_substitutions(context, self.__separator).join(parts)
+        context.environment[name] = value
+
+
+class UnsetEnvironmentVariable(Action):
+    """Remove an environment variable of launch's process; nothing happens when there is none of that name."""
+
+    def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
+
+    def execute(self, context: LaunchContext) -> None:
+        """Remove it."""
+        context.environment.pop(perform_substitutions(context, self.__name), None)
+
+
+class PushEnvironment(Action):
+    """Save all environment variables until the matching `PopEnvironment`."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Keep what there is now, for a later PopEnvironment."""
+        context._push_environment()
+
+
+class PopEnvironment(Action):
+    """Restore the environment variables saved by the last `PushEnvironment`."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the variables to what they were at the last PushEnvironment; RuntimeError when there was none."""
+        context._pop_environment()
+
+
+class ResetEnvironment(Action):
+    """Give all environment variables the values they had when the launch began."""
+
+    def execute(self, context: LaunchContext) -> None:
+        """Set the variables to what they were when the launch began."""
+        context._reset_environment()
+
+
+has_ros_paths(__name__)

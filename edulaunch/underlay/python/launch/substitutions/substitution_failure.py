@@ -1,5 +1,0 @@
-"""A substitution without a value."""
-
-
-class SubstitutionFailure(RuntimeError):
-    """A substitution could not be evaluated."""

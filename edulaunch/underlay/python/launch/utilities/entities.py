@@ -1,0 +1,69 @@
+"""Entities as a flat list, and the walk that executes them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from .._lazy import has_ros_paths
+from ..launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+
+if TYPE_CHECKING:
+    import asyncio
+
+    from .._include_ring import Include
+    from ..launch_context import LaunchContext
+
+
+def normalize_to_list_of_entities(entities: SomeEntitiesType) -> list[LaunchDescriptionEntity]:
+    """One entity, or a possibly nested iterable of entities, as a flat list.
+
+    :raises TypeError: for anything else.
+    """
+    return list(_flat(entities))
+
+
+def _flat(entities: Any) -> Iterable[LaunchDescriptionEntity]:
+    if isinstance(entities, LaunchDescriptionEntity):
+        yield entities
+        return
+    for entity in entities:
+        if isinstance(entity, str):
+            raise TypeError(
+                f"Failed to normalize given item of type '{type(entity)}', when only "
+                "'launch.LaunchDescriptionEntity' was expected."
+            )
+        yield from _flat(entity)
+
+
+EntityFuturePairs = list[tuple[LaunchDescriptionEntity, 'asyncio.Future[Any]']]
+
+
+def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, context: LaunchContext) -> EntityFuturePairs:
+    """Visit the entity, then, in order and depth first, every entity its visit returns.
+
+    :returns: each visited entity that has a future, with that future.
+    """
+    pairs: EntityFuturePairs = []
+    around = getattr(context, 'open_includes', None)
+    includes = context.open_includes = [] if around is None else around
+    try:
+        _visit(entity, context, includes, pairs)
+    finally:
+        context.open_includes = around
+    return pairs
+
+
+def _visit(entity: LaunchDescriptionEntity, context: LaunchContext, includes: list[Include], pairs: EntityFuturePairs) -> None:
+    depth = len(includes)
+    sub_entities = entity.visit(context)
+    future = entity.get_asyncio_future()
+    if future is not None:
+        pairs.append((entity, future))
+    if sub_entities is not None:
+        for sub_entity in sub_entities:
+            _visit(sub_entity, context, includes, pairs)
+        del includes[depth:]
+
+
+has_ros_paths(__name__)

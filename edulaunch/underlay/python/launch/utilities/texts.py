@@ -1,0 +1,55 @@
+"""Texts and substitutions as one list, and that as one text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from .._lazy import has_ros_paths
+from ..substitution import SomeSubstitutionsType, Substitution
+from ..substitutions.text_substitution import TextSubstitution
+
+if TYPE_CHECKING:
+    from ..launch_context import LaunchContext
+
+
+def plain_text(value: Any) -> str | None:
+    """The text of a `str`, or of a list or tuple with nothing but one literal text in it; None for the rest.
+
+    Launch files hold hardly anything else, and to evaluate them the general way is ten times the work.
+    """
+    kind = type(value)
+    if kind is str:
+        return value  # type: ignore[no-any-return]
+    if (kind is list or kind is tuple) and len(value) == 1 and type(value[0]) is TextSubstitution:
+        return value[0].text
+    return None
+
+
+def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
+    """A text, a substitution or an iterable of both as a list; plain texts become :class:`TextSubstitution`.
+
+    :raises TypeError: for any other item, naming its type.
+    """
+    if isinstance(subs, str):
+        return [TextSubstitution(text=subs)]
+    if isinstance(subs, Substitution):
+        return [subs]
+    return [item if isinstance(item, Substitution) else _normalize(item) for item in subs]
+
+
+def _normalize(item: object) -> Substitution:
+    if isinstance(item, str):
+        return TextSubstitution(text=item)
+    raise TypeError(
+        f"Failed to normalize given item of type '{type(item)}', when only 'str' or 'launch.Substitution' were expected."
+    )
+
+
+def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
+    """Evaluate each and join the texts without a separator."""
+    text = plain_text(subs)
+    return ''.join([context.perform_substitution(sub) for sub in subs]) if text is None else text
+
+
+has_ros_paths(__name__)
