@@ -10,7 +10,7 @@ from .._lazy import has_ros_paths
 from . import Event
 
 if TYPE_CHECKING:
-    from edulaunch.processes.signals import Signals
+    from edulaunch.processes.spec import Signals
 
     from ..actions.execute_local import ExecuteLocal
 
@@ -170,7 +170,7 @@ class SignalProcess(ProcessTargetedEvent):
 
     def __init__(self, *, signal_number: str | Signals, process_matcher: ProcessMatcher) -> None:
         super().__init__(process_matcher=process_matcher)
-        from edulaunch.processes.signals import Signals
+        from edulaunch.processes.spec import Signals
 
         self.__signal = Signals[signal_number] if isinstance(signal_number, str) else Signals(signal_number)
 
