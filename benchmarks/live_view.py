@@ -21,7 +21,7 @@ import edulaunch
 from edulaunch.view.columns import FINE, number_steps
 from edulaunch.view.film import Film
 from edulaunch.view.page import recorded_page
-from edulaunch.view.sources import OfRecorder
+from edulaunch.view.replay import OfRecorder
 from edulaunch.view.viewer import Viewer
 
 ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage']

@@ -67,7 +67,7 @@ attached.PLACES.update(
     replay=('edulaunch.view.replay', 'Replay'),
     help_below=('edulaunch.advice.below', 'help_below'),
     help_of=('edulaunch.advice.below', 'help_of'),
-    ros2=('edulaunch.cli.inside', 'main'),
+    ros2=('edulaunch.cli.ros2.commands', 'main'),
     completions=('edulaunch.cli.candidates', 'ros2_words'),
 )
 

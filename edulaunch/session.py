@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
 from types import TracebackType
 from typing import TextIO
 
@@ -155,6 +156,20 @@ class Session:
         """End the recording here and give it out."""
         self.describe()
         return self.recorder.recording()
+
+    def glance(self) -> Recording:
+        """What happened until now, to be read before time goes on."""
+        found = self.recording()
+        self.recorder.on = True
+        return found
+
+    def snapshot(self) -> Recording:
+        """What happened until now. Later events do not change it, and are kept for the next snapshot."""
+        self.describe()
+        self.recorder.stop()
+        content = self.recorder.content()
+        self.recorder.on = True
+        return Recording({part: value if part == 'topics' else deepcopy(value) for part, value in content.items()})
 
     def _installed_roots(self) -> list[list[str]]:
         """Where packages and their modules lie: a workspace gives the same digest built and from source. And what else differs

@@ -70,7 +70,7 @@ def test_a_circle_is_seen() -> None:
 
 def test_an_import_in_a_function_and_a_name_in_a_text_are_seen() -> None:
     assert 'edulaunch.session' in imports('edulaunch')
-    assert 'edulaunch.machine.serving' in imports('edulaunch.machine.starting')
+    assert 'edulaunch.machine.serving' in imports('edulaunch.machine.client')
     assert 'rclpy.executors' not in imports('rclpy.impl.waiting'), 'the `__module__` of a class is a name only'
 
 

@@ -16,7 +16,7 @@ DRAWN = ('node', 'topic', 'frame')
 
 
 class Mark(NamedTuple):
-    """See `edulaunch.view.advice.Mark`."""
+    """See `edulaunch.view.film.Mark`."""
 
     time_s: float
     subject: tuple[str, str]

@@ -21,6 +21,19 @@ from edulaunch.canvas.style import SMALL, TEXT, Colour, shortened
 Point = tuple[float, float]
 HEAD = 8.0
 DASHED = (0, (4, 2.5))
+LOOKS: dict[str, tuple[Colour, Colour, float]] = {
+    'node': (style.BLUE_TINT, style.BLUE, 100.0),
+    'topic': (style.SAND_TINT, style.SAND, 3.0),
+    'service': (style.GREEN_TINT, style.GREEN, 3.0),
+}
+"""Fill, edge, and radius of the corners."""
+LEGEND = 'oval: node   box: topic'
+FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
+    'root': (style.PAPER, style.INK),
+    'static': (style.GREEN_TINT, style.GREEN),
+    'dynamic': (style.BLUE_TINT, style.BLUE),
+}
+"""Fill and edge of a box; the word in it says the same, and a static one is dashed."""
 
 
 def draw_box(
@@ -74,15 +87,6 @@ def _bent(start: Point, end: Point, direction: str) -> list[Point]:
     return [(start[0], middle), (end[0], middle), end]
 
 
-LOOKS: dict[str, tuple[Colour, Colour, float]] = {
-    'node': (style.BLUE_TINT, style.BLUE, 100.0),
-    'topic': (style.SAND_TINT, style.SAND, 3.0),
-    'service': (style.GREEN_TINT, style.GREEN, 3.0),
-}
-"""Fill, edge, and radius of the corners."""
-LEGEND = 'oval: node   box: topic'
-
-
 def graph_sheet(scene: GraphScene) -> Sheet:
     """As large as the graph, with the legend below."""
     width, height = _size(scene)
@@ -120,14 +124,6 @@ def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
         y = box.top + box.height / 2 + (number - (len(lines) - 1) / 2) * 13.5
         colour = style.RED if is_mark else style.INK if size > SMALL else style.MUTED
         write(ax, box.left + box.width / 2, y, text, size * pixel, colour)
-
-
-FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
-    'root': (style.PAPER, style.INK),
-    'static': (style.GREEN_TINT, style.GREEN),
-    'dynamic': (style.BLUE_TINT, style.BLUE),
-}
-"""Fill and edge of a box; the word in it says the same, and a static one is dashed."""
 
 
 def tree_sheet(scene: TreeScene) -> Sheet:

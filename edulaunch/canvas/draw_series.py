@@ -15,6 +15,7 @@ from edulaunch.canvas.style import BLUE, GREEN, GREEN_TINT, GRID, MUTED, SMALL
 WIDTH, HEIGHT, LEFT, RIGHT, BELOW, ABOVE = 640, 280, 52, 18, 38, 30
 STYLES = ('-', '--', ':', '-.')
 COLOURS = (BLUE, (196, 78, 10), GREEN, (140, 90, 180))
+DISTANCE_HEIGHT, DISTANCE_LEFT = 260, 44
 
 
 def series_sheet(scene: SeriesScene) -> Sheet:
@@ -37,9 +38,6 @@ def draw_series(scene: SeriesScene, axes: Sequence[Axes]) -> None:
     ax.set_title(scene.topic, loc='left', y=1.0)
     ax.set_xlabel('time [s]', loc='right', fontsize=SMALL, color=rgb(MUTED), labelpad=1)
     ax.legend(fontsize=SMALL, frameon=False, loc='best')
-
-
-DISTANCE_HEIGHT, DISTANCE_LEFT = 260, 44
 
 
 def distance_sheet(scene: DistanceScene) -> Sheet:

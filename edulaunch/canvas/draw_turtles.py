@@ -32,6 +32,14 @@ DASHES = ('-', '--', '-.', ':')
 """Of trails that have a colour of their own: whose they are must be seen without it, too."""
 TURTLESIM_PX = 500
 """Size of a real turtlesim window, in which widths of pens are meant."""
+ALONE, BESIDE, VIEW_LEFT, VIEW_BELOW = 420, 340, 34, 40
+AXIS = 30.0
+X_COLOUR: Colour = (204, 36, 29)
+Y_COLOUR: Colour = (46, 140, 48)
+Z_COLOUR: Colour = (38, 92, 178)
+LEAST = 0.05
+"""An axis that points towards who looks is not drawn."""
+LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
 def turtles_sheet(scene: TurtleScene) -> Sheet:
@@ -100,16 +108,6 @@ def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
             family='DejaVu Sans Mono',
             bbox=ground,
         )
-
-
-ALONE, BESIDE, VIEW_LEFT, VIEW_BELOW = 420, 340, 34, 40
-AXIS = 30.0
-X_COLOUR: Colour = (204, 36, 29)
-Y_COLOUR: Colour = (46, 140, 48)
-Z_COLOUR: Colour = (38, 92, 178)
-LEAST = 0.05
-"""An axis that points towards who looks is not drawn."""
-LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
 def frames_sheet(scene: FramesScene) -> Sheet:

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
+AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
+"""Which of the root's axes go across the sheet, up, and towards who looks."""
 
 
 class Placed(NamedTuple):
@@ -25,9 +28,6 @@ class Placed(NamedTuple):
     root: str
     position: Vector
     turn: Quaternion
-
-
-AT_HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
 
 def placed(frames: dict[str, Frame]) -> dict[str, Placed]:
@@ -93,10 +93,6 @@ def heading(turn: Quaternion) -> float:
 
 def _add(a: Vector, b: Vector) -> Vector:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
-
-
-SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
-"""Which of the root's axes go across the sheet, up, and towards who looks."""
 
 
 class FrameMark(NamedTuple):

@@ -28,6 +28,7 @@ PARAMETER_SERVICES = (
 )
 Key = tuple[str, str, int]
 """Kind ('node', 'topic' or 'service'), name, and the how-many-eth node of that name."""
+LINE = 14.0
 
 
 class Box(NamedTuple):
@@ -157,9 +158,6 @@ def _size(kind: str, name: str, mark: str) -> tuple[float, float]:
     lines = label_lines(kind, name, mark)
     width = max(mono_width(text, size) for text, size, _ in lines) + (28 if kind == 'node' else 18)
     return (float(round(width)), 12.0 + 14.0 * len(lines))
-
-
-LINE = 14.0
 
 
 class FrameBox(NamedTuple):

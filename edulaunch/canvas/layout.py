@@ -10,6 +10,12 @@ from typing import NamedTuple
 
 Edge = tuple[int, int]
 ORDER_SWEEPS = 8
+Point = tuple[float, float]
+Size = tuple[float, float]
+MARGIN, BETWEEN_LAYERS, BETWEEN_BOXES, JOINT, PORT = 12.0, 44.0, 16.0, 10.0, 9.0
+SWEEPS = 12
+WIDEST = 900.0
+"""Layers go from left to right while that needs no more pixels than a notebook's cell has, else from top to bottom."""
 
 
 class Layers(NamedTuple):
@@ -129,14 +135,6 @@ def crossings(layers: list[list[int]], links: list[Edge]) -> int:
         ends = sorted((place[a], place[b]) for a, b in links if layer_of[a] == number)
         total += sum(b1 > b2 for position, (_, b1) in enumerate(ends) for _, b2 in ends[position + 1 :])
     return total
-
-
-Point = tuple[float, float]
-Size = tuple[float, float]
-MARGIN, BETWEEN_LAYERS, BETWEEN_BOXES, JOINT, PORT = 12.0, 44.0, 16.0, 10.0, 9.0
-SWEEPS = 12
-WIDEST = 900.0
-"""Layers go from left to right while that needs no more pixels than a notebook's cell has, else from top to bottom."""
 
 
 class Route(NamedTuple):

@@ -14,6 +14,10 @@ from edulaunch.recording.absent import NothingToDraw, not_recorded
 if TYPE_CHECKING:
     from edulaunch.recording.recording import Recording
 
+Place = tuple[float, float, float]
+"""Time in seconds, x and y in metres."""
+Point = tuple[float, float]
+
 
 class SeriesScene(NamedTuple):
     """Lines by the field that they show: points of (time in seconds, value)."""
@@ -44,10 +48,6 @@ def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> S
             raise NothingToDraw(f'{field!r} of {topic} is no number but {type(value).__name__}: it cannot be plotted')
     lines = [(field, [(row[0], float(row[place])) for row in rows]) for place, field in enumerate(fields, 1)]
     return SeriesScene(topic, recording.duration_s, lines)
-
-
-Place = tuple[float, float, float]
-"""Time in seconds, x and y in metres."""
 
 
 class DistanceScene(NamedTuple):
@@ -117,9 +117,6 @@ def _frame_places(recording: Recording, name: str) -> list[Place]:
     times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
     found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]
     return [(time_s, place.position[0], place.position[1]) for time_s, place in found if place is not None]
-
-
-Point = tuple[float, float]
 
 
 def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:

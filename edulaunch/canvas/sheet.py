@@ -22,6 +22,22 @@ from matplotlib.ticker import MaxNLocator
 
 from edulaunch.canvas.style import GRID, INK, MUTED, PAPER, SCALE, SMALL, TEXT, Colour
 
+COVERING = 300.0
+"""What covering anything costs besides the area: more than the way to the furthest place."""
+DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
+PER_INCH = 72
+HALO = [withStroke(linewidth=2.6, foreground='white')]
+"""A seam around letters that keeps them readable on any ground."""
+STYLE: dict[str, Any] = {
+    'font.family': 'DejaVu Sans',
+    'font.size': SMALL,
+    'axes.titlesize': TEXT,
+    'axes.linewidth': 0.8,
+    'axes.axisbelow': True,
+    'text.parse_math': False,
+    'lines.solid_capstyle': 'round',
+}
+
 
 class Box(NamedTuple):
     """A rectangle by its edges, in pixels."""
@@ -40,11 +56,6 @@ class Box(NamedTuple):
     def outside(self, bounds: Box) -> float:
         """The part of its area that lies outside of `bounds`."""
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(bounds)
-
-
-COVERING = 300.0
-"""What covering anything costs besides the area: more than the way to the furthest place."""
-DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 
 
 def place_labels(
@@ -104,20 +115,6 @@ def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.
         for step in range(steps + 1)
     ]
     return [Box(x - half, y - half, x + half, y + half) for x, y in points]
-
-
-PER_INCH = 72
-HALO = [withStroke(linewidth=2.6, foreground='white')]
-"""A seam around letters that keeps them readable on any ground."""
-STYLE: dict[str, Any] = {
-    'font.family': 'DejaVu Sans',
-    'font.size': SMALL,
-    'axes.titlesize': TEXT,
-    'axes.linewidth': 0.8,
-    'axes.axisbelow': True,
-    'text.parse_math': False,
-    'lines.solid_capstyle': 'round',
-}
 
 
 class Sheet(NamedTuple):

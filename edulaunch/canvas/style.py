@@ -29,6 +29,11 @@ TEXT = 11.0
 SMALL = 9.5
 MONO_ADVANCE = 0.602
 """Width of any character of the monospaced font, in parts of the font size: ROS names are laid out with it."""
+Part = tuple[str, list[tuple[float, float]]]
+SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
+"""Of the first turtle of a window, the second ...; the names beside them say the same."""
+LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
+"""Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
 
 
 def mono_width(text: str, size: float = TEXT) -> float:
@@ -39,11 +44,6 @@ def mono_width(text: str, size: float = TEXT) -> float:
 def shortened(text: str, most: int = 28) -> str:
     """The text, its end left out where it is longer than `most` characters."""
     return text if len(text) <= most else text[: most - 1] + '…'
-
-
-Part = tuple[str, list[tuple[float, float]]]
-SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
-"""Of the first turtle of a window, the second ...; the names beside them say the same."""
 
 
 def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
@@ -76,10 +76,6 @@ def robot() -> list[Part]:
     ]
     parts += [('body', oval(0.0, 0.0, 0.40, 0.36, steps=24)), ('nose', [(-0.08, 0.2), (0.32, 0.0), (-0.08, -0.2)])]
     return parts
-
-
-LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
-"""Fill colours of the parts that look alike on all bodies; a shell has its number's colour, plates are a shade darker."""
 
 
 def shade(colour: Colour, amount: float = 0.82) -> Colour:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 HEADS = ('node', 'parameter', 'value', 'origin')
 ALIKE_EVERYWHERE = ('use_sim_time', 'start_type_description_service')
 """Parameters that each node has; shown only when they were given a value."""
+MOST_ROWS = 40
+LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 
 
 class Row(NamedTuple):
@@ -81,10 +83,6 @@ def yaml_text(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return f'[{", ".join(map(yaml_text, value))}]'
     return repr(value) if isinstance(value, str) else str(value)
-
-
-MOST_ROWS = 40
-LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 
 
 class TextTable:

@@ -1,14 +1,16 @@
-"""What could stand at the end of an unfinished `edulaunch` command line."""
+"""What could stand at the end of an unfinished `edulaunch` or `ros2` command line."""
 
 from __future__ import annotations
 
 import argparse
 import os
+import re
 import shlex
+import sys
 from collections.abc import Callable, Iterable, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.cli import arguments_of, options_of
 from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file, launch_files_of
 
 if TYPE_CHECKING:
@@ -16,6 +18,14 @@ if TYPE_CHECKING:
 
 LAUNCHING = ('launch', 'explain', 'plan')
 """Verbs that take a launch file."""
+LONGEST_S = 2.0
+"""Seconds after which a busy machine is not waited for any longer."""
+LISTED = {'topic_name': 'topic list', 'topics': 'topic list', 'service_name': 'service list', 'action_name': 'action list'}
+LISTED |= {'node_name': 'node list', 'container_node_name': 'component list --containers-only'}
+"""The commands that list what an argument can be, by the name of the argument."""
+TYPES = {'topic_type': '-m', 'message_type': '-m', 'service_type': '-s', 'action_type': '-a', 'type': ''}
+"""The option of `ros2 interface list` for arguments that are types."""
+Run = Callable[[str], Sequence[str]]
 
 
 def candidates(line: str, *, break_words: bool) -> list[str]:
@@ -55,11 +65,10 @@ def ros2_words(
     :param index: gives the packages (default: those that are found from here).
     :param run: gives the lines that a command prints (default: on the running machine).
     """
-    from edulaunch.cli import ros2_candidates
 
     if words[:1] == ['launch'] and not typed.startswith('-'):
         return _possible(words, typed, index)
-    return ros2_candidates.candidates(words, typed, index or _index_here, run)
+    return ros2_candidates(words, typed, index or _index_here, run)
 
 
 def _index_here() -> Index:
@@ -71,6 +80,7 @@ def _index_here() -> Index:
 
 def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | None = None) -> Iterable[str]:
     from edulaunch.cli.main import VERBS
+    from edulaunch.cli.main import load as load_verb
 
     if not words:
         return [*VERBS, '--help', '--version']
@@ -78,8 +88,8 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
     if verb not in VERBS:
         return []
     parser = argparse.ArgumentParser(prog=verb)
-    import_module(f'edulaunch.cli.{verb}').add_arguments(parser)
-    options = {text: action for action in parser._actions for text in action.option_strings}
+    load_verb(verb)[0](parser)
+    options = options_of(parser)
     if typed.startswith('-'):
         return options
     last = options.get(words[-1])
@@ -96,7 +106,7 @@ def _option_values(option: Any, typed: str) -> Iterable[str]:
 
 def _choices(parser: argparse.ArgumentParser) -> list[str]:
     """The words that a positional argument is limited to."""
-    return [str(word) for action in parser._actions if not action.option_strings for word in action.choices or ()]
+    return [str(word) for action in arguments_of(parser) if not action.option_strings for word in action.choices or ()]
 
 
 def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, found: Callable[[], Index] | None) -> Iterable[str]:
@@ -165,3 +175,91 @@ def _paths(typed: str, suffixes: tuple[str, ...] = ()) -> list[str]:
             elif not suffixes or entry.name.endswith(suffixes):
                 found.append(path)
     return found
+
+
+def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index], run: Run | None = None) -> Iterable[str]:
+    """Words that could come behind `ros2 WORDS...`.
+
+    :param index: gives the packages that are found from here.
+    :param run: gives the lines that a `ros2` command prints (default: on the running machine, if there is one).
+    """
+    from edulaunch.cli.ros2.commands import COMMANDS
+
+    if not words:
+        return [*COMMANDS, '--help']
+    verbs = COMMANDS.get(words[0], ('', {}))[1]
+    if verbs and len(words) == 1:
+        return [*verbs, '--help']
+    if words[0] not in COMMANDS or (verbs and words[1] not in verbs):
+        return []
+    parser = _ros2_parser(words[0], words[1] if verbs else '')
+    options = options_of(parser)
+    rest = list(words[1 + bool(verbs) :])
+    if typed.startswith('-') and '--ros-args' not in rest:
+        return options
+    place = _place(parser, rest)
+    return [] if place is None else _values(place, [word for word in rest if not word.startswith('-')], index, run or on_machine)
+
+
+def _ros2_parser(command: str, verb: str) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog='ros2')
+    from edulaunch.cli.ros2.commands import load
+
+    load(command, verb or None).add_arguments(parser)
+    return parser
+
+
+def _place(parser: argparse.ArgumentParser, words: Sequence[str]) -> argparse.Action | None:
+    """The argument that comes next: that of the last option, or the next one without an option."""
+    places = [action for action in arguments_of(parser) if not action.option_strings]
+    options, position, wanted = options_of(parser), 0, None
+    for word in words:
+        option = options.get(word)
+        if wanted is None and option is None and not word.startswith('-'):
+            position += 1
+        wanted = option if wanted is None and option is not None and option.nargs != 0 else None
+    if wanted is not None:
+        return wanted
+    return places[min(position, len(places) - 1)] if places and (position < len(places) or places[-1].nargs) else None
+
+
+def _values(place: argparse.Action, given: Sequence[str], index: Callable[[], Index], run: Run) -> Iterable[str]:
+    name = place.dest
+    if place.choices:
+        return map(str, place.choices)
+    if name == 'package_name':
+        return index().packages()
+    if name == 'executable_name':
+        return index().executables(given[0])
+    if name in ('parameter_name', 'parameter_names'):
+        return [line.strip() for line in run(f'param list {given[0]}')]
+    if name in TYPES:
+        known = _type_of(given[0], run) if name == 'message_type' and given else []
+        return known or [line.strip() for line in run(f'interface list {TYPES[name]}') if '/' in line]
+    return run(LISTED[name]) if name in LISTED else _files()
+
+
+def _type_of(topic: str, run: Run) -> Sequence[str]:
+    return [line for line in run(f'topic type {topic}') if re.fullmatch(r'\w+/msg/\w+', line)]
+
+
+def _files() -> list[str]:
+    return sorted(entry.name + '/' * entry.is_dir() for entry in os.scandir() if not entry.name.startswith('.'))
+
+
+def on_machine(line: str) -> list[str]:
+    """The lines that a command prints on the running machine; none when there is no machine, or it is too busy."""
+    import subprocess
+
+    words = [
+        sys.executable,
+        '-c',
+        'import sys; from edulaunch.machine.client import run; sys.exit(run(sys.argv[1:], start=False))',
+    ]
+    try:
+        done = subprocess.run(
+            [*words, 'ros2', *line.split()], capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=LONGEST_S
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return []
+    return done.stdout.splitlines() if done.returncode == 0 else []

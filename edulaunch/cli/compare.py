@@ -22,7 +22,7 @@ WIDEST = 60
 """Letters of a cell of the table; --json has all of them."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def compare_arguments(parser: argparse.ArgumentParser) -> None:
     """The launch file as for `edulaunch launch`, how long, and how to say it."""
     parser.epilog = EXAMPLES
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or its path')
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
-def main(arguments: argparse.Namespace) -> int:
+def compare_verb(arguments: argparse.Namespace) -> int:
     """Run both, and say what differs."""
     from edulaunch.comparing.differing import differences
     from edulaunch.comparing.for_real import run_for_real

@@ -37,13 +37,13 @@ compdef _edulaunch edulaunch ros2
 }
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def completion_arguments(parser: argparse.ArgumentParser) -> None:
     """The shell; and what the script asks for."""
     parser.add_argument('shell', choices=sorted(SCRIPTS), help='print the script for this shell')
     parser.add_argument('--line', metavar='TEXT', help='print what could stand at the end of this line (the script asks so)')
 
 
-def main(arguments: argparse.Namespace) -> int:
+def completion_verb(arguments: argparse.Namespace) -> int:
     """Print the script, or the candidates, one on a line."""
     if arguments.line is None:
         print(SCRIPTS[arguments.shell], end='')

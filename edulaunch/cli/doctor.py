@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 SECONDS = 20.0
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def doctor_arguments(parser: argparse.ArgumentParser) -> None:
     """What to look at, and how to tell it."""
     parser.add_argument(
         'target',
@@ -36,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
-def main(arguments: argparse.Namespace) -> int:
+def doctor_verb(arguments: argparse.Namespace) -> int:
     """Say what is wrong. 0 when nothing is, 1 when something is, 2 when there is nothing that can be looked at."""
     findings, reader = _findings(arguments), reader_here()
     if arguments.json:

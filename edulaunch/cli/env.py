@@ -1,4 +1,7 @@
-"""`edulaunch env`: where ROS's import packages are; with `--shell` what makes them importable in a shell."""
+"""`edulaunch env`: where ROS's import packages are; with `--shell` what makes them importable in a shell.
+
+`edulaunch python node.py`: Python with them, and with the packages of the workspaces here.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +12,6 @@ from collections.abc import Mapping
 
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.underlay_place import underlay_prefix, underlay_python
-
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What to print."""
-    parser.add_argument(
-        '--shell',
-        action='store_true',
-        help='print what to evaluate in a shell: eval "$(edulaunch env --shell)", then python3 node.py',
-    )
-    parser.add_argument(
-        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help='say whether a line of a tutorial is needed here'
-    )
-
 
 FUNCTIONS = """colcon() {
     if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
@@ -40,7 +30,19 @@ unset name
 """The lines of a tutorial that set a computer up, as functions of bash and zsh. They step aside for what is really there."""
 
 
-def main(arguments: argparse.Namespace) -> int:
+def env_arguments(parser: argparse.ArgumentParser) -> None:
+    """What to print."""
+    parser.add_argument(
+        '--shell',
+        action='store_true',
+        help='print what to evaluate in a shell: eval "$(edulaunch env --shell)", then python3 node.py',
+    )
+    parser.add_argument(
+        '--answer', nargs=argparse.REMAINDER, metavar='WORD', help='say whether a line of a tutorial is needed here'
+    )
+
+
+def env_verb(arguments: argparse.Namespace) -> int:
     """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers; or lines for a shell."""
     if arguments.answer is not None:
         return _answer(arguments.answer)
@@ -85,3 +87,19 @@ def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
     if workspaces:
         found['EDULAUNCH_WORKSPACES'] = os.pathsep.join(workspaces)
     return found
+
+
+def python_arguments(parser: argparse.ArgumentParser) -> None:
+    """Whatever Python takes."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell python3')
+
+
+def python_verb(arguments: argparse.Namespace) -> int:
+    """Run it; its exit code is the command's."""
+    env = {**os.environ, **sourced_environment(os.environ)}
+    words = [sys.executable, *arguments.rest]
+    if os.name != 'nt':
+        os.execve(sys.executable, words, env)
+    import subprocess  # on Windows a program that is replaced seems to have ended to the shell
+
+    return subprocess.run(words, env=env, check=False).returncode

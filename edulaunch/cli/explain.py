@@ -1,4 +1,7 @@
-"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything."""
+"""`edulaunch explain`: what a launch file would start, and where every value comes from, without starting anything.
+
+`edulaunch plan --json`: the plan of a launch file, for programs.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ EXAMPLES = """examples:
   edulaunch explain --diff my.launch.py gui:=true gui:=false   ... between two sets of arguments ("a:=1 b:=2" for several)"""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def explain_arguments(parser: argparse.ArgumentParser) -> None:
     """The launch file as for `edulaunch launch`, and what to show of it."""
     parser.epilog = EXAMPLES
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or its path')
@@ -41,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--workspace', action='append', default=[], metavar='DIR', help='folder with packages; may be repeated')
 
 
-def main(arguments: argparse.Namespace) -> int:
+def explain_verb(arguments: argparse.Namespace) -> int:
     """Print it. 0 when the launch file can be visited, 1 when it fails, 2 for unusable input."""
     import gc
 
@@ -117,7 +120,7 @@ def _print(tree: Tree, arguments: argparse.Namespace) -> None:
         data: Any = tree.data
         print(json.dumps(data, indent=1, sort_keys=True))
         return
-    from edulaunch.explaining.tree_text import ASCII_TWIGS, TWIGS, drawn, print_in_colour
+    from edulaunch.explaining.tree import ASCII_TWIGS, TWIGS, drawn, print_in_colour
 
     try:
         ''.join(TWIGS).encode(sys.stdout.encoding or 'ascii')
@@ -144,3 +147,20 @@ def report(explanation: Explanation) -> int:
     help = f'\n  help: {error["help"]}' if error.get('help') else ''
     print(f'error: {error["text"]}{place}{help}', file=sys.stderr)
     return 1
+
+
+def plan_arguments(parser: argparse.ArgumentParser) -> None:
+    """Those of `edulaunch explain`."""
+    explain_arguments(parser)
+
+
+def plan_verb(arguments: argparse.Namespace) -> int:
+    """With --json the plan, in the plan format 1; else what `edulaunch explain` says."""
+    if not arguments.json or arguments.diff:
+        print('plan is called explain now: edulaunch explain (plan --json stays)', file=sys.stderr)
+        return explain_verb(arguments)
+    import json
+
+    explanation, _ = explained(arguments)
+    print(json.dumps(explanation.plan, indent=1, sort_keys=True))
+    return report(explanation)

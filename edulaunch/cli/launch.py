@@ -10,7 +10,7 @@ from types import FrameType
 from typing import TextIO
 
 from edulaunch.advice.wording import said_at_the_end
-from edulaunch.cli import launch_options
+from edulaunch.cli.ros2.launch import add_launch_arguments, prefix_arguments
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
 from edulaunch.packages.discovery import workspaces_of_command
@@ -18,11 +18,11 @@ from edulaunch.processes.current import current_process
 from edulaunch.session import Session
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def launch_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of `ros2 launch`, and ours: how long, how fast, which seed, where to record."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
-    launch_options.add_arguments(parser)
+    add_launch_arguments(parser)
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument(
         '--stdin',
@@ -60,13 +60,13 @@ def _seconds(text: str) -> float:
     return value
 
 
-def main(arguments: argparse.Namespace) -> int:
+def launch_verb(arguments: argparse.Namespace) -> int:
     """Run it. 0 when launch ended well (also when a node died, as in ROS 2), 1 when it did not, 2 for unusable input."""
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
             raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
-    given.update(launch_options.prefix_arguments(arguments))
+    given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
     with _session_class(arguments)(
@@ -93,7 +93,7 @@ def main(arguments: argparse.Namespace) -> int:
             summary = f'{recording.duration_s:.2f} s, digest {recording.digest()[:16]}'
             print(f'recording: {arguments.record} ({summary})', file=sys.stderr)
         if arguments.view is not None:
-            from edulaunch.cli.recording_show import write_page
+            from edulaunch.cli.recording import write_page
 
             name = os.path.basename(launch.path).partition('.')[0]
             print(f'view: {write_page(recording, arguments.view or name + ".html")}', file=sys.stderr)

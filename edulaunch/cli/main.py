@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 
+from edulaunch.cli import options_of
 from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.nearest import did_you_mean
 from edulaunch.version import __version__
@@ -29,6 +30,8 @@ VERBS = {
     'view': 'Show the live page of the machine in a browser',
     'rosdep': 'Name the dependencies of packages that are not here',
 }
+HOMES = {'colcon': 'rosdep', 'network': 'machine', 'plan': 'explain', 'python': 'env', 'view': 'machine'}
+"""Verbs that stand in the file of another one."""
 VERBATIM = ('colcon', 'python')
 """Verbs that hand on all their words, options and all."""
 EXAMPLES = """examples:
@@ -48,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors='backslashreplace')  # what programs print may not fit the terminal's encoding
     words = list(sys.argv[1:] if argv is None else argv)
     if words[:1] == ['ros2']:
-        from edulaunch.machine.page_beside import run
+        from edulaunch.machine.command import run
 
         return run(words[1:])
     parser = _parser(words[0] if words else None)
@@ -65,8 +68,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         parser.print_help()
         return 2
     try:
-        code: int = import_module(f'edulaunch.cli.{arguments.verb}').main(arguments)
-        return code
+        return load(arguments.verb)[1](arguments)
     except EdulaunchError as error:
         print(f'error: {error}', file=sys.stderr)
         return 2 if isinstance(error, UnusableInput) else 1
@@ -75,12 +77,18 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 141
 
 
+def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
+    """The functions `VERB_arguments` and `VERB_verb` of the verb's file."""
+    names = vars(import_module(f'edulaunch.cli.{HOMES.get(verb, verb)}'))
+    return names[f'{verb}_arguments'], names[f'{verb}_verb']
+
+
 def _unrecognized(words: Sequence[str], verb: str) -> str:
     """What argparse says of words that are no option, with the option that was meant."""
     sub = argparse.ArgumentParser(prog=verb)
-    import_module(f'edulaunch.cli.{verb}').add_arguments(sub)
+    load(verb)[0](sub)
     wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
-    near = did_you_mean(f'--{wrong.lstrip("-")}', sub._option_string_actions)
+    near = did_you_mean(f'--{wrong.lstrip("-")}', options_of(sub))
     return f'unrecognized arguments: {" ".join(words)}' + (f'\n  help: {near}' if near else '')
 
 
@@ -97,7 +105,7 @@ def _parser(wanted: str | None) -> argparse.ArgumentParser:
     for verb, text in VERBS.items():
         sub = verbs.add_parser(verb, help=text, description=text + '.', formatter_class=argparse.RawDescriptionHelpFormatter)
         if verb == wanted:
-            import_module(f'edulaunch.cli.{verb}').add_arguments(sub)
+            load(verb)[0](sub)
     return parser
 
 

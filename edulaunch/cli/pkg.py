@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from edulaunch.workspace.new_package import NewPackage
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def pkg_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs."""
     verbs = parser.add_subparsers(dest='what', metavar='create | check', required=True)
     add_create_arguments(verbs.add_parser('create', help='create a new ROS 2 package'))
@@ -38,7 +38,7 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--library-name', help='name of an empty library that is created too')
 
 
-def main(arguments: argparse.Namespace) -> int:
+def pkg_verb(arguments: argparse.Namespace) -> int:
     """Make a package, or check packages: 0 when all is well, 1 when there are findings or it could not be made."""
     return create(arguments) if arguments.what == 'create' else check(arguments.path)
 

@@ -1,4 +1,6 @@
-"""`edulaunch rosdep check`: which dependencies of package.xml files are not here."""
+"""What sets a computer up for ROS 2: `edulaunch rosdep check` names dependencies that are not here, `edulaunch colcon build` says
+that nothing has to be built, and what is done instead.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,7 @@ import sys
 from edulaunch.errors import UnusableInput
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def rosdep_arguments(parser: argparse.ArgumentParser) -> None:
     """The sub-verbs."""
     verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
     check = verbs.add_parser('check', help='name each dependency that neither the underlay nor the workspace has')
@@ -20,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         other.set_defaults(takes_anything=True)
 
 
-def main(arguments: argparse.Namespace) -> int:
+def rosdep_verb(arguments: argparse.Namespace) -> int:
     """Print what is missing. 0 when nothing is, else 1."""
     if arguments.what != 'check':
         from edulaunch.workspace.not_needed import answer
@@ -56,3 +58,16 @@ def command() -> int:
     words = sys.argv[1:]
     step_aside('rosdep', words, words[:1] == ['--verbose'])
     return edulaunch(['rosdep', *words])
+
+
+def colcon_arguments(parser: argparse.ArgumentParser) -> None:
+    """Whatever colcon takes."""
+    parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='what you would tell colcon')
+
+
+def colcon_verb(arguments: argparse.Namespace) -> int:
+    """Print one sentence. Always 0: the tutorial goes on with its next command."""
+    from edulaunch.workspace.not_needed import answer
+
+    print(answer(['colcon', *(arguments.rest or ['build'])]))
+    return 0

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.explaining.tree_html import html_tree
-from edulaunch.explaining.tree_text import drawn
+from edulaunch.explaining.tree import drawn, html_tree
 from edulaunch.launching import find_launch_file
 from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.spec import ProcessSpec

@@ -10,9 +10,8 @@ from typing import Any
 
 def load_ipython_extension(shell: Any) -> None:
     """What `%load_ext edulaunch.jupyter` calls."""
-    from edulaunch.jupyter.completing import matcher
+    from edulaunch.jupyter.hints import matcher, watch_names
     from edulaunch.jupyter.magics import RosMagics
-    from edulaunch.jupyter.missing_names import watch_names
 
     magics = RosMagics(shell)
     shell.register_magics(magics)

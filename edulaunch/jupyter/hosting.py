@@ -11,26 +11,26 @@ import atexit
 import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING, Any
 
-from edulaunch.machine.outer_loop import outer_loop_set_aside
-from edulaunch.machine.place import Address, UnsafePlace, domain, folder, locked, read_address, remove_address, write_address
+from edulaunch.machine.host import SHOWN_EVERY_S, Host, Page
+from edulaunch.machine.place import (
+    Address,
+    UnsafePlace,
+    domain,
+    folder,
+    listen,
+    locked,
+    read_address,
+    remove_address,
+    write_address,
+)
 from edulaunch.machine.server import LOOK_EVERY_S, Server
-from edulaunch.machine.snapshot import snapshot
-from edulaunch.machine.starting import listen
-from edulaunch.processes.streams import streams_of_programs
+from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.session import Session
-from edulaunch.sim.pacing import RealTime
-
-if TYPE_CHECKING:
-    from edulaunch.machine.desk_widget import Page
-    from edulaunch.recording import Recording
-    from edulaunch.view.viewer import Viewer
-
-SHOWN_EVERY_S = 1 / 30
+from edulaunch.sim.loops import outer_loop_set_aside
 
 
-class Hosting:
+class Hosting(Host):
     """The door of a notebook's machine. Without a loop that runs there is none, nor where the system forbids it."""
 
     def __init__(self) -> None:
@@ -41,47 +41,11 @@ class Hosting:
         self._is_going = False
         self.pages: list[Page] = []
 
-    def has_terminals(self) -> bool:
-        """Whether anybody is connected, or looks at a desk."""
-        return self._server is not None and (self._server.has_terminals() or any(page.is_shown() for page in self.pages))
-
     def has_programs(self) -> bool:
         """Whether programs may have been left running in a terminal, or in one of a desk. To look at a desk is not enough."""
         if self._server is None:
             return False
         return self._server.has_terminals() or any(page.viewer.has_programs() for page in self.pages)
-
-    # What a desk in the notebook needs of its machine, see `edulaunch.view.viewer.Living` and `DeskWidget`.
-
-    can_continue = False
-
-    @property
-    def session(self) -> Session:
-        """What runs on the machine."""
-        assert self._server is not None
-        return self._server.session
-
-    @property
-    def time(self) -> RealTime:
-        """How its time passes while somebody looks."""
-        assert self._server is not None
-        return self._server.time
-
-    def recording(self) -> Recording:
-        """What happened until now."""
-        return snapshot(self.session)
-
-    def took(self, words: dict[str, Any]) -> None:
-        """A page asked for this; cells cannot be repeated."""
-
-    def continue_at(self, time_s: float) -> None:
-        """A notebook's machine cannot: its cells are not known."""
-
-    is_on_network = None
-
-    def join_network(self, joins: bool) -> str:
-        """Only the machine of the terminals meets real nodes: its clock is the wall's."""
-        return 'only the machine of the terminals can join a network: edulaunch network on'
 
     def soon(self, action: Callable[[], object]) -> None:
         """Do something where the machine runs, and look again at what is due; from any thread."""
@@ -93,31 +57,28 @@ class Hosting:
         if self._loop is not None:
             self._loop.call_soon_threadsafe(act)
 
-    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
-        """What the page of a viewer asks for."""
-        with outer_loop_set_aside(), streams_of_programs():
-            viewer.take(words)
-
     def serve(self, session: Session) -> None:
         """From now on terminals find this session; the notebook that was used last is the one that they find."""
         if self._loop is None:
             return
         try:
             if self._server is None:
-                self._open(session, self._loop)
+                self._server = self._open(session, self._loop)
             elif self._server.session is not session:
                 self._server.move_to(session)
+            self.session, self.time = session, self._server.time
             self._claim()
         except (NotImplementedError, OSError, UnsafePlace):
             self._loop = None
 
-    def _open(self, session: Session, loop: asyncio.AbstractEventLoop) -> None:
+    def _open(self, session: Session, loop: asyncio.AbstractEventLoop) -> Server:
         place, number = folder(), domain()
         listener, address = listen(place, number, 'notebook')
         self._door = place, number, address
-        self._server = Server(session, listener, address.token)
-        loop.add_reader(_number(self._server), self._heard)
+        server = self._server = Server(session, listener, address.token)
+        loop.add_reader(_number(server), self._heard)
         atexit.register(remove_address, place, number, address)
+        return server
 
     def _claim(self) -> None:
         assert self._door is not None
@@ -152,7 +113,8 @@ class Hosting:
         """Run what is due, for as long as anybody is connected."""
         server = self._server
         assert server is not None
-        if not self.has_terminals():
+        is_seen = any(page.is_shown() for page in self.pages)
+        if not (is_seen or server.has_terminals()):
             self._is_going = False
             return
         if not self._is_going:
@@ -168,7 +130,7 @@ class Hosting:
         server.drop_the_silent()
         for page in list(self.pages):
             page.show()
-        if any(page.is_shown() for page in self.pages):
+        if is_seen:
             due_s = min(SHOWN_EVERY_S, SHOWN_EVERY_S if due_s is None else due_s)
         self._look_again(LOOK_EVERY_S if due_s is None else min(due_s, LOOK_EVERY_S))
 

@@ -1,4 +1,4 @@
-"""The machine behind a notebook: its Session, what was left running, and the door for terminals."""
+"""The machine behind a notebook: its Session, what was left running with `&`, and the door for terminals."""
 
 from __future__ import annotations
 
@@ -6,28 +6,26 @@ import os
 import shlex
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from edulaunch.advice.reader import reader_here
 from edulaunch.advice.wording import said_at_the_end
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.hosting import Hosting
-from edulaunch.jupyter.jobs import Job, Jobs
 from edulaunch.jupyter.line import Line, number_of
 from edulaunch.launch_process import LaunchRun
 from edulaunch.launching import find_launch_file
 from edulaunch.machine import wire
-from edulaunch.machine.asking import ask, has_terminals_machine
-from edulaunch.machine.doctor import doctors_text, is_doctor
-from edulaunch.machine.outer_loop import outer_loop_set_aside
-from edulaunch.machine.remote_input import RemoteInput
-from edulaunch.machine.snapshot import glance, snapshot
+from edulaunch.machine.client import ask, has_terminals_machine
+from edulaunch.machine.connection import RemoteInput
+from edulaunch.machine.terminals import doctors_text, is_doctor
 from edulaunch.packages import Index
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec, Signals
 from edulaunch.recording import Recording
 from edulaunch.session import Session, index_for
+from edulaunch.sim.loops import outer_loop_set_aside
 
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
@@ -41,6 +39,54 @@ SIZE = (80, 24)
 OTHER_MACHINE = """note: terminals have a machine of their own, on which this launch does not run
   help: what you start in a terminal from now on is on this one
 """
+
+
+class Job(NamedTuple):
+    """One of them, numbered as a shell does."""
+
+    number: int
+    process: Process
+    text: str
+
+    def __str__(self) -> str:
+        code = self.process.returncode
+        state = 'Running' if code is None else 'Done' if code == 0 else f'Exit {code}'
+        return f'[{self.number}]  {self.process.pid}  {state:<10}{self.text}'
+
+
+class Jobs:
+    """All of them, in the order in which they were started."""
+
+    def __init__(self) -> None:
+        self._jobs: list[Job] = []
+
+    def add(self, process: Process, text: str) -> Job:
+        """One more."""
+        self._jobs.append(Job(max((job.number for job in self._jobs), default=0) + 1, process, text))
+        return self._jobs[-1]
+
+    def running(self) -> list[Job]:
+        """Those that have not ended."""
+        return [job for job in self._jobs if job.process.returncode is None]
+
+    def chosen(self, number: str) -> list[Job]:
+        """All, or the one of that number.
+
+        :raises UnusableInput: when there is none.
+        """
+        found = [job for job in self._jobs if number in ('', str(job.number), f'%{job.number}')]
+        if number and not found:
+            known = ', '.join(str(job.number) for job in self._jobs)
+            raise UnusableInput(f'there is no job {number}', help=f'jobs: {known}' if known else 'nothing was started with &')
+        return found
+
+    def forget_ended(self) -> None:
+        """As a shell does once it has told of them."""
+        self._jobs = self.running()
+
+    def clear(self) -> None:
+        """The machine is gone."""
+        self._jobs.clear()
 
 
 class Machine:
@@ -113,7 +159,7 @@ class Machine:
             return None
         self._foreground = launch
         self._write('stderr', note)
-        found = snapshot(session)
+        found = session.snapshot()
         if not line.quiet:
             for text in said_at_the_end(found, since_s=began_s, helped=session.host.asides.helped):
                 self._write('stderr', f'{text}\n')
@@ -216,7 +262,7 @@ class Machine:
         if process.returncode is None:
             process.send_signal(Signals.SIGKILL)
         if words[:1] == ['run'] and not line.quiet:
-            for text in said_at_the_end(glance(session), since_s=began_s, helped=session.host.asides.helped):
+            for text in said_at_the_end(session.glance(), since_s=began_s, helped=session.host.asides.helped):
                 self._write('stderr', f'{text}\n')
         elif is_doctor(argv):
             self._write('stdout', doctors_text(session, reader_here()))

@@ -99,7 +99,7 @@ def _show_keyboard(press: Callable[[str], str], title: str) -> None:
 
     display: Any = front_end.display
     try:
-        from edulaunch.jupyter.keys import keyboard
+        from edulaunch.jupyter.interact import keyboard
 
         display(keyboard(press, title))
     except ImportError:

@@ -9,11 +9,11 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 from edulaunch.jupyter.line import QUIET, read_line
 from edulaunch.jupyter.machine import Machine
-from edulaunch.machine.outer_loop import outer_loop_set_aside
-from edulaunch.machine.snapshot import snapshot
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.recording import Recording
-from edulaunch.workspace.not_needed import WINDOWS, answer
+from edulaunch.sim.loops import outer_loop_set_aside
+from edulaunch.workspace.not_needed import answer
+from edulaunch.workspace.windows import WINDOWS
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""
@@ -125,7 +125,7 @@ class Terminal:
         """
         if self.machine.session is None:
             raise UnusableInput('nothing has run yet', help='start something: %ros2 launch PACKAGE FILE')
-        return snapshot(self.machine.session)
+        return self.machine.session.snapshot()
 
     def workspaces(self) -> list[str]:
         """What was sourced; else what is found from the folder of the notebook."""

@@ -1,4 +1,7 @@
-"""A terminal's side: hands the command to the machine and shows what comes back. Standard library only."""
+"""A terminal's side: hands the command to the machine and shows what comes back, on a keyboard or to a program that asks.
+
+Standard library only.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +10,25 @@ import select
 import signal
 import socket
 import sys
-from collections.abc import Mapping, Sequence
+import time
+from collections.abc import Callable, Mapping, Sequence
 
 from edulaunch.machine import wire
 from edulaunch.machine.keyboard import Keyboard
-from edulaunch.machine.place import UnsafePlace, domain, folder
-from edulaunch.machine.starting import connect, log_file
+from edulaunch.machine.place import (
+    LISTENER,
+    Address,
+    UnsafePlace,
+    domain,
+    folder,
+    listen,
+    locked,
+    log_file,
+    read_address,
+    write_address,
+)
 
-TYPE_CHECKING = False
+TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from types import FrameType
 
@@ -58,6 +72,74 @@ def _open_the_closed() -> None:
 def _failed(why: str) -> int:
     sys.stderr.write(f'error: {why}\n')
     return 1
+
+
+def connect(number: str, *, start: bool = True) -> tuple[socket.socket, str] | None:
+    """A connection to the machine of a domain, and what one says first on it; None when there is none and `start` is false.
+
+    Of two terminals that come first at the same time one starts the machine, and both are connected to it: the socket listens
+    before the machine runs.
+
+    :raises UnsafePlace: when the folder of the machines is not this user's alone.
+    """
+    place = folder()
+    found = _try(read_address(place, number))
+    if found is not None or not start:
+        return found
+    with locked(place, number):
+        found = _try(read_address(place, number))
+        if found is None:
+            listener, address = listen(place, number, 'terminals')
+            address.pid = _spawn(listener, place, number)
+            write_address(place, number, address)
+            listener.close()
+            found = _try(address)
+    return found
+
+
+def _try(address: Address | None) -> tuple[socket.socket, str] | None:
+    if address is None:
+        return None
+    client = socket.socket(socket.AF_INET if address.kind == 'tcp' else socket.AF_UNIX)
+    try:
+        client.connect(('127.0.0.1', int(address.place)) if address.kind == 'tcp' else address.place)
+    except (OSError, ValueError):
+        client.close()
+        return None
+    return client, address.token
+
+
+def _spawn(listener: socket.socket, place: str, number: str) -> int:
+    """Start the machine as a process that belongs to no terminal; returns its pid. What it complains of is in a file."""
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child:
+        os.close(writer)
+        os.waitpid(child, 0)
+        with open(reader, 'rb') as answer:
+            return int(answer.read() or 0)
+    try:
+        os.setsid()
+        if os.fork() == 0:
+            os.write(writer, str(os.getpid()).encode())
+            _become_machine(listener, place, number)
+    finally:
+        os._exit(0)
+
+
+def _become_machine(listener: socket.socket, place: str, number: str) -> None:
+    complaints = os.open(log_file(place, number), os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    nothing = os.open(os.devnull, os.O_RDWR)
+    ours = os.dup(listener.fileno())
+    for number_here, file in ((0, nothing), (1, complaints), (2, complaints), (LISTENER, ours)):
+        if number_here == file:
+            os.set_inheritable(file, True)
+        else:
+            os.dup2(file, number_here)
+    os.closerange(LISTENER + 1, 256)
+    os.chdir('/')
+    words = [sys.executable, '-m', 'edulaunch.machine.serving', place, number]
+    os.execv(sys.executable, words)
 
 
 def hello(
@@ -184,3 +266,46 @@ def _write(number: int, data: bytes) -> None:
             data = data[os.write(number, data) :]
     except BrokenPipeError:
         raise _NobodyReads from None
+
+
+def has_terminals_machine() -> bool:
+    """Whether terminals have started a machine in this domain that is running."""
+    try:
+        address = read_address(folder(), domain())
+        found = connect(domain(), start=False) if address is not None and address.host == 'terminals' else None
+    except (UnsafePlace, OSError):
+        return False
+    if found is not None:
+        found[0].close()
+    return found is not None
+
+
+def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: float | None = None) -> int | None:
+    """Run a command on the machine that is running; returns its exit code, None when there is no machine.
+
+    :param write: called as write('stdout' | 'stderr', text).
+    :param seconds: real time after which Ctrl-C is pressed.
+    """
+    found = connect(domain(), start=False)
+    if found is None:
+        return None
+    connection, token = found
+    frames = wire.Frames(wire.FROM_MACHINE)
+    deadline = None if seconds is None else time.monotonic() + seconds
+    with connection:
+        connection.sendall(hello(token, words, keyboard=False))
+        while True:
+            connection.settimeout(None if deadline is None else max(0.001, deadline - time.monotonic()))
+            try:
+                data = connection.recv(1 << 16)
+            except TimeoutError:
+                deadline = None
+                connection.sendall(wire.frame(wire.SIGNAL, str(int(signal.SIGINT)).encode()))
+                continue
+            for kind, payload in frames.feed(data):
+                if kind in (wire.OUTPUT, wire.ERRORS):
+                    write('stdout' if kind == wire.OUTPUT else 'stderr', payload.decode('utf-8', 'replace'))
+                elif kind == wire.EXIT:
+                    return int(payload)
+            if not data:
+                return None

@@ -6,90 +6,22 @@ anywidget.
 
 from __future__ import annotations
 
-import time
 from base64 import b64encode
-from collections.abc import Callable
 from html import escape
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import anywidget
 import traitlets
 
 from edulaunch.canvas.filmstrip import still
 from edulaunch.canvas.worlds import read_worlds
+from edulaunch.machine.host import Host, Page
 from edulaunch.recording.absent import NothingToDraw
 from edulaunch.view.page import module
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
-    from edulaunch.session import Session
-    from edulaunch.sim.pacing import RealTime
-
-
-SHOWN_EVERY_S = 1 / 30
-SHOWN_FOR_S = 1.5
-"""How long a page is kept up to date after it asked for it."""
-
-
-class Host(Protocol):
-    """The machine behind the widget: what a viewer needs, and where it runs."""
-
-    can_continue: bool
-    pages: list[Page]
-
-    @property
-    def session(self) -> Session:
-        """What runs on it."""
-
-    @property
-    def time(self) -> RealTime:
-        """How its time passes."""
-
-    def recording(self) -> Recording:
-        """See `Living`."""
-
-    def took(self, words: dict[str, Any]) -> None:
-        """See `Living`."""
-
-    def continue_at(self, time_s: float) -> None:
-        """See `Living`."""
-
-    @property
-    def is_on_network(self) -> bool | None:
-        """See `Living`."""
-
-    def join_network(self, joins: bool) -> str:
-        """See `Living`."""
-
-    def soon(self, action: Callable[[], object]) -> None:
-        """Do something where the machine runs; from any thread."""
-
-    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
-        """What the page of a viewer asks for."""
-
-
-class Page:
-    """One page that shows the machine: kept up to date for a while after it asked."""
-
-    def __init__(self, viewer: Viewer) -> None:
-        self.viewer = viewer
-        self._until_s = self._next_s = 0.0
-
-    def ask(self) -> None:
-        """The page is there, and wants to know what is new."""
-        self._until_s = time.monotonic() + SHOWN_FOR_S
-
-    def is_shown(self) -> bool:
-        """Whether somebody looks at it."""
-        return time.monotonic() < self._until_s
-
-    def show(self) -> None:
-        """Say what is new, if it is time to."""
-        now_s = time.monotonic()
-        if self._next_s <= now_s < self._until_s:
-            self._next_s = now_s + SHOWN_EVERY_S
-            self.viewer.show()
 
 
 class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]

@@ -1,14 +1,19 @@
-"""Where a machine is found: a folder that only its user may enter, and in it one small file per ROS_DOMAIN_ID."""
+"""Where a machine is found, and how one is started.
+
+A folder that only its user may enter has one small file per ROS_DOMAIN_ID.
+"""
 
 from __future__ import annotations
 
 import os
+import socket
 import stat
 
 LISTENER = 3
 """The number under which a new machine finds the socket that listens already."""
 LONGEST_SOCKET_PATH = 100
 """The operating systems allow little more."""
+BACKLOG = 256
 
 
 class UnsafePlace(Exception):
@@ -129,3 +134,28 @@ class locked:
 
     def __exit__(self, *_: object) -> None:
         os.close(self._file)
+
+
+def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
+    """A socket for terminals that only this user can reach: a Unix socket, or a port of the loopback that asks for the token."""
+    token = os.urandom(16).hex()
+    path = os.path.join(place, f'{number}-{token[:8]}')
+    if hasattr(socket, 'AF_UNIX') and len(os.fsencode(path)) <= LONGEST_SOCKET_PATH:
+        listener = socket.socket(socket.AF_UNIX)
+        before = os.umask(0o177)
+        try:
+            listener.bind(path)
+        finally:
+            os.umask(before)
+        address = Address('unix', path, token, os.getpid(), host)
+    else:
+        listener = socket.socket(socket.AF_INET)
+        listener.bind(('127.0.0.1', 0))
+        address = Address('tcp', str(listener.getsockname()[1]), token, os.getpid(), host)
+    listener.listen(BACKLOG)
+    return listener, address
+
+
+def log_file(place: str, number: str) -> str:
+    """What a machine complains of is written here."""
+    return os.path.join(place, f'domain-{number}.log')

@@ -1,4 +1,7 @@
-"""The process that hosts a machine, from its start to its end."""
+"""The process that hosts a machine, from its start to its end.
+
+Ctrl-C reaches a program that keeps its turn, too: nobody listens to terminals then, so the system has to say that one has spoken.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +13,15 @@ import socket
 import sys
 import time
 from importlib import import_module
+from types import FrameType
 
-from edulaunch.machine.impatience import Impatience, wake_by_signal
 from edulaunch.machine.place import LISTENER, Address, locked, read_address, remove_address
 from edulaunch.machine.server import LOOK_EVERY_S, Server
 from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 
+PATIENCE_S = 0.3
+"""Real seconds after which a turn is too long for somebody who has pressed a key."""
 GRACE_S = 10.0
 """Seconds that a machine waits for another terminal after the last one has gone."""
 QUIET_S = 0.04
@@ -24,6 +29,38 @@ TURN_LIMIT_S = 2.0
 """As in a Session, but others wait here."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 """What most commands need; loaded while nothing else is to be done."""
+
+
+def wake_by_signal(connection: socket.socket) -> None:
+    """Let SIGIO come whenever something comes over a connection."""
+    if hasattr(signal, 'SIGIO'):
+        import fcntl
+
+        fcntl.fcntl(connection, fcntl.F_SETOWN, os.getpid())
+        fcntl.fcntl(connection, fcntl.F_SETFL, fcntl.fcntl(connection, fcntl.F_GETFL) | os.O_ASYNC)
+
+
+class Impatience:
+    """Looks for Ctrl-C in the midst of a turn that is too long. Only in a process of its own: it takes SIGIO and SIGALRM."""
+
+    def __init__(self, server: Server) -> None:
+        self._server = server
+        self._round = -1
+
+    def begin(self) -> None:
+        """From now on look."""
+        if hasattr(signal, 'SIGIO'):
+            signal.signal(signal.SIGIO, self._somebody_spoke)
+            signal.signal(signal.SIGALRM, self._too_long)
+
+    def _somebody_spoke(self, signum: int, frame: FrameType | None) -> None:
+        if not self._server.is_listening:
+            self._round = self._server.rounds
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE_S)
+
+    def _too_long(self, signum: int, frame: FrameType | None) -> None:
+        if not self._server.is_listening and self._server.rounds == self._round:
+            self._server.look_for_signals()
 
 
 def serve(server: Server, place: str, number: str, address: Address) -> None:

@@ -15,19 +15,19 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import UnusableInput
-from edulaunch.machine.outer_loop import outer_loop_set_aside
-from edulaunch.machine.snapshot import snapshot
+from edulaunch.machine.host import Host, Page
 from edulaunch.packages.discovery import workspaces_of_command
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import PathLike, Session
+from edulaunch.sim.loops import outer_loop_set_aside
 from edulaunch.sim.pacing import RealTime
 from edulaunch.view import TABS
 from edulaunch.view.viewer import Viewer
 
 if TYPE_CHECKING:
-    from edulaunch.machine.desk_widget import DeskWidget, Host, Page
+    from edulaunch.machine.desk_widget import DeskWidget
     from edulaunch.recording import Recording
 
 
@@ -40,7 +40,7 @@ PATIENCE_S = 15.0
 """Simulated seconds that a command has, and then to end after Ctrl-C."""
 
 
-class Machine:
+class Machine(Host):
     """A simulated machine that goes on in real time while an asyncio loop runs (as in a notebook), else when told to.
 
     Used with `with`, it ends with the block; awaited, it goes on until its launches have ended.
@@ -164,10 +164,6 @@ class Machine:
         self.time.go_on()
         return ''.join(said)
 
-    def recording(self) -> Recording:
-        """What happened until now; the machine goes on."""
-        return snapshot(self.session)
-
     def view(self, tab: str = 'graph') -> DeskWidget:
         """The live desk as a widget; `tab` is what it shows beside the turtles, such as 'frames', 'graph' or 'plot'.
 
@@ -189,21 +185,10 @@ class Machine:
         """Do by hand what a page would ask for."""
         self.do_for(self._hand, words)
 
-    def do_for(self, viewer: Viewer, words: dict[str, Any]) -> None:
-        """What the page of a viewer asks for."""
-        with outer_loop_set_aside(), streams_of_programs():
-            viewer.take(words)
-
     def took(self, words: dict[str, Any]) -> None:
         """A page asked for this; kept with its time."""
         if not self._is_again:
             self._done.append((self.session.sim.now_ns, dict(words)))
-
-    is_on_network = None
-
-    def join_network(self, joins: bool) -> str:
-        """Only the machine of the terminals meets real nodes: its clock is the wall's."""
-        return 'only the machine of the terminals can join a network: edulaunch network on'
 
     def continue_at(self, time_s: float) -> None:
         """Run everything again up to an instant, with the same seed and what was done by hand until then, and go on from there.

@@ -1,4 +1,9 @@
-"""Terminals as the machine sees them: each runs one command inside the simulation."""
+"""Terminals as the machine sees them: each runs one command inside the simulation, or says a word to the machine itself
+(`edulaunch machine status|stop|pause|resume|speed X`, `edulaunch network ...`).
+
+What `ros2 doctor` says of the machine besides ROS 2's own checks is no part of what the command printed inside the simulation: a
+recording has no sentence in anybody's language.
+"""
 
 from __future__ import annotations
 
@@ -9,31 +14,93 @@ from codecs import getincrementaldecoder
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from edulaunch.advice.reader import reader_of
+from edulaunch.advice.diagnosis import diagnosis
+from edulaunch.advice.reader import Reader, reader_of
 from edulaunch.advice.wording import said_at_the_end
 from edulaunch.machine import wire
-from edulaunch.machine.doctor import doctors_text, is_doctor
-from edulaunch.machine.remote_input import RemoteInput
-from edulaunch.machine.snapshot import glance, snapshot
-from edulaunch.machine.words import run_words
+from edulaunch.machine.connection import RemoteInput
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session, index_for, machine_environment
 from edulaunch.sim.pacing import RealTime
+from edulaunch.view import Living
 
 if TYPE_CHECKING:
     from edulaunch.machine.connection import Connection
     from edulaunch.machine.desk import Desk
     from edulaunch.network.switch import Switch
-    from edulaunch.recording import Recording
 
+FASTEST, SLOWEST = 100.0, 0.01
 NOT_FOUND = 127
 ADVISED = (['ros2', 'launch'], ['ros2', 'run'])
 """Commands behind which it is said what is wrong."""
 HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
+
+
+def is_doctor(words: Sequence[str]) -> bool:
+    """Whether a command asks for the checks, and not for a report of what there is."""
+    return (
+        len(words) > 1 and words[0] == 'ros2' and words[1] in ('doctor', 'wtf') and not {'hello', '-r', '--report'} & set(words)
+    )
+
+
+def doctors_text(session: Session, reader: Reader) -> str:
+    """What the rules find in what ran on the machine until now."""
+    heading = reader.says('edulaunch has looked at what ran here until now:')
+    return '\n'.join((heading, *diagnosis(session.glance().advice, reader), ''))
+
+
+def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
+    """Do what the words say; returns the exit code."""
+    word, value = (words + ['status', ''])[:2] if words else ('status', '')
+    if word == 'network':
+        from edulaunch.network.switch import run_network
+
+        return run_network(terminals.switch(), words[1:], env, say, terminals.tell)
+    if terminals.time.is_wall and word in ('pause', 'resume', 'speed'):
+        say('the network is on: time goes with the clock on the wall\n  help: edulaunch network off\n')
+        return 1
+    if word == 'status':
+        say(status(terminals))
+    elif word == 'stop':
+        terminals.is_asked_to_end = True
+        say('the machine stops\n')
+    elif word in ('pause', 'resume'):
+        terminals.time.paused = word == 'pause'
+        say(f'time {"stands still" if terminals.time.paused else "goes on"} at {terminals.session.sim.elapsed_s:.3f} s\n')
+    elif word == 'speed':
+        return _set_speed(terminals, value, say)
+    else:
+        say(f'unknown word {word!r}: status, stop, pause, resume or speed X\n')
+        return 2
+    return 0
+
+
+def _set_speed(terminals: Terminals, value: str, say: Callable[[str], object]) -> int:
+    try:
+        speed = float(value)
+    except ValueError:
+        speed = 0.0
+    if not SLOWEST <= speed <= FASTEST:
+        say(f'{value!r} is not a speed from {SLOWEST} to {FASTEST:.0f} simulated seconds per second\n')
+        return 2
+    terminals.time.speed = speed
+    say(f'one second is {speed:g} simulated seconds now\n')
+    return 0
+
+
+def status(terminals: Terminals) -> str:
+    """What runs on the machine, in words."""
+    time, session = terminals.time, terminals.session
+    pace = 'paused' if time.paused else f'speed {time.speed:g}'
+    lines = [f'machine: process {os.getpid()}, {session.sim.elapsed_s:.1f} s old, {pace}']
+    for terminal in terminals.open_ones:
+        programs = len(terminal.programs())
+        lines.append(f'terminal {terminal.number}: {" ".join(terminal.words)} ({programs} program{"s" * (programs != 1)})')
+    return '\n'.join(lines) + '\n'
 
 
 @cache
@@ -41,14 +108,12 @@ def _can_join() -> bool:
     return find_spec('cyclonedds') is not None
 
 
-class Terminals:
+class Terminals(Living):
     """All terminals of a machine, in the order in which they came.
 
     :ivar is_asked_to_end: whether somebody said that the machine has to stop.
     :ivar said: advice that was given in one of them: it is not given again.
     """
-
-    can_continue = False
 
     def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
         self.session = session
@@ -94,16 +159,6 @@ class Terminals:
         said: list[str] = []
         run_network(self.switch(), ['on' if joins else 'off'], os.environ, said.append, self.tell)
         return ''.join(said).strip()
-
-    def recording(self) -> Recording:
-        """What happened until now."""
-        return snapshot(self.session)
-
-    def took(self, words: dict[str, Any]) -> None:
-        """A page asked for this; with other terminals around nobody can repeat it."""
-
-    def continue_at(self, time_s: float) -> None:
-        """A machine with terminals cannot."""
 
     def open(self, connection: Connection, fields: list[str]) -> Terminal | Desk:
         """A terminal for what somebody said first.
@@ -176,7 +231,7 @@ class Terminal:
         """The command has run to its end: what it launched or ran is judged."""
         if self.words[:2] in ADVISED and '--quiet' not in self.words:
             said = said_at_the_end(
-                glance(self._terminals.session), self._reader, self._began_s, self._terminals.session.host.asides.helped
+                self._terminals.session.glance(), self._reader, self._began_s, self._terminals.session.host.asides.helped
             )
             self.show('stderr', ''.join(f'{line}\n' for line in said if line not in self._terminals.said))
             self._terminals.said.update(said)

@@ -1,6 +1,7 @@
 """What a run of pytest gets that has ROS tests: launch tests, those of launch_pytest, and plain tests of a package.
 
-The last two run on the simulated machine of the test run, a launch test in a simulation of its own.
+The last two run on the simulated machine of the test run, a launch test in a simulation of its own; tests of tests run pytest
+inside pytest, by its plugin `pytester`.
 """
 
 from __future__ import annotations
@@ -8,20 +9,31 @@ from __future__ import annotations
 import ast
 import importlib.machinery
 import os
+import pkgutil
 import sys
 from collections.abc import Iterable
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from edulaunch.sourcing import source
-from edulaunch.testing.conftests import ConftestImports
-from edulaunch.testing.machine_plugin import put_on_machine
-from edulaunch.testing.package_tests import absent_linter, is_of_own_package
+from edulaunch.testing import absent_linter, is_of_own_package
+from edulaunch.testing.machine_plugin import ConftestImports, put_on_machine
 from edulaunch.underlay_place import underlay_python
 
 SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
 """Of a run: whether any of its test files has launch tests, or texts of some."""
+LAZY_PACKAGES = (
+    'edulaunch.sim',
+    'edulaunch.graph',
+    'edulaunch.packages',
+    'edulaunch.processes',
+    'launch',
+    'launch_ros',
+    'launch_testing',
+    'launch_pytest',
+)
 
 
 def start(config: pytest.Config) -> None:
@@ -47,8 +59,6 @@ def _is_installed_elsewhere(name: str, here: str) -> bool:
 def pytest_collection_finish(session: pytest.Session) -> None:
     """Prepare for inner runs of pytest that have launch tests."""
     if session.config.stash.get(SPEAKS_OF_LAUNCH_TESTS, False) and session.config.pluginmanager.has_plugin('pytester'):
-        from edulaunch.pytest_plugin.inner_pytest import load_everything
-
         load_everything()
 
 
@@ -132,3 +142,17 @@ def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
 
     if not config.pluginmanager.is_registered(plugin):
         config.pluginmanager.register(plugin, 'launch_pytest')
+
+
+def load_everything() -> None:
+    """Import what is else imported when it is first used.
+
+    `pytester` forgets after each inner run the modules that were imported in it, but the packages that refer to them do not:
+    without this there would be two of many a class.
+    """
+    from edulaunch.sourcing import source
+
+    source()
+    for package in LAZY_PACKAGES:
+        for found in pkgutil.walk_packages(import_module(package).__path__, f'{package}.'):
+            import_module(found.name)

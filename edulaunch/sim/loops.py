@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import sys
 from asyncio import AbstractEventLoop, Task, events, tasks
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 Aside = tuple['AbstractEventLoop | None', 'Task[Any] | None']
@@ -44,3 +45,18 @@ def cancel_all_tasks(loop: AbstractEventLoop) -> None:
 
 async def _all_ended(left: Iterable[Task[Any]]) -> None:
     await tasks.gather(*left, return_exceptions=True)
+
+
+@contextmanager
+def outer_loop_set_aside() -> Iterator[None]:
+    """Let simulated programs run as if no loop ran around them, and give the notebook its loop back afterwards.
+
+    A launch that goes on living is left in the middle of a loop of its own; without this the kernel would take that one, or none,
+    for the loop that runs.
+    """
+    hooks, outer = sys.get_asyncgen_hooks(), set_aside()
+    try:
+        yield
+    finally:
+        put_back(outer)
+        sys.set_asyncgen_hooks(*hooks)

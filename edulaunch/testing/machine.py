@@ -1,14 +1,18 @@
 """The simulated machine on which the tests of a pytest run live that use launch_pytest.
 
 pytest itself is a plain script on it: fixtures, tests and launches share one ROS graph and one simulated time, as they share the
-machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing.
+machine in ROS 2. It is opened when the first such test file is found, so other runs of pytest notice nothing. Whoever imports
+modules of the packages past the test files (`unittest.mock.patch('my_package.node.x')`, conftest files) gets the same ones.
 """
 
 from __future__ import annotations
 
 import builtins
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from importlib.abc import Loader as ImportLoader
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -18,18 +22,56 @@ from greenlet import getcurrent
 from edulaunch.errors import SimulationError
 from edulaunch.packages import Index
 from edulaunch.processes.ambient import ambient_process_on
+from edulaunch.processes.loader import Loader
 from edulaunch.processes.views import PRIVATE_COPIES
 from edulaunch.session import Session, index_for
 from edulaunch.sim.task import AmbientTask
-from edulaunch.testing.imports import TestImports
-from edulaunch.testing.package_tests import workspaces_of
+from edulaunch.testing import workspaces_of
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
 """Standard modules that a test file shares with pytest, unlike a program: `caplog` would not hear another `logging`."""
-
-
 LIMIT_S = 900
 """How long a test may take, in simulated seconds; longer than any wait of a launch test, which ends after 600 s by itself."""
+
+
+class TestImports(ImportLoader):
+    """The first finder that Python asks: gives the one module that the test files have, too."""
+
+    __test__ = False  # pytest is not to take this class for a test case
+
+    def __init__(self, loader: Loader) -> None:
+        self._loader = loader
+        self._names: set[str] = set()
+        self._given: dict[str, ModuleSpec | None] = {}
+
+    def install(self) -> None:
+        """Begin to be asked."""
+        sys.meta_path.insert(0, self)
+
+    def remove(self) -> None:
+        """Leave things as they were."""
+        sys.meta_path.remove(self)
+        for name in self._given:
+            sys.modules.pop(name, None)
+
+    def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        """Where the module is, if it is of a package under test."""
+        return ModuleSpec(name, self) if name.partition('.')[0] in self._names else None
+
+    def look_again(self) -> None:
+        """The program sees other packages now."""
+        overlay = self._loader.process.overlay
+        self._names = {*overlay.interface_packages, *overlay.modules} - sys.stdlib_module_names
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """The module of the test files; it is executed when it is not there yet."""
+        module = self._loader.import_module(spec.name)
+        self._given[spec.name] = module.__spec__
+        return module
+
+    def exec_module(self, module: ModuleType) -> None:
+        """It has been executed; it keeps the description that it had."""
+        module.__spec__ = self._given[module.__name__]
 
 
 class TestMachine:

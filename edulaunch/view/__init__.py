@@ -4,5 +4,46 @@
 notebook, beside a terminal, in an exported file and in a report of `edugrade`.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.session import Session
+    from edulaunch.sim.pacing import RealTime
+
 TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
 """What can stand beside the turtles."""
+
+
+class Living:
+    """The machine behind a page: its session, and how its time passes. What not every machine can is answered here.
+
+    :ivar session: what runs on it.
+    :ivar time: how its time passes.
+    """
+
+    session: Session
+    time: RealTime
+    can_continue = False
+    """Whether any instant can be reached again."""
+
+    @property
+    def is_on_network(self) -> bool | None:
+        """Whether real nodes can meet those of this machine; None where it cannot join a network: its clock is not the wall's."""
+        return None
+
+    def join_network(self, joins: bool) -> str:
+        """Join a real network, or leave it; returns what to say."""
+        return 'only the machine of the terminals can join a network: edulaunch network on'
+
+    def recording(self) -> Recording:
+        """What happened until now; the machine goes on."""
+        return self.session.snapshot()
+
+    def took(self, words: dict[str, Any]) -> None:
+        """A page asked for this."""
+
+    def continue_at(self, time_s: float) -> None:
+        """Go on from an instant that has passed; not where others have typed meanwhile."""

@@ -1,19 +1,23 @@
-"""A run as the page wants it: plain data that only ever grows, handed out piece by piece.
+"""A run as the page wants it: plain data that only ever grows, handed out piece by piece, and marks on nodes, topics and frames.
 
 The first piece of a finished recording is all of it; a living machine gives what came since the piece before. Times are whole
-microseconds since the start of the simulation.
+microseconds since the start of the simulation. The rules that make marks are another room's; here is what a mark looks like.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
+from edulaunch.attached import PLACES, attached
 from edulaunch.canvas.outlines import FOOTPRINTS, outline_of, outline_of_footprint
 from edulaunch.recording.frames import TF_TYPE
-from edulaunch.view.advice import Mark, told
 from edulaunch.view.columns import FINE, number_steps, text_steps
 
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+SUBJECTS = ('node', 'topic', 'frame')
 NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
 FLOATS = {'float32', 'float64'}
 TEXT_TYPE = 'std_msgs/msg/String'
@@ -22,6 +26,41 @@ SCAN_EVERY_US = 200_000
 """A scan is shown five times a second: there are hundreds of numbers in each."""
 LONGEST_TEXT = 160
 """Characters of an array or text field that the page shows of a message."""
+
+
+class Mark(NamedTuple):
+    """A sentence about something on the page.
+
+    :ivar time_s: from when on it is true, in seconds since the start.
+    :ivar subject: 'node', 'topic' or 'frame', and its full name; ('', '') for the run as a whole.
+    :ivar rule: the name of the rule.
+    """
+
+    time_s: float
+    subject: tuple[str, str]
+    text: str
+    rule: str
+
+
+def marks_of(recording: Recording) -> list[Mark] | None:
+    """What the function that is attached as `advice_marks` says of a run; None where no rules are there.
+
+    It is given a Recording and gives Marks, in texts without paths of this machine: notebooks store them.
+    """
+    return list(attached('advice_marks')(recording)) if 'advice_marks' in PLACES else None
+
+
+def told(marks: Iterable[Mark]) -> list[dict[str, Any]]:
+    """Marks as plain data: `[{time (us), subject: {node | topic | frame: name}, text, rule}]`."""
+    return [
+        {
+            'time': round(mark.time_s * 1e6),
+            'subject': {mark.subject[0]: mark.subject[1]} if mark.subject[0] in SUBJECTS else {},
+            'text': mark.text,
+            'rule': mark.rule,
+        }
+        for mark in marks
+    ]
 
 
 class Source(Protocol):

@@ -1,14 +1,20 @@
-"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys for it, and shows what it says."""
+"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys for it, completes words, and shows
+what is said.
+"""
 
 from __future__ import annotations
 
 import shlex
 import signal
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from edulaunch.attached import attached
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
+
+if TYPE_CHECKING:
+    from edulaunch.session import Session
 
 COUNT = 2
 SIZE = (80, 24)
@@ -99,3 +105,30 @@ class _Keyboard(PipedInput):
         """The page is told whether keys or lines are wanted."""
         super().change_mode(process, flags)
         self._tell_mode(self.by_key)
+
+
+def completions(session: Session, words: list[str], typed: str) -> list[str]:
+    """Words that could come behind `ros2 WORDS...` and begin as what is typed, in alphabetical order."""
+    possible = attached('completions')(words, typed, lambda: session.index, lambda command: _listed(session, command))
+    return sorted({word for word in possible if word.startswith(typed)})
+
+
+def _listed(session: Session, command: str) -> list[str]:
+    """What a command such as `topic list` would print now, without a turn of anybody's."""
+    rows, (what, *rest) = session.recorder.endpoints, command.split()
+    if what == 'node':
+        return [node.fully_qualified_name for node in session.graph.nodes if not node.name.startswith('_')]
+    if what == 'param':
+        return [row[2] for row in session.recorder.parameters if row[1] == rest[-1]]
+    if what == 'topic' and rest[0] == 'type':
+        return [row[2] for row in rows if row[1] == rest[-1]]
+    if what == 'interface':
+        from edulaunch.interfaces import current_registry
+
+        kinds = {'-m': 'msg', '-s': 'srv', '-a': 'action'}
+        return current_registry().types(next((kinds[word] for word in rest if word in kinds), None))
+    kinds_of = {'topic': ('publisher', 'subscription'), 'service': ('service',), 'action': ('service',)}.get(what, ())
+    names = [row[1] for row in rows if row[0] in kinds_of]
+    if what == 'action':
+        return [name.removesuffix('/_action/send_goal') for name in names if name.endswith('/_action/send_goal')]
+    return [name for name in names if '/_action/' not in name]

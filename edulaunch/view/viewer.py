@@ -7,21 +7,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.inputs import PipedInput
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
-from edulaunch.view.advice import marks_of
-from edulaunch.view.completing import completions
-from edulaunch.view.film import Film
+from edulaunch.view import Living
+from edulaunch.view.film import Film, marks_of
 from edulaunch.view.page import recorded_page
-from edulaunch.view.panes import COUNT, Pane
-from edulaunch.view.sources import OfRecorder, film_of
+from edulaunch.view.panes import COUNT, Pane, completions
+from edulaunch.view.replay import OfRecorder, film_of
 
 if TYPE_CHECKING:
-    from edulaunch.recording import Recording
-    from edulaunch.session import Session
     from edulaunch.sim.pacing import RealTime
 
 TICK_NS = 16_000_000
@@ -31,37 +28,6 @@ FASTEST = 100.0
 LONGEST_LINE = 4000
 MOST_CHOICES = 60
 DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
-
-
-class Living(Protocol):
-    """The machine behind a page: its session, and how its time passes."""
-
-    can_continue: bool
-    """Whether any instant can be reached again."""
-
-    @property
-    def is_on_network(self) -> bool | None:
-        """Whether real nodes can meet those of this machine; None where it cannot join a network."""
-
-    def join_network(self, joins: bool) -> str:
-        """Join a real network, or leave it; returns what to say."""
-
-    @property
-    def session(self) -> Session:
-        """What runs on it."""
-
-    @property
-    def time(self) -> RealTime:
-        """How its time passes."""
-
-    def recording(self) -> Recording:
-        """What happened until now."""
-
-    def took(self, words: dict[str, Any]) -> None:
-        """A page asked for this."""
-
-    def continue_at(self, time_s: float) -> None:
-        """Go on from an instant that has passed."""
 
 
 class Viewer:

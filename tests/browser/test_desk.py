@@ -15,7 +15,7 @@ import pytest
 
 import edulaunch
 from edulaunch.view.page import recorded_page
-from edulaunch.view.sources import film_of
+from edulaunch.view.replay import film_of
 from tests.browser.desk import Desk
 from tests.browser.lab import Lab
 

@@ -13,10 +13,9 @@ import edulaunch
 from edulaunch.canvas.turtle_scene import turtle_scene
 from edulaunch.canvas.worlds import read_worlds
 from edulaunch.recording import Recording
-from edulaunch.view.advice import Mark
-from edulaunch.view.film import Film
+from edulaunch.view.film import Film, Mark
 from edulaunch.view.page import recorded_page
-from edulaunch.view.sources import OfRecording
+from edulaunch.view.replay import OfRecording
 from tests.browser.desk import Desk
 
 

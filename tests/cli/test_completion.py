@@ -119,7 +119,7 @@ LISTS = {
     ],
 )
 def test_ros2_offers_verbs_packages_and_what_is_on_the_machine(line: str, offered: list[str]) -> None:
-    from edulaunch.cli.ros2_candidates import candidates as ros2
+    from edulaunch.cli.candidates import ros2_candidates as ros2
     from edulaunch.packages import Index
 
     *words, typed = line.split(' ')

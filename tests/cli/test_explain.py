@@ -194,7 +194,7 @@ def test_two_launch_files_are_compared(file: Path, capsys: pytest.CaptureFixture
 @pytest.mark.parametrize('width', ['40', '100'])
 def test_a_narrow_terminal_keeps_the_branches(file: Path, width: str) -> None:
     code = (
-        'from edulaunch.explaining import explain\nfrom edulaunch.explaining.tree_text import print_in_colour\n'
+        'from edulaunch.explaining import explain\nfrom edulaunch.explaining.tree import print_in_colour\n'
         f'tree = explain({str(file)!r})\nprint_in_colour("my.launch.py", tree.entries)'
     )
     env = {**os.environ, 'COLUMNS': width, 'PYTHONIOENCODING': 'utf-8', 'NO_COLOR': '1', 'TERM': 'xterm'}

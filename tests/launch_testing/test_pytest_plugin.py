@@ -13,7 +13,7 @@ import pytest
 from launch_testing.pytest.hooks import find_launch_test_entrypoint
 
 from edulaunch.launch_test import main
-from edulaunch.testing.package_tests import workspaces_of
+from edulaunch.testing import workspaces_of
 
 from .conftest import CORPUS
 

@@ -15,7 +15,7 @@ from edulaunch import UnusableInput  # noqa: E402
 from edulaunch.machine.started import Machine  # noqa: E402
 from edulaunch.recording import Recording  # noqa: E402
 from edulaunch.view.film import Film  # noqa: E402
-from edulaunch.view.sources import OfRecorder, film_of  # noqa: E402
+from edulaunch.view.replay import OfRecorder, film_of  # noqa: E402
 
 NODE = """
 import rclpy

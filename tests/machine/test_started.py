@@ -11,7 +11,7 @@ import edulaunch
 from edulaunch import UnusableInput
 from edulaunch.machine.started import Machine
 from edulaunch.view.film import Film
-from edulaunch.view.sources import OfRecorder
+from edulaunch.view.replay import OfRecorder
 
 
 @pytest.fixture

@@ -9,7 +9,6 @@ from edulaunch.advice import judge, told
 from edulaunch.advice.reader import Reader
 from edulaunch.graph.qos import BEST_EFFORT, QoS
 from edulaunch.interfaces.registry import underlay_registry
-from edulaunch.machine.snapshot import snapshot
 from edulaunch.network.link import Interface, Settings
 from edulaunch.network.switch import ALONE_NS, Wish
 from tests.network.places import PUBLISHER, STRING, TRIGGER, Air, MemoryLink, Place, cls_of, text, turns
@@ -19,7 +18,7 @@ UNDERLAY = Interface(STRING, underlay_registry())
 
 
 def findings(place: Any) -> list[tuple[str, str]]:
-    return [(found.rule, told(found, Reader()).what) for found in judge(snapshot(place.session))]
+    return [(found.rule, told(found, Reader()).what) for found in judge(place.session.snapshot())]
 
 
 def real(air: Air, here: Place, name: str = 'real', qos: QoS = QoS(), type_hash: str | None = None) -> tuple[MemoryLink, int]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.testing.package_tests import absent_linter, is_of_own_package, workspaces_of
+from edulaunch.testing import absent_linter, is_of_own_package, workspaces_of
 
 MANIFEST = '<package format="3"><name>{}</name><version>0.0.0</version><description/><license>x</license></package>'
 SETUP = "from setuptools import setup\nsetup(name='bot', packages=['bot'])\n"

@@ -12,11 +12,10 @@ import edulaunch
 from edulaunch.attached import PLACES
 from edulaunch.recording import Recording
 from edulaunch.session import Session
-from edulaunch.view.advice import Mark
 from edulaunch.view.columns import FINE, numbers
-from edulaunch.view.film import SCAN_TYPE, Film
+from edulaunch.view.film import SCAN_TYPE, Film, Mark
 from edulaunch.view.page import packed
-from edulaunch.view.sources import OfRecorder, OfRecording, film_of
+from edulaunch.view.replay import OfRecorder, OfRecording, film_of
 
 
 @pytest.fixture(scope='module')

@@ -10,19 +10,17 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edulaunch.attached import PLACES
-from edulaunch.machine.snapshot import snapshot
-from edulaunch.processes.streams import streams_of_programs
+from edulaunch.processes.shared_streams import streams_of_programs
 from edulaunch.recording import Recording
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
-from edulaunch.view.advice import Mark
+from edulaunch.view import Living
+from edulaunch.view.film import Mark
 from edulaunch.view.viewer import TICK_NS, Viewer
 
 
-class Desk:
+class Desk(Living):
     """A viewer with what it said, on a machine whose wall clock the test moves."""
-
-    can_continue = False
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -30,12 +28,6 @@ class Desk:
         self.time = RealTime(session.sim, clock=lambda: self.wall_s)
         self.said: list[dict[str, Any]] = []
         self.viewer = Viewer(self, self.said.append)
-
-    def recording(self) -> Recording:
-        return snapshot(self.session)
-
-    def took(self, words: dict[str, Any]) -> None:
-        pass
 
     is_on_network: bool | None = None
 

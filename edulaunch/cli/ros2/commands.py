@@ -1,11 +1,24 @@
-"""Which `ros2` commands there are. A command has verbs, or does its work itself (no verbs listed)."""
+"""`ros2 ...` inside the simulation: which commands there are, reading a command line, and running it.
+
+A command has verbs, or does its work itself (no verbs listed). Only the file of the wanted command is loaded. argparse is used as
+ros2cli uses it, written to the streams of the running process.
+"""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Sequence
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+
+from edulaunch.cli.ros2.output import with_help
+from edulaunch.errors import EdulaunchError
+from edulaunch.nearest import nearest
+from edulaunch.processes.current import current_process
+
+if TYPE_CHECKING:
+    from edulaunch.processes.process import Process
 
 COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     'action': (
@@ -123,20 +136,17 @@ COMMANDS: dict[str, tuple[str, dict[str, str]]] = {
     'wtf': ('Use `wtf` as alias to `doctor`', {}),
 }
 MODULES = {
-    'action send_goal': 'action_send_goal',
-    'service call': 'service_call',
-    'service echo': 'service_echo',
+    'bag play': 'bag_play',
+    'bag record': 'bag_record',
+    'daemon': 'doctor',
+    'multicast': 'doctor',
+    'run': 'launch',
     'topic bw': 'topic_measuring',
     'topic delay': 'topic_measuring',
-    'topic echo': 'topic_echo',
     'topic hz': 'topic_measuring',
-    'topic pub': 'topic_pub',
-    'bag info': 'bag.info',
-    'bag play': 'bag.play',
-    'bag record': 'bag.record',
     'wtf': 'doctor',
 }
-"""Verbs that have a file beside that of their command, and commands that have another name."""
+"""Verbs that have a file beside that of their command, and commands that stand in the file of another one."""
 NOT_HERE = {
     'control': 'ros2_control is not here',
     'plugin': 'plugins are C++ libraries, which cannot run here',
@@ -144,6 +154,13 @@ NOT_HERE = {
     'trace': 'every run is recorded: see `edulaunch recording`',
 }
 """Commands that ROS 2 has on many machines, and why they are not here."""
+WIDTH = 100
+BUFFERING = '--use-python-default-buffering'
+BUFFERING_HELP = f"""  {BUFFERING}
+                        accepted; each line is written at once, whoever reads it
+"""
+INTERRUPTED = 2
+"""What the `ros2` command returns after Ctrl-C: the number of the signal."""
 
 
 class Verb(NamedTuple):
@@ -154,9 +171,124 @@ class Verb(NamedTuple):
 
 
 def load(command: str, verb: str | None) -> Verb:
-    """The functions `VERB_arguments` and `VERB_verb` of the command's file; of a file for one verb, or for verbs that differ in
-    nothing else, `add_arguments` and `main`.
+    """The functions `VERB_arguments` and `VERB_verb` of the command's file.
+
+    Of commands without verbs, and where all verbs are one, they begin with the command's name, or with that of the file.
     """
     home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
     names = vars(import_module(f'edulaunch.cli.ros2.{home}'))
-    return Verb(names.get(f'{verb}_arguments') or names['add_arguments'], names.get(f'{verb}_verb') or names['main'])
+    name = next(name for name in (verb, command, home) if f'{name}_verb' in names)
+    return Verb(names[f'{name}_arguments'], names[f'{name}_verb'])
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that writes where the simulated program writes, of a fixed width."""
+
+    def __init__(self, prog: str, description: str) -> None:
+        super().__init__(
+            prog=prog, description=description, formatter_class=lambda prog: argparse.HelpFormatter(prog, width=WIDTH)
+        )
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        process = current_process()
+        (process.stderr if file is sys.stderr else process.stdout).write(message)
+
+    def parse(self, words: Sequence[str]) -> argparse.Namespace:
+        """As `parse_args`, but optional words may stand behind options too: argparse allows that in newer
+        Pythons only."""
+        arguments, others = self.parse_known_args(words)
+        for action in self._get_positional_actions():
+            if action.nargs == '*':
+                while others and not others[0].startswith('-'):
+                    getattr(arguments, action.dest).append(others.pop(0))
+            elif (
+                action.nargs == '?'
+                and others
+                and getattr(arguments, action.dest) == action.default
+                and not others[0].startswith('-')
+            ):
+                setattr(arguments, action.dest, others.pop(0))
+        if others:
+            self.error(f'unrecognized arguments: {" ".join(others)}')
+        return arguments
+
+    def error(self, message: str) -> NoReturn:
+        """Usage and message on standard error, with the nearest option when one is unknown; status 2."""
+        self.print_usage(sys.stderr)
+        unknown = message.partition('unrecognized arguments: ')[2].split()
+        near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
+        self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
+
+
+def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
+    """What does as `ros2 WORDS...` says, and its arguments.
+
+    :raises SystemExit: 0 after showing help, 2 after an error.
+    """
+    words = words[words[:1] == [BUFFERING] :]
+    command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
+    text, verbs = COMMANDS[command]
+    prog, rest = f'ros2 {command}', words[1:]
+    verb = None
+    if verbs:
+        verb = _chosen(prog, 'verb', rest, verbs, text)
+        prog, text, rest = f'{prog} {verb}', verbs[verb], rest[1:]
+    parser = Parser(prog, text)
+    parser.set_defaults(verb=verb)
+    found = load(command, verb)
+    found.add_arguments(parser)
+    return found, parser.parse(rest)
+
+
+def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], text: str = '') -> str:
+    """The first word, which must be one of the known ones; without one, help is shown."""
+    option = '' if text else f' [{BUFFERING}]'
+    usage = f'usage: {prog} [-h]{option} Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
+    if not words or words[0] in ('-h', '--help'):
+        about = text or 'ros2 is an extensible command-line tool for ROS 2.'
+        options = '  -h, --help            show this help message and exit\n' + ('' if text else BUFFERING_HELP)
+        title = f'{usage}\n{about}\n\noptions:\n{options}\nCommands:\n'
+        current_process().stdout.write(f'{title}{_listed(known)}\n  Call `{prog} <{kind}> -h` for more detailed usage.\n')
+        raise SystemExit(0)
+    word = words[0]
+    if word in known:
+        return word
+    near = nearest(word, known)
+    choices = ', '.join(repr(name) for name in known)
+    message = with_help(
+        f'{prog}: error: argument Call `{prog} <{kind}> -h` for more detailed usage.: invalid choice: {word!r} '
+        f'(choose from {choices})',
+        (NOT_HERE.get(word) if prog == 'ros2' else None) or (near and f'did you mean `{prog} {near}`?'),
+    )
+    current_process().stderr.write(f'{usage}{message}\n')
+    raise SystemExit(2)
+
+
+def _listed(known: dict[str, str]) -> str:
+    width = max(map(len, known))
+    return ''.join(f'  {name:<{width}}  {text}\n' for name, text in known.items())
+
+
+def main(process: Process) -> int:
+    """Run the command line of `process` (`process.argv`, 'ros2' first) inside it; returns its exit code.
+
+    As in ROS 2 a verb's error text goes to standard error with status 1, and wrong usage has status 2.
+    """
+
+    try:
+        verb, arguments = command_line(process.argv[1:])
+        return _exit_code(process, verb.main(arguments))
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 0
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except (EdulaunchError, RuntimeError) as error:
+        return _exit_code(process, str(error))
+
+
+def _exit_code(process: Process, outcome: Any) -> int:
+    """A verb returns None or a number, or the text of its error."""
+    if isinstance(outcome, str):
+        process.stderr.write(outcome + '\n')
+        return 1
+    return int(outcome or 0)

@@ -7,8 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, names
-from edulaunch.cli.ros2.names import say_lines
-from edulaunch.cli.ros2.output import say, with_help
+from edulaunch.cli.ros2.output import say, say_lines, with_help
 from edulaunch.nearest import did_you_mean
 from edulaunch.processes.children import Child
 from edulaunch.processes.current import current_process
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
 
 _LIST = '/_container/list_nodes'
 RESOURCE_TYPE = 'rclcpp_components'
+CONTAINER_PACKAGE, CONTAINER_EXECUTABLE, CONTAINER_NAME = 'rclcpp_components', 'component_container', 'standalone_container_'
 
 
 def _container_arguments(parser: argparse.ArgumentParser) -> None:
@@ -142,9 +142,6 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
     """Ask the container, and print the number that the node has there."""
     with cli_node.cli_node(arguments) as node:
         return load(node, container(node, arguments.container_node_name), arguments)
-
-
-CONTAINER_PACKAGE, CONTAINER_EXECUTABLE, CONTAINER_NAME = 'rclcpp_components', 'component_container', 'standalone_container_'
 
 
 def standalone_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,10 +1,12 @@
-"""Filling a message from the YAML of a command line."""
+"""From the words of a command line: the class of a type, and a message filled from YAML."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.errors import InterfaceError
+from edulaunch.interfaces import current_registry
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -15,6 +17,8 @@ Stamp = Callable[[Any], None]
 """Sets one time field of a message."""
 
 HEADER, TIME = 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'
+_YAML_HELP = 'write the fields in braces, with a blank after each colon: "{x: 2.0, name: \'turtle2\'}"'
+EXAMPLES = {'msg': 'geometry_msgs/msg/Twist', 'srv': 'turtlesim/srv/Spawn', 'action': 'turtlesim/action/RotateAbsolute'}
 
 
 class FillError(Exception):
@@ -40,9 +44,6 @@ def parse_values(text: str) -> dict[str, Any]:
     if not isinstance(values, dict):
         raise ValuesError(f'The passed value needs to be a dictionary in YAML format\n  help: {_YAML_HELP}')
     return values
-
-
-_YAML_HELP = 'write the fields in braces, with a blank after each colon: "{x: 2.0, name: \'turtle2\'}"'
 
 
 class ValuesError(FillError):
@@ -126,3 +127,17 @@ def _plain(field_type: FieldType, value: Any) -> Any:
     if isinstance(value, (dict, list)):
         raise TypeError(f"Value '{value}' is expected to be a {kind.name} but is a {type(value).__name__}")
     return bytes([value]) if kind.python is bytes else kind.python(value)
+
+
+def interface_class(text: str, kind: str) -> Any:
+    """The class of 'pkg/msg/Name' (`kind` 'msg', 'srv' or 'action'; the short form 'pkg/Name' will do).
+
+    :raises InterfaceError: when there is no such type; its help names the nearest one.
+    """
+    parts = text.split('/')
+    if len(parts) == 2:
+        parts.insert(1, kind)
+    name = '/'.join(parts)
+    if len(parts) != 3 or parts[1] != kind:
+        raise InterfaceError(f'{text!r} is no {kind} type', help=f'write it as in {EXAMPLES[kind]}')
+    return current_registry().get(name)

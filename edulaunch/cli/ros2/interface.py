@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator
 
-from edulaunch.cli.ros2.names import say_lines
-from edulaunch.cli.ros2.output import say, with_help
+from edulaunch.cli.ros2.output import say, say_lines, with_help
 from edulaunch.errors import InterfaceError
 from edulaunch.interfaces import current_registry
 from edulaunch.interfaces.message_text import message_yaml

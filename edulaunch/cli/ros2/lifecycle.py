@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.cli.ros2 import cli_node, names
-from edulaunch.cli.ros2.node_parameters import NodeNotFound
-from edulaunch.cli.ros2.output import complain, say, with_help
+from edulaunch.cli.ros2 import cli_node, names, node_parameters
+from edulaunch.cli.ros2 import node as node_command
+from edulaunch.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -69,7 +69,9 @@ def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
     with cli_node.cli_node(arguments) as node:
         known = _lifecycle_nodes(node, arguments.include_hidden_nodes)
         if name not in known:
-            raise NodeNotFound(with_help('Node not found', did_you_mean(name, known) or 'see `ros2 lifecycle nodes`'))
+            raise node_parameters.NodeNotFound(
+                with_help('Node not found', did_you_mean(name, known) or 'see `ros2 lifecycle nodes`')
+            )
         yield LifecycleNodeOf(node, name)
 
 
@@ -111,11 +113,7 @@ def list_verb(arguments: argparse.Namespace) -> None:
             say(f'\tGoal: {found.goal_state.label}')
 
 
-def nodes_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options and words of `ros2 lifecycle nodes`."""
-    cli_node.add_arguments(parser)
-    parser.add_argument('-a', '--all', action='store_true', help='Display all nodes even hidden ones')
-    parser.add_argument('-c', '--count-nodes', action='store_true', help='Only display the number of nodes discovered')
+nodes_arguments = node_command.list_arguments
 
 
 def nodes_verb(arguments: argparse.Namespace) -> None:
@@ -125,7 +123,7 @@ def nodes_verb(arguments: argparse.Namespace) -> None:
     if arguments.count_nodes:
         say(str(len(found)))
     else:
-        names.say_lines(found)
+        say_lines(found)
 
 
 def set_arguments(parser: argparse.ArgumentParser) -> None:

@@ -6,8 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from edulaunch.cli.ros2 import cli_node, names
-from edulaunch.cli.ros2.action_names import clients_by_node, servers_by_node
-from edulaunch.cli.ros2.output import complain, say, with_help
+from edulaunch.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.nearest import did_you_mean
 
 if TYPE_CHECKING:
@@ -50,8 +49,8 @@ def _sections(node: Node, wanted: str) -> list[tuple[str, names.NamesAndTypes]]:
         ('Publishers', node.get_publisher_names_and_types_by_node(*where)),
         ('Service Servers', node.get_service_names_and_types_by_node(*where)),
         ('Service Clients', node.get_client_names_and_types_by_node(*where)),
-        ('Action Servers', servers_by_node(node, *where)),
-        ('Action Clients', clients_by_node(node, *where)),
+        ('Action Servers', names.servers_by_node(node, *where)),
+        ('Action Clients', names.clients_by_node(node, *where)),
     ]
 
 
@@ -74,4 +73,4 @@ def list_verb(arguments: argparse.Namespace) -> None:
             'WARNING: Be aware that there are nodes in the graph that share an exact name, '
             'which can have unintended side effects.'
         )
-    names.say_lines(found)
+    say_lines(found)

@@ -39,7 +39,7 @@ class NodeNotFound(RuntimeError):
     """The node did not appear in time."""
 
 
-def add_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
+def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
     """The node, and how long to wait for it."""
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')

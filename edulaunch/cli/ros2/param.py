@@ -8,15 +8,26 @@ import re
 from typing import Any
 
 from edulaunch.cli.ros2 import cli_node, names, node_parameters
-from edulaunch.cli.ros2.names import say_lines
-from edulaunch.cli.ros2.node_parameters import ParametersOf
-from edulaunch.cli.ros2.output import complain, say, with_help
+from edulaunch.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.processes.current import current_process
+
+LABELS = (
+    'Parameter not set.',
+    'Boolean value is:',
+    'Integer value is:',
+    'Double value is:',
+    'String value is:',
+    'Byte values are:',
+    'Boolean values are:',
+    'Integer values are:',
+    'Double values are:',
+    'String values are:',
+)
 
 
 def delete_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param delete`."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
 
 
@@ -35,7 +46,7 @@ def delete_verb(arguments: argparse.Namespace) -> None:
 
 def describe_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param describe`."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_names', nargs='+', help='Names of the parameters')
 
 
@@ -67,7 +78,7 @@ def _lines(descriptor: Any) -> list[str]:
 
 def dump_arguments(parser: argparse.ArgumentParser) -> None:
     """The node, and where to write."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('--output-dir', help='The folder where the generated file is saved, as NODE.yaml')
     parser.add_argument('--print', action='store_true', help='accepted; without --output-dir everything is printed')
 
@@ -93,23 +104,9 @@ def dump_verb(arguments: argparse.Namespace) -> str | None:
     return None
 
 
-LABELS = (
-    'Parameter not set.',
-    'Boolean value is:',
-    'Integer value is:',
-    'Double value is:',
-    'String value is:',
-    'Byte values are:',
-    'Boolean values are:',
-    'Integer values are:',
-    'Double values are:',
-    'String values are:',
-)
-
-
 def get_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param get`."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('--hide-type', action='store_true', help='Hide the type information')
 
@@ -131,7 +128,7 @@ def get_verb(arguments: argparse.Namespace) -> str | None:
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param list`."""
-    node_parameters.add_arguments(parser, optional=True)
+    node_parameters.add_node_arguments(parser, optional=True)
     parser.add_argument('--param-prefixes', nargs='+', default=[], help='Only list parameters with the provided prefixes')
     parser.add_argument('--param-type', action='store_true', help='Print parameter types with parameter names')
     parser.add_argument('--filter', metavar='REGEX', help='Only list parameters matching the provided regex')
@@ -147,10 +144,10 @@ def list_verb(arguments: argparse.Namespace) -> None:
         served = {name for name, _ in node.get_service_names_and_types()}
         for name in names.node_names(node, arguments.include_hidden_nodes):
             if f'{name}/list_parameters' in served:
-                _say(ParametersOf(node, name), arguments, heading=True)
+                _say(node_parameters.ParametersOf(node, name), arguments, heading=True)
 
 
-def _say(parameters: ParametersOf, arguments: argparse.Namespace, heading: bool) -> None:
+def _say(parameters: node_parameters.ParametersOf, arguments: argparse.Namespace, heading: bool) -> None:
     found = parameters.names(arguments.param_prefixes)
     if arguments.filter is not None:
         found = [name for name in found if re.search(arguments.filter, name)]
@@ -163,7 +160,7 @@ def _say(parameters: ParametersOf, arguments: argparse.Namespace, heading: bool)
 
 def load_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param load`."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_file', help='Parameter file')
     parser.add_argument(
         '--no-use-wildcard', action='store_true', help="Do not load parameters in the '/**' namespace into the node"
@@ -194,7 +191,7 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
 
 def set_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param set`."""
-    node_parameters.add_arguments(parser)
+    node_parameters.add_node_arguments(parser)
     parser.add_argument('parameter_name', help='Name of the parameter')
     parser.add_argument('value', help='Value of the parameter, read as YAML')
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 
-from edulaunch.cli.ros2.names import say_lines
-from edulaunch.cli.ros2.output import say, with_help
+from edulaunch.cli.ros2.output import say, say_lines, with_help
 from edulaunch.nearest import did_you_mean
 from edulaunch.processes.current import current_process
 

@@ -6,10 +6,8 @@ import argparse
 from collections import deque
 from typing import Any, Protocol
 
-from edulaunch.cli.ros2 import cli_node
-from edulaunch.cli.ros2.message_filter import message_filter
-from edulaunch.cli.ros2.output import say
-from edulaunch.cli.ros2.topic_class import topic_class
+from edulaunch.cli.ros2 import cli_node, listening, names
+from edulaunch.cli.ros2.output import positive_int, say
 from edulaunch.sim.task import current_task
 
 REPORT_EVERY_NS = 1_000_000_000
@@ -27,23 +25,15 @@ class Measure(Protocol):
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
     """The topic, and how many messages count."""
-    cli_node.add_arguments(parser)
-    parser.add_argument('topic_name', help="Name of the ROS topic to tap into (e.g. '/chatter')")
+    names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
     parser.add_argument(
         '-w',
         '--window',
         metavar='WINDOW',
-        type=_positive,
+        type=positive_int,
         default=window,
         help=f'window size, in # of messages, for calculating rate (default: {window})',
     )
-
-
-def _positive(text: str) -> int:
-    value = int(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError('Value must be positive')
-    return value
 
 
 def listen(
@@ -54,7 +44,7 @@ def listen(
     from rclpy.qos import qos_profile_sensor_data
 
     with cli_node.cli_node(arguments) as node:
-        cls = topic_class(node, arguments.topic_name, None, verb=verb, wait=True)
+        cls = listening.topic_class(node, arguments.topic_name, None, verb=verb, wait=True)
         if isinstance(cls, str):
             return cls
         reports = Reports(measure)
@@ -86,10 +76,16 @@ class Reports:
                 say(text)
 
 
-def spread(values: list[float]) -> tuple[float, float]:
-    """Mean and (population) standard deviation."""
-    mean = sum(values) / len(values)
-    return mean, (sum((value - mean) ** 2 for value in values) / len(values)) ** 0.5
+def mean(values: list[float]) -> float:
+    """The arithmetic mean."""
+    return sum(values) / len(values)
+
+
+def spread(values: list[float], window: int) -> str:
+    """The line with the least and the largest value, and the (population) standard deviation."""
+    middle = mean(values)
+    deviation = mean([(value - middle) ** 2 for value in values]) ** 0.5
+    return f'\tmin: {min(values):.3f}s max: {max(values):.3f}s std dev: {deviation:.5f}s window: {window}'
 
 
 def bw_arguments(parser: argparse.ArgumentParser) -> None:
@@ -162,11 +158,7 @@ class Delay:
     def report(self) -> str:
         """The two lines of ROS 2."""
         values = list(self._delays)
-        mean, deviation = spread(values)
-        return (
-            f'average delay: {mean:.3f}\n\tmin: {min(values):.3f}s max: {max(values):.3f}s '
-            f'std dev: {deviation:.5f}s window: {len(values)}'
-        )
+        return f'average delay: {mean(values):.3f}\n{spread(values, len(values))}'
 
 
 def hz_arguments(parser: argparse.ArgumentParser) -> None:
@@ -187,7 +179,7 @@ class Rate:
     def __init__(self, window: int, expression: str | None) -> None:
         self._intervals: deque[float] = deque(maxlen=max(1, window - 1))
         self._last_ns: int | None = None
-        self._passes = message_filter(expression)
+        self._passes = listening.message_filter(expression)
 
     def take(self, message: Any, now_ns: int) -> None:
         """Note when it came."""
@@ -202,9 +194,5 @@ class Rate:
         if not self._intervals:
             return None
         values = list(self._intervals)
-        mean, deviation = spread(values)
-        return (
-            f'average rate: {1 / mean if mean else 0.0:.3f}\n'
-            f'\tmin: {min(values):.3f}s max: {max(values):.3f}s '
-            f'std dev: {deviation:.5f}s window: {len(values) + 1}'
-        )
+        average = mean(values)
+        return f'average rate: {1 / average if average else 0.0:.3f}\n{spread(values, len(values) + 1)}'

@@ -91,7 +91,7 @@ def _arguments(words: str) -> dict[str, str]:
 def _launched(path: str, arguments: dict[str, str], seconds: float, say: Callable[[str], object]) -> dict[str, str]:
     from edulaunch.session import run
     from edulaunch.view.page import recorded_page
-    from edulaunch.view.sources import film_of
+    from edulaunch.view.replay import film_of
 
     recording = run(path, arguments=arguments, duration_s=seconds, workspaces=(), console=lambda stream, text: say(text))
     for line in attached('said_at_the_end')(recording):

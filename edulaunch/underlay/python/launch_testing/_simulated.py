@@ -16,7 +16,7 @@ from edulaunch.processes.spec import ProcessSpec
 from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 from edulaunch.sim.pacing import Pacer
-from edulaunch.testing.package_tests import workspaces_of
+from edulaunch.testing import workspaces_of
 
 if TYPE_CHECKING:
     from .launch_test import LaunchTest

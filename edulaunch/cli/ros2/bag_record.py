@@ -1,24 +1,73 @@
-"""`ros2 bag record`: record topics into a bag."""
+"""`ros2 bag record`: record topics into a bag folder that any rosbag2 reads, written with `rosbags`."""
 
 from __future__ import annotations
 
 import argparse
 import os
 import re
+from collections.abc import Iterable
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.cli.ros2 import cli_node, names
-from edulaunch.cli.ros2.bag.keys import Keys
-from edulaunch.cli.ros2.bag.storage import EVENT_TOPIC, folder_of, new_folder
-from edulaunch.cli.ros2.bag.topic import BagMessage, BagTopic
+from edulaunch.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder
 from edulaunch.cli.ros2.output import with_help
+from edulaunch.graph import qos
+from edulaunch.graph.graph import NodeEntry
+from edulaunch.graph.qos import QoS
+from edulaunch.graph.topics import Publisher
+from edulaunch.interfaces import current_registry
+from edulaunch.interfaces.cdr import encode
+from edulaunch.interfaces.description import type_hash
+from edulaunch.interfaces.registry import Registry
+from edulaunch.interfaces.spec import Constant, FieldType, MessageSpec
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
+BagMessage = tuple[int, str, Any]
+"""Time of arrival in ns, topic, wire tuple."""
+SEPARATOR = '=' * 80
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+
+class BagTopic:
+    """Takes the messages of a topic straight from the graph: no turn of the recorder for each, no copy.
+
+    :param publishers: those there are; the subscription is as reliable and as durable as all of them are.
+    :param messages: what arrives is appended here.
+    """
+
+    def __init__(self, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:
+        first = publishers[0]
+        self.name = first.topic_name
+        self.cls = first.cls
+        self.offered = [publisher.qos for publisher in publishers]
+        self._keep = messages.append
+        self._sim = node.process.sim
+        self.is_paused = False
+        self._queue: Any = ()
+        subscription = first.graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
+        self._queue = subscription.queue
+        self._on_ready()
+
+    def _on_ready(self) -> None:
+        while self._queue:
+            wire = self._queue.popleft()[0]
+            if not self.is_paused:
+                self._keep((self._sim.now_ns, self.name, wire))
+
+
+def _suitable(offered: list[qos.QoS]) -> qos.QoS:
+    reliable = all(each.reliability == qos.RELIABLE for each in offered)
+    kept = all(each.durability == qos.TRANSIENT_LOCAL for each in offered)
+    return qos.QoS(
+        reliability=qos.RELIABLE if reliable else qos.BEST_EFFORT,
+        durability=qos.TRANSIENT_LOCAL if kept else qos.VOLATILE,
+        history=qos.KEEP_ALL,
+    )
+
+
+def record_arguments(parser: argparse.ArgumentParser) -> None:
     """The options of ROS 2 that choose topics and the place of the bag."""
     parser.add_argument('topics', nargs='*', help='List of topics to record.')
     parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
@@ -53,7 +102,7 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--no-discovery', action='store_true', help='Disables topic auto discovery during recording.')
 
 
-def main(arguments: argparse.Namespace) -> str | None:
+def record_verb(arguments: argparse.Namespace) -> str | None:
     """Record until interrupted; then write the bag into the folder where the command runs. SPACE pauses and goes on."""
     wanted = [*arguments.topics, *arguments.more_topics, *map(_event_topic, arguments.services)]
     if not (
@@ -145,7 +194,98 @@ class BagRecorder:
     def write(self, folder: str, storage: str) -> None:
         """Write the bag, and say that the recording is over."""
         self._log.info('Event publisher thread: Exiting')
-        from edulaunch.cli.ros2.bag.writing import write_bag
 
         write_bag(folder, storage, list(self.topics.values()), self.messages)
         self._log.info('Recording stopped')
+
+
+class Topic(Protocol):
+    """What a bag says of a topic."""
+
+    name: str
+    cls: Any
+    offered: list[QoS]
+
+
+def write_bag(
+    folder: str, storage: str, topics: Iterable[Topic], messages: list[BagMessage], registry: Registry | None = None
+) -> None:
+    """Write `metadata.yaml` and one storage file.
+
+    :param folder: to be made; must not exist.
+    :param storage: 'mcap' or 'sqlite3'.
+    :param messages: in order of time.
+    :param registry: of the message types (default: those that can be imported).
+    """
+    from rosbags.rosbag2 import StoragePlugin, Writer
+
+    registry = registry or current_registry()
+    with Writer(folder, version=9, storage_plugin=StoragePlugin[storage.upper()]) as writer:
+        connections = {}
+        for topic in topics:
+            kind = topic.cls.TYPE
+            connections[topic.name] = (
+                topic.cls,
+                writer.add_connection(
+                    topic.name,
+                    kind,
+                    msgdef=definition(registry, kind),
+                    rihs01=type_hash(kind, registry.spec),
+                    offered_qos_profiles=[_offered(each) for each in topic.offered],
+                ),
+            )
+        for time_ns, name, wire in messages:
+            cls, connection = connections[name]
+            writer.write(connection, time_ns, encode(cls, wire))
+
+
+def definition(registry: Registry, type_name: str) -> str:
+    """The text of a message and of all messages in it, as bag files carry it."""
+    texts: dict[str, str] = {}
+    waiting = [type_name]
+    while waiting:
+        name = waiting.pop(0)
+        if name not in texts:
+            spec = registry.spec(name)
+            assert isinstance(spec, MessageSpec)
+            texts[name] = '\n'.join(
+                [*map(_constant, spec.constants), *(f'{_type(field.type)} {field.name}' for field in spec.fields)]
+            )
+            waiting += [field.type.base for field in spec.fields if field.type.kind is None]
+    own = texts.pop(type_name)
+    return '\n'.join([own, *(f'{SEPARATOR}\nMSG: {_short(name)}\n{text}' for name, text in texts.items())])
+
+
+def _constant(constant: Constant) -> str:
+    value = constant.value
+    if isinstance(value, bytes):
+        value = value[0]
+    return f'{constant.base} {constant.name}={str(value).lower() if isinstance(value, bool) else repr(value)}'
+
+
+def _type(field_type: FieldType) -> str:
+    return _short(field_type.text)
+
+
+def _short(name: str) -> str:
+    """'geometry_msgs/msg/Point' as bag files write it."""
+    return name.replace('/msg/', '/')
+
+
+def _offered(qos: QoS) -> Any:
+    from rosbags import interfaces
+
+    def finite(nanoseconds: int) -> Any:
+        return interfaces.QosTime(*divmod(nanoseconds or (1 << 63) - 1, 1_000_000_000))
+
+    return interfaces.Qos(
+        interfaces.QosHistory[qos.history.upper()],
+        qos.depth,
+        interfaces.QosReliability[qos.reliability.upper()],
+        interfaces.QosDurability[qos.durability.upper()],
+        finite(qos.deadline_ns),
+        finite(qos.lifespan_ns),
+        interfaces.QosLiveliness[qos.liveliness.upper()],
+        finite(qos.lease_ns),
+        False,
+    )

@@ -1,4 +1,4 @@
-"""Entries as a tree of lines."""
+"""Entries as a tree: lines of text, colours in a terminal, or HTML that opens and closes."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 import shutil
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
+from html import escape
 
 from edulaunch.plan.explanation import Entry
 
@@ -25,6 +26,21 @@ STYLES = {
 SIGNS = {'+': '32', '-': '31', '~': '33'}
 BOLD, DIM, NOT_TAKEN = '1', '2', '2;9'
 """Styles are the numbers that a terminal knows them by."""
+STYLE = """<style>
+.edulaunch-tree{font-family:monospace;line-height:1.5;overflow-wrap:anywhere}
+.edulaunch-tree details,.edulaunch-tree .leaf{margin-left:1.3em}
+.edulaunch-tree summary{cursor:pointer;margin-left:-1.1em}
+.edulaunch-tree small{opacity:.7}
+.edulaunch-tree .node,.edulaunch-tree .process,.edulaunch-tree .include{font-weight:bold}
+.edulaunch-tree .left-out{opacity:.6;text-decoration:line-through}
+.edulaunch-tree .added{border-left:.3em solid #2a9d4a;padding-left:.3em}
+.edulaunch-tree .gone{border-left:.3em solid #c0392b;padding-left:.3em}
+.edulaunch-tree .changed{border-left:.3em solid #c98a00;padding-left:.3em}
+</style>"""
+_CLASSES = {'+': ' added', '-': ' gone', '~': ' changed'}
+_CLOSED = frozenset(('node', 'process', 'composable_node'))
+"""What is shown closed in a large tree: one sees first which nodes there are."""
+LARGE = 60
 
 
 def place_of(entry: Entry) -> str:
@@ -95,3 +111,28 @@ def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] =
             branch = below
 
     print('\n'.join((paint(BOLD, title), *drawn(entries, twigs, shown=shown))))
+
+
+def html_tree(title: str, entries: Sequence[Entry]) -> str:
+    """The tree as HTML; every line is escaped, for names come from a launch file."""
+    opens = _count(entries) <= LARGE
+    inside = ''.join(_html(entry, opens) for entry in entries)
+    label = escape(f'explanation of {title}', quote=True)
+    return f'{STYLE}<div class="edulaunch-tree" role="group" aria-label="{label}"><b>{escape(title)}</b>{inside}</div>'
+
+
+def _count(entries: Sequence[Entry]) -> int:
+    return len(entries) + sum(_count(entry['children']) for entry in entries)
+
+
+def _html(entry: Entry, opens: bool) -> str:
+    place = place_of(entry)
+    words = escape(text_of(entry)) + (f' <small>{escape(place)}</small>' if place else '')
+    classes = entry['kind'].lower().replace('_', '-') + _CLASSES.get(entry.get('sign', ''), '')
+    classes += '' if entry['is_taken'] else ' left-out'
+    line = f'<span class="{escape(classes, quote=True)}">{words}</span>'
+    if not entry['children']:
+        return f'<div class="leaf">{line}</div>'
+    state = ' open' if opens or entry['kind'] not in _CLOSED else ''
+    below = ''.join(_html(child, opens) for child in entry['children'])
+    return f'<details{state}><summary>{line}</summary>{below}</details>'

@@ -1,1 +1,0 @@
-"""`ros2 bag`: one file per verb."""
