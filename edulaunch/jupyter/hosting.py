@@ -25,7 +25,7 @@ from edulaunch.machine.place import (
     write_address,
 )
 from edulaunch.machine.server import LOOK_EVERY_S, Server
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.session import Session
 from edulaunch.sim.loops import outer_loop_set_aside
 

@@ -12,8 +12,7 @@ from edulaunch.jupyter.machine import Machine
 from edulaunch.packages.discovery import find_workspaces
 from edulaunch.recording import Recording
 from edulaunch.sim.loops import outer_loop_set_aside
-from edulaunch.workspace.not_needed import answer
-from edulaunch.workspace.windows import WINDOWS
+from edulaunch.workspace.not_needed import WINDOWS, answer
 
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these `ros2 launch` starts nothing."""

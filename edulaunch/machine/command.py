@@ -77,7 +77,7 @@ def tab_of(words: Sequence[str]) -> str | None:
     if words[:1] == ['launch'] and VIEW in words:
         return 'graph'
     if words[:1] == ['run'] and len(words) > 1 and words[1].startswith(('rqt', 'rviz')) and os.isatty(1):
-        from edulaunch.workspace.windows import WINDOWS
+        from edulaunch.workspace.not_needed import WINDOWS
 
         return WINDOWS.get(words[1])
     return None

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.sim.loops import outer_loop_set_aside
 from edulaunch.view import Living
 from edulaunch.view.viewer import Viewer

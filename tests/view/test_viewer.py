@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edulaunch.attached import PLACES
-from edulaunch.processes.shared_streams import streams_of_programs
+from edulaunch.processes.streams import streams_of_programs
 from edulaunch.recording import Recording
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime

@@ -16,7 +16,7 @@ from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import current_task
-from edulaunch.workspace.windows import WINDOWS, shown_by
+from edulaunch.workspace.not_needed import WINDOWS, shown_by
 
 if TYPE_CHECKING:
     from edulaunch.processes.process import Process
