@@ -13,6 +13,7 @@ from hypothesis import settings
 
 import edulaunch
 from edulaunch.sim.task import AmbientTask, current_task
+from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, kinds_of
 
 edulaunch.source()
 # Whoever starts the tests in the background, or with nohup, has signals ignored: what is tested here is that they arrive.
@@ -21,24 +22,28 @@ for name, usual in (('SIGINT', signal.default_int_handler), ('SIGHUP', signal.SI
     if number is not None and signal.getsignal(number) is signal.SIG_IGN:
         signal.signal(number, usual)
 HERE = (Path(__file__).parent, Path(__file__).parents[1])
-TAKES_TIME = ('attacks', 'real', 'terminals', 'whole')
 EXAMPLES = 100 if os.environ.get('EDULAUNCH_THOROUGH') else 40
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    config.pluginmanager.register(UnitTestsStartNoPython())
+
+
 def pytest_report_header() -> str:
     """Say what a run of all unit tests leaves out."""
-    return 'left out unless their folder is named: real terminals (-m terminals), all there is once more (-m whole), attacks (-m attacks), the real rclpy (-m real)'
+    return f'unit tests; left out unless their folder or their mark is named: {", ".join(f"-m {kind}" for kind in KINDS)}'
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """What takes its time is left to those who name it, and to a step of `.ci/run`."""
+    config.stash[ALL_TESTS] = list(items)
     if config.option.markexpr or any(Path(word.partition('::')[0]).resolve() not in HERE for word in config.args):
         return
-    left_out = [item for item in items if any(item.get_closest_marker(name) for name in TAKES_TIME)]
-    items[:] = [item for item in items if not any(item.get_closest_marker(name) for name in TAKES_TIME)]
+    left_out = [item for item in items if kinds_of(item)]
+    items[:] = [item for item in items if not kinds_of(item)]
     config.hook.pytest_deselected(items=left_out)
 
 

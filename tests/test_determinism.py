@@ -33,6 +33,7 @@ def digests(python: str, hash_seed: str, seed: int = 0) -> list[str]:
     return done.stdout.split()
 
 
+@pytest.mark.processes
 def test_two_processes_with_different_hash_seeds_give_the_same_digests() -> None:
     first = digests(sys.executable, '1')
     assert first == digests(sys.executable, '2') and len(set(first)) == 3

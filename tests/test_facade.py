@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import edulaunch
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -27,6 +29,7 @@ def test_all_names_are_there_sorted_and_few() -> None:
     assert all(getattr(edulaunch, name) is not None for name in edulaunch.__all__)
 
 
+@pytest.mark.processes
 def test_importing_changes_no_path_and_loads_nothing_heavy() -> None:
     assert (
         fresh(
@@ -38,6 +41,7 @@ def test_importing_changes_no_path_and_loads_nothing_heavy() -> None:
     )
 
 
+@pytest.mark.processes
 def test_running_a_launch_file_loads_neither_numpy_nor_matplotlib() -> None:
     assert (
         fresh(
@@ -48,6 +52,7 @@ def test_running_a_launch_file_loads_neither_numpy_nor_matplotlib() -> None:
     )
 
 
+@pytest.mark.processes
 def test_a_foreign_ros_is_not_shadowed(tmp_path: Path) -> None:
     foreign = tmp_path / 'rclpy'
     foreign.mkdir()
@@ -62,6 +67,7 @@ def test_a_foreign_ros_is_not_shadowed(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.processes
 def test_a_wrong_name_is_an_attribute_error() -> None:
     assert fresh('import edulaunch\ntry:\n    edulaunch.runn\nexcept AttributeError as error:\n    print(error)') == (
         "module 'edulaunch' has no attribute 'runn'"

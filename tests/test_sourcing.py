@@ -33,6 +33,7 @@ def test_a_session_watches_its_programs_unless_told_not_to() -> None:
         assert unwatched.host.watchdog is None
 
 
+@pytest.mark.processes
 def test_sourcing_a_workspace_makes_its_modules_interfaces_and_programs_available(tmp_path: Path) -> None:
     texts = {
         'robo/package.xml': '<package format="3"><name>robo</name></package>',

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 import edulaunch
 
 LAUNCH = """from launch import LaunchDescription
@@ -15,6 +17,7 @@ def generate_launch_description():
 """
 
 
+@pytest.mark.processes
 def test_a_script_that_is_not_there_is_told_with_what_python_said(tmp_path: Path) -> None:
     (tmp_path / 'main.launch.py').write_text(LAUNCH)
     warning = edulaunch.run(tmp_path / 'main.launch.py', duration_s=1.0).warnings[0]

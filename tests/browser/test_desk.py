@@ -19,6 +19,8 @@ from edulaunch.view.replay import film_of
 from tests.browser.desk import Desk
 from tests.browser.lab import Lab
 
+pytestmark = pytest.mark.browser
+
 DEMO = ('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
 
 

@@ -15,6 +15,8 @@ from tests.browser.lab import Lab
 from tests.browser.student import BrowserStudent
 from tests.lessons.notebook import LESSONS, ORDER, Lesson
 
+pytestmark = pytest.mark.browser
+
 QUESTIONS = {
     name: (one.right, [choice.feedback for choice in one.choices]) for name, one in read_questions(str(LESSONS / FILE)).items()
 }

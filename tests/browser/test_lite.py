@@ -16,6 +16,8 @@ import pytest
 
 from edulaunch.course.lite.site import make_site
 
+pytestmark = pytest.mark.browser
+
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_MS = 120_000
 ENDLESS = 'while True:\n    pass\n'

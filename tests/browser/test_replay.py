@@ -18,6 +18,8 @@ from edulaunch.view.page import recorded_page
 from edulaunch.view.replay import OfRecording
 from tests.browser.desk import Desk
 
+pytestmark = pytest.mark.browser
+
 
 @pytest.fixture(scope='module')
 def recording() -> Recording:

@@ -22,6 +22,7 @@ print(hashlib.sha256(made[-1].html().encode()).hexdigest(), recording.parameter_
 """
 
 
+@pytest.mark.processes
 def test_two_processes_draw_the_same_bytes(
     demo: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -135,6 +135,7 @@ def test_both_ways_to_type_ros2_are_completed(here: Path, start: str) -> None:
     assert candidates(f'{start} launch --show-arg', break_words=False) == ['--show-args', '--show-arguments']
 
 
+@pytest.mark.processes
 def test_without_a_machine_there_are_no_names_to_offer(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (here / 'run').mkdir(mode=0o700)
     monkeypatch.setenv('XDG_RUNTIME_DIR', str(here / 'run'))

@@ -52,18 +52,21 @@ def run(*words: str, cwd: Path, env: dict[str, str] | None = None) -> str:
 SAYS = "plain 0.0 arm 4 ['x', '-h']\n"
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize('here', ['.', 'src/robo/robo'])
 def test_python_finds_rclpy_and_the_workspace(ws: Path, here: str) -> None:
     file = os.path.relpath(ws / 'src/robo/robo/node.py', ws / here)
     assert run(sys.executable, '-m', 'edulaunch', 'python', file, 'x', '-h', cwd=ws / here) == SAYS
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(os.name == 'nt', reason='a POSIX shell')
 def test_so_does_python3_in_a_shell_that_evaluated_env(ws: Path) -> None:
     line = f'eval "$({sys.executable} -m edulaunch env --shell)"; cd /; {sys.executable} {ws}/src/robo/robo/node.py x -h'
     assert run('sh', '-c', line, cwd=ws) == SAYS
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(os.name == 'nt', reason='a POSIX shell')
 def test_a_python_of_such_a_shell_that_needs_no_ros_loads_nothing_of_it(ws: Path) -> None:
     (ws / 'other').mkdir()

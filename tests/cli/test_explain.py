@@ -91,6 +91,7 @@ def test_configurations_that_outlive_a_reset_are_shown(tmp_path: Path, capsys: p
     assert capsys.readouterr().out.splitlines()[-3:-1] == ['    └── reset configurations', "        └── but mode = 'slow'"]
 
 
+@pytest.mark.processes
 def test_a_terminal_without_line_drawing_gets_a_plain_tree(file: Path) -> None:
     run = subprocess.run(
         [sys.executable, '-m', 'edulaunch', 'explain', str(file)],
@@ -191,6 +192,7 @@ def test_two_launch_files_are_compared(file: Path, capsys: pytest.CaptureFixture
     assert lines_of(capsys, '--diff', file, file) == ['my.launch.py  ->  my.launch.py', 'no difference']
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize('width', ['40', '100'])
 def test_a_narrow_terminal_keeps_the_branches(file: Path, width: str) -> None:
     code = (

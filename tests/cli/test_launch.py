@@ -187,6 +187,7 @@ def test_malformed_words(word: str) -> None:
         split_words(__file__, [word])
 
 
+@pytest.mark.processes
 def test_ctrl_c_in_real_time_shuts_down_as_ros_does() -> None:
     """The whole command in a process of its own, interrupted by a real signal as soon as it talks."""
     command = [sys.executable, '-m', 'edulaunch', 'launch', 'demo_nodes_cpp', 'talker_listener_launch.py']

@@ -35,6 +35,7 @@ def edit(path: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new), encoding='utf-8')
 
 
+@pytest.mark.processes
 def test_a_new_course_passes_lint_and_its_solution_passes_everything(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert {'course.toml', 'lessons/.outputs/01_circle.json', 'lessons/conftest.py', 'rubrics/spin.yaml'} <= set(files(mine))
     assert course('lint', mine) == 0

@@ -65,6 +65,7 @@ def test_other_folders_are_refused(tmp_path: Path) -> None:
         make_site(str(tmp_path), runtime(tmp_path / 'pyodide'), str(ROOT))
 
 
+@pytest.mark.processes
 def test_a_file_is_chosen_launched_and_checked(tmp_path: Path) -> None:
     files = json.loads(contents(str(ROOT)))
     assert [item['exercise'] for item in files][:2] == ['circle', 'two_rooms']

@@ -35,6 +35,7 @@ def notebook(path: Path, *sources: str, tags: tuple[str, ...] = ()) -> Path:
     return path
 
 
+@pytest.mark.processes
 def test_a_clean_run_is_kept_without_paths_and_pictures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = notebook(tmp_path / 'one.ipynb', "print('seen')", 'x = 1', "import os; print(os.path.abspath('a.py'))", HTML)
     assert main(['course', 'store', str(path)]) == 0
@@ -47,6 +48,7 @@ def test_a_clean_run_is_kept_without_paths_and_pictures(tmp_path: Path, capsys: 
     assert (cell['outputs'], cell['execution_count'], cell['metadata']) == ([], None, {'tags': []})
 
 
+@pytest.mark.processes
 def test_a_cell_that_fails_is_told_and_nothing_is_kept(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = notebook(tmp_path / 'one.ipynb', '1 / 0')
     assert main(['course', 'store', str(path)]) == 2

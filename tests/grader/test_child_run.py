@@ -14,6 +14,8 @@ from edugrade.child_run import StarterLink
 from edugrade.job import Job, Limits
 from edugrade.submission import Submission
 
+pytestmark = pytest.mark.processes
+
 
 @pytest.fixture
 def link(tmp_path: Path) -> Iterator[StarterLink]:

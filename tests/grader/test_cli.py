@@ -68,6 +68,7 @@ def test_hints_come_in_three_levels(capsys: pytest.CaptureFixture[str]) -> None:
     assert [line.split(':')[0] for line in lines] == [f'A circle of any radius, hint {n} of 3' for n in (1, 2, 3)]
 
 
+@pytest.mark.processes
 def test_several_paths_end_with_a_table_and_the_worst_exit_code(capsys: pytest.CaptureFixture[str]) -> None:
     folder = REPOSITORY / 'solutions'
     code = main([str(folder / 'static_frame.launch.py'), STATIC, 'nowhere.launch.py'])
@@ -83,6 +84,7 @@ def test_one_bad_path_alone_is_an_error(capsys: pytest.CaptureFixture[str]) -> N
     assert refused(capsys, 'nowhere.launch.py')[0] == 2
 
 
+@pytest.mark.processes
 def test_all_formats_are_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     files = {name: str(tmp_path / name) for name in ('json', 'junit')}
     words = [word for name, file in files.items() for word in (f'--{name}', file)]
@@ -101,6 +103,7 @@ def test_help_shows_examples_and_exit_codes(capsys: pytest.CaptureFixture[str]) 
     assert '3  the grader broke' in text
 
 
+@pytest.mark.processes
 def test_the_module_is_the_command_and_loads_no_heavy_package() -> None:
     code = (
         'import sys, edugrade.cli, edugrade.judging, edugrade.terminal, edugrade.library.launched\n'

@@ -13,6 +13,8 @@ from edugrade.doctor import Finding, examine, report
 from edugrade.job import Limits
 from edugrade.sandbox import landlock, seccomp
 
+pytestmark = pytest.mark.processes
+
 CONFINES = pytest.mark.skipif(
     landlock.version() < 6 or seccomp.filter_program() is None, reason='this system lacks Landlock 6, or is of an unknown kind'
 )

@@ -84,6 +84,7 @@ def schema() -> Any:
     return jsonschema.Draft202012Validator(found)
 
 
+@pytest.mark.processes
 def test_one_report_and_several(schema: Any, tmp_path: Path) -> None:
     main([str(SOLUTION), '--json', str(tmp_path / 'one')])
     main([str(SOLUTION), 'nowhere.launch.py', '--json', str(tmp_path / 'two')])
@@ -91,6 +92,7 @@ def test_one_report_and_several(schema: Any, tmp_path: Path) -> None:
         schema.validate(json.loads((tmp_path / name).read_text()))
 
 
+@pytest.mark.processes
 def test_the_results_of_a_batch(schema: Any, tmp_path: Path) -> None:
     (tmp_path / 'class' / 'anna').mkdir(parents=True)
     shutil.copy(SOLUTION, tmp_path / 'class' / 'anna')

@@ -107,6 +107,7 @@ def graded(folder: Path, text: str, limit_s: float = 8.0) -> Report:
     return next(grade([work], Limits(limit_s)))
 
 
+@pytest.mark.processes
 def test_without_the_trick_it_has_its_honest_points(tmp_path: Path) -> None:
     assert graded(tmp_path, LAZY).earned == HONEST
 

@@ -26,6 +26,7 @@ def test_the_seed_is_that_of_the_text_unless_one_is_given() -> None:
     assert plan_work(submission, 'circle').name == 'circle'
 
 
+@pytest.mark.processes
 def test_reports_come_in_the_order_of_the_submissions_and_each_run_is_counted() -> None:
     done: list[int] = []
     work = [plan_work(Submission(str(path))) for path in (BROKEN, STATIC)]
@@ -34,6 +35,7 @@ def test_reports_come_in_the_order_of_the_submissions_and_each_run_is_counted() 
     assert (len(done), [report.exit_code for report in reports]) == (4, [0, 0])
 
 
+@pytest.mark.processes
 def test_a_graded_run_is_the_run_that_the_student_sees() -> None:
     (report,) = grade([plan_work(Submission(str(STATIC)))])
     for outcome in report.outcomes:

@@ -112,6 +112,7 @@ def test_a_long_word_does_not_take_long() -> None:
         assert len(paths.text(piece * 200_000) or '') <= LONGEST_TEXT + 100
 
 
+@pytest.mark.processes
 def test_a_name_with_control_characters_moves_no_cursor(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / 'a\x1b[2Jb'
     folder.mkdir()

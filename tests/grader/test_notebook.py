@@ -50,6 +50,7 @@ def test_a_misspelt_exercise_is_a_note_with_the_nearest(lessons: Path) -> None:
     assert 'did you mean check(&quot;circle&quot;)?' in found._repr_html_()
 
 
+@pytest.mark.processes
 def test_the_report_is_that_of_the_command(lessons: Path, capsys: pytest.CaptureFixture[str]) -> None:
     found = check('static_frame')
     assert isinstance(found, CheckReport)
@@ -59,6 +60,7 @@ def test_the_report_is_that_of_the_command(lessons: Path, capsys: pytest.Capture
     assert found.passed is False
 
 
+@pytest.mark.processes
 def test_attempts_hints_and_success_are_noted_beside_the_notebook(lessons: Path) -> None:
     check('static_frame')
     assert repr(check('static_frame', hint=2)).startswith('A laser and a camera on a mast, hint 2 of 3: ')

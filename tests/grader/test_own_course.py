@@ -32,11 +32,13 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+@pytest.mark.processes
 def test_all_of_it_belongs_together(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['course']) == 0, capsys.readouterr().out
     assert capsys.readouterr().out == 'course: 2 exercises, 10 points: in order\n'
 
 
+@pytest.mark.processes
 def test_the_command_and_the_cell_find_the_rubrics(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['solutions/spin.launch.py', 'solutions/mast.launch.py']) == 0
     assert main(['exercises/spin.launch.py']) == 1
@@ -49,6 +51,7 @@ def test_the_command_and_the_cell_find_the_rubrics(course: Path, capsys: pytest.
     assert found.headline == 'mast: some failed, 1 of 4 points'
 
 
+@pytest.mark.processes
 def test_nearly_right_gives_a_part_of_the_points(course: Path) -> None:
     text = (course / 'solutions' / 'spin.launch.py').read_text().replace('z: 1.0', 'z: 0.9')
     (course / 'exercises' / 'spin.launch.py').write_text(text)
@@ -56,6 +59,7 @@ def test_nearly_right_gives_a_part_of_the_points(course: Path) -> None:
     assert json.loads(Path('report.json').read_text())['points'] == {'earned': 4.5, 'possible': 6}
 
 
+@pytest.mark.processes
 def test_a_class_is_graded_and_a_mark_made_again(course: Path) -> None:
     for name in ('anna', 'bert'):
         (course / 'submissions' / name).mkdir(parents=True)
@@ -65,6 +69,7 @@ def test_a_class_is_graded_and_a_mark_made_again(course: Path) -> None:
     assert main(['verify', 'submissions.results/bert/spin.launch.py.json']) == 0
 
 
+@pytest.mark.processes
 def test_gradescope_grades_by_the_rubrics(course: Path) -> None:
     for name, points in (('spin', 6), ('mast', 4)):
         assert main(['gradescope', 'build', name, '--out', f'{name}.zip']) == 0
@@ -77,6 +82,7 @@ def test_gradescope_grades_by_the_rubrics(course: Path) -> None:
         assert (found['score'], sum(test['max_score'] for test in found['tests'])) == (points, points)
 
 
+@pytest.mark.processes
 def test_a_rubric_that_was_handed_in_is_not_run(
     course: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -114,6 +120,7 @@ def test_a_course_gives_other_points_for_a_rubric_of_ours(tmp_path: Path, monkey
         find_rubric('water')
 
 
+@pytest.mark.processes
 def test_whoever_is_done_reads_why_it_matters(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(ROOT / 'solutions' / 'water.launch.py'), '--sandbox', 'off']) == 0
     assert 'On a robot: Speeds, gains and limits' in capsys.readouterr().out

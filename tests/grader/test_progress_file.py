@@ -74,6 +74,7 @@ def attempts(folder: str, count: int) -> None:
             file.save()
 
 
+@pytest.mark.processes
 def test_of_saves_at_the_same_time_none_is_lost(tmp_path: Path) -> None:
     context = multiprocessing.get_context('spawn')
     workers = [context.Process(target=attempts, args=(str(tmp_path), 25)) for _ in range(4)]

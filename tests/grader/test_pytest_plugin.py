@@ -61,6 +61,7 @@ def test_checks_pass_fail_and_are_skipped(tmp_path: Path) -> None:
     assert found == {'points': '3', 'earned': '3'}
 
 
+@pytest.mark.processes
 def test_nothing_is_collected_unless_it_is_asked_for(tmp_path: Path) -> None:
     shutil.copy(ROOT / 'solutions' / 'static_frame.launch.py', tmp_path)
     assert 'no tests ran' in run_pytest(tmp_path).stdout

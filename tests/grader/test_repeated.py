@@ -58,6 +58,7 @@ def report(tmp_path: Path, data: str) -> Report:
     return found
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize('data', ["'always'", 'str(random.random())', 'str(node.get_clock().now().nanoseconds)'])
 def test_what_repeats_is_said_to_repeat(tmp_path: Path, data: str) -> None:
     found = report(tmp_path, data)
@@ -68,6 +69,7 @@ def test_what_repeats_is_said_to_repeat(tmp_path: Path, data: str) -> None:
     ]
 
 
+@pytest.mark.processes
 def test_the_first_difference_is_told(tmp_path: Path) -> None:
     found = report(tmp_path, '__import__("posix").urandom(4).hex()')
     result = found.results[1]

@@ -16,6 +16,8 @@ from edugrade.job import Limits, readable_by_all
 from edugrade.runner import Runner
 from edugrade.submission import Submission
 
+pytestmark = pytest.mark.processes
+
 WRITE_TO_ALL = """import posix as os
 for fd in range(3, 30):
     try: os.write(fd, {})

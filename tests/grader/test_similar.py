@@ -89,6 +89,7 @@ def results(tmp_path: Path) -> Path:
     return tmp_path / 'class.results'
 
 
+@pytest.mark.processes
 def test_pairs_are_named_and_shown(
     results: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -102,12 +103,14 @@ def test_pairs_are_named_and_shown(
     assert 'anna and bert' in (tmp_path / 'out.html').read_text()
 
 
+@pytest.mark.processes
 def test_the_launch_graph_has_no_names_in_it(results: Path) -> None:
     found = json.loads((results / 'anna' / 'static_frame.launch.py.json').read_text())
     assert found['graph'].count('starts tf2_ros/static_transform_publisher') == 2
     assert 'laser' not in str(found['graph'])
 
 
+@pytest.mark.processes
 def test_what_is_gone_is_said(results: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / 'class' / 'carl' / 'static_frame.launch.py').write_text('changed')
     assert main(['similar', str(results)]) == 0

@@ -71,6 +71,7 @@ def failed(path: Path) -> list[str]:
     return [result.name for result in report.results if result.status == 'failed']
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(('name', 'old', 'new', 'check'), MISSES)
 def test_a_near_miss_fails_where_it_misses(tmp_path: Path, name: str, old: str, new: str, check: str) -> None:
     text, top = (SOLUTIONS / name).read_text(), name.split('/')[0]

@@ -45,6 +45,7 @@ def test_at_least_twelve_exercises_have_variants_and_students_differ() -> None:
         assert len(made) > 1, item.name
 
 
+@pytest.mark.processes
 def test_a_copy_for_a_student_names_the_values_in_the_task_and_is_graded_by_them(
     tmp_path: Path, secret: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -71,6 +72,7 @@ def test_a_copy_for_a_student_names_the_values_in_the_task_and_is_graded_by_them
     assert main(['verify', 'report.json', '--submission', 'carl/exercises/two_rooms.launch.py', '--sandbox', 'off']) == 0
 
 
+@pytest.mark.processes
 def test_a_class_is_graded_by_the_variant_of_each_and_told_of_another_one_s(
     tmp_path: Path, secret: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

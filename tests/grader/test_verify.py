@@ -11,6 +11,8 @@ from typing import Any
 import pytest
 from edugrade.cli import main
 
+pytestmark = pytest.mark.processes
+
 SOLUTION = Path(__file__).parents[2] / 'solutions' / 'static_frame.launch.py'
 
 

@@ -152,6 +152,7 @@ def test_nothing_is_kept_of_what_lies_outside_of_the_exercises_of_a_course(tmp_p
     assert progress_folder(str(tmp_path / 'solutions' / 'a.launch.py')) is None
 
 
+@pytest.mark.processes
 def test_no_report_on_a_stub_has_a_line_of_its_solution(capsys: pytest.CaptureFixture[str]) -> None:
     stubs = sorted(
         str(path) for path in (ROOT / 'exercises').iterdir() if path.suffix != '.toml' and not path.name.startswith(('.', '_'))

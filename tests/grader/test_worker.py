@@ -112,6 +112,7 @@ print(json.dumps(got))
 """
 
 
+@pytest.mark.processes
 def test_the_limits_of_a_worker() -> None:
     done = subprocess.run([sys.executable, '-c', WORK], capture_output=True, text=True, check=True)
     before, said = done.stdout.splitlines()
@@ -126,6 +127,7 @@ def test_the_limits_of_a_worker() -> None:
     assert got[6]  # what it had to load, the next one has
 
 
+@pytest.mark.processes
 def test_a_report_is_the_same_from_a_worker_and_without_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     solution = Path(__file__).parents[2] / 'exercises' / 'circle.launch.py'
     monkeypatch.setattr('threading.active_count', lambda: 2)

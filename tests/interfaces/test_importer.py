@@ -74,6 +74,7 @@ def test_classes_are_asked_for_by_type_name(tmp_path, registry, finder):
     assert (message_class('p/msg/Num')(num=3).num, service_class('std_srvs/srv/Empty').TYPE) == (3, 'std_srvs/srv/Empty')
 
 
+@pytest.mark.processes
 def test_using_messages_loads_neither_numpy_nor_asyncio():
     code = """if True:
         import sys

@@ -108,6 +108,7 @@ def test_everything_is_an_instance_of_a_class() -> None:
     assert (is_a_subclass(1, int), is_a_subclass(int, int), is_a_subclass(1, float)) == (True, True, False)
 
 
+@pytest.mark.processes
 def test_the_underlay_alone_is_enough_for_launch_and_its_interfaces() -> None:
     code = (
         'import launch.actions, osrf_pycommon, launch_ros; osrf_pycommon.process_utils.get_loop\n'

@@ -195,6 +195,7 @@ def test_a_missing_name_gives_pythons_own_error() -> None:
         _ = launch.actions.X
 
 
+@pytest.mark.processes
 def test_modules_are_attributes_without_an_import() -> None:
     code = (
         'import launch\nlaunch.actions.timer_action.TimerAction\nlaunch.event_handlers.OnProcessExit\n'
@@ -203,6 +204,7 @@ def test_modules_are_attributes_without_an_import() -> None:
     _run(code)
 
 
+@pytest.mark.processes
 def test_a_description_can_be_built_without_asyncio_logging_or_yaml() -> None:
     _run(
         'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess, TimerAction\n'

@@ -36,6 +36,7 @@ def answers():
     return json.loads(done.stdout)
 
 
+@pytest.mark.processes
 def test_the_answers_are_the_reference_s(answers):
     reference = json.loads(PROBES.with_suffix('.json').read_text(encoding='utf-8'))
     asked = [probe for probe in frontend_probes() if probe and not probe.startswith('#')]

@@ -19,6 +19,7 @@ GROUPS = [
 ]
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize('group', GROUPS)
 def test_alone_and_over_the_link(group: str) -> None:
     done = subprocess.run([sys.executable, str(PROGRAM), group], capture_output=True, text=True)

@@ -107,6 +107,7 @@ for path in ('', 'x' * 32 + '/', '../'):
 """
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(not hasattr(os, 'geteuid') or os.geteuid() != 0, reason='only root can become another user')
 def test_another_user_of_this_computer_gets_nothing_without_the_token() -> None:
     async def body(address: str, machine: socket.socket) -> str:

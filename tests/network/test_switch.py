@@ -47,6 +47,7 @@ def edulaunch(desk: Desk, *words: str, **env: str) -> str:
     return done.stdout + done.stderr
 
 
+@pytest.mark.processes
 def test_nothing_of_the_network_is_loaded_while_it_is_off(tmp_path: Path) -> None:
     code = (
         'import sys\nfrom edulaunch.cli.main import main\n'
@@ -104,6 +105,7 @@ def test_what_makes_no_sense_is_told(desk: Desk) -> None:
     assert edulaunch(desk, 'network', 'off') == 'the network is off\n'
 
 
+@pytest.mark.processes
 def test_a_launch_without_a_machine_cannot_join(tmp_path: Path) -> None:
     code = (
         'from edulaunch.session import Session\nfrom edulaunch.processes.spec import ProcessSpec\n'

@@ -13,6 +13,8 @@ import pytest
 
 import edulaunch
 
+pytestmark = pytest.mark.processes
+
 ROOT = Path(__file__).resolve().parents[2]
 EXPECTED = 'terminals share a machine on Linux and macOS only'
 SIGNALLING = """

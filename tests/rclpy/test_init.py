@@ -254,6 +254,7 @@ def test_remove_ros_args_keeps_the_rest() -> None:
     assert rclpy.remove_ros_args(['x', '1', '--ros-args', '-r', 'a:=b', '--', '2']) == ['x', '1', '2']
 
 
+@pytest.mark.processes
 def test_importing_rclpy_loads_nothing_heavy() -> None:
     root = Path(__file__).resolve().parents[2]
     code = (
@@ -264,6 +265,7 @@ def test_importing_rclpy_loads_nothing_heavy() -> None:
     assert (done.stdout.strip(), done.stderr) == ('[]', '')
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(
     'name',
     [

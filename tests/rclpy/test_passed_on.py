@@ -45,6 +45,7 @@ def test_a_name_that_is_nowhere_is_python_s_own_error() -> None:
         from tf2_ros import TransformListner  # noqa: F401
 
 
+@pytest.mark.processes
 def test_nothing_of_it_is_loaded_unasked() -> None:
     code = "import edulaunch, sys; edulaunch.source(); import rclpy.node; print([m for m in ('yaml', 'rcl_interfaces.srv') if m in sys.modules])"
     assert subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, check=True).stdout == '[]\n'

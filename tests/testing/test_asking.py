@@ -33,11 +33,13 @@ def run(folder: Path, *words: str) -> str:
     return done.stdout + done.stderr
 
 
+@pytest.mark.processes
 def test_a_project_that_does_not_ask_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / 'test_alone.py').write_text(ALONE)
     assert '1 passed' in run(tmp_path)
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(
     'way',
     [

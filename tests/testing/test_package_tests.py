@@ -102,6 +102,7 @@ def bot(tmp_path: Path) -> Path:
     return tmp_path / 'bot'
 
 
+@pytest.mark.processes
 def test_the_tests_of_a_package_run_without_ros(bot: Path) -> None:
     (bot.parent / 'conftest.py').write_text('import rclpy\n')  # of the whole workspace: in no package
     done = subprocess.run(

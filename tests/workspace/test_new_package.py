@@ -123,6 +123,7 @@ def test_what_cannot_be_made_is_refused(
     assert sorted(path.name for path in tmp_path.iterdir()) == ['there']
 
 
+@pytest.mark.processes
 def test_pytest_knows_the_marks_of_a_new_package(create: Callable[..., list[str]], tmp_path: Path) -> None:
     create('my_package', build_type='ament_python')
     done = subprocess.run(

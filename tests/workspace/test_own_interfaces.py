@@ -75,6 +75,7 @@ def test_types_of_the_workspace_are_published_and_served(robo: Any) -> None:
     ]
 
 
+@pytest.mark.processes
 def test_a_recording_brings_the_types_that_it_needs(robo: Any, tmp_path: Path) -> None:
     recording = run(robo)
     recording.save(tmp_path / 'x.rec')

@@ -60,6 +60,7 @@ def killed_after(number: int, group: Path, monkeypatch: pytest.MonkeyPatch) -> N
     os._exit(9)
 
 
+@pytest.mark.processes
 def test_each_submission_has_its_result_and_a_line_in_the_table(group: Path, tmp_path: Path) -> None:
     assert main(['batch', str(group), '--csv', str(tmp_path / 'marks.csv'), '--html', str(tmp_path / 'pages')]) == 0
     rows = list(csv.DictReader(io.StringIO((tmp_path / 'marks.csv').read_text())))
@@ -101,6 +102,7 @@ def test_a_killed_grader_goes_on_where_it_was(group: Path, tmp_path: Path, monke
     assert not {f'{name}/static_frame.launch.py.json' for name in saved if name != 'peter'} & before
 
 
+@pytest.mark.processes
 def test_an_edit_is_graded_again_and_the_rest_is_kept(group: Path, capsys: pytest.CaptureFixture[str]) -> None:
     main(['batch', str(group)])
     (group / 'anna' / 'static_frame.launch.py').write_text('x = 1\n')
@@ -183,6 +185,7 @@ def two(tmp_path: Path) -> tuple[Path, Path]:
     return tmp_path / 'class', tmp_path / 'two.py'
 
 
+@pytest.mark.processes
 def test_one_check_is_graded_again_and_the_rest_is_kept(two: tuple[Path, Path]) -> None:
     folder, rubric = two
     assert main(['batch', str(folder), '--rubric', str(rubric)]) == 0
@@ -206,6 +209,7 @@ def test_a_check_that_is_not_there_is_said_once_for_each(two: tuple[Path, Path],
     assert found['refused'] == 'the rubric has no check c'
 
 
+@pytest.mark.processes
 def test_the_student_is_in_every_output(two: tuple[Path, Path], tmp_path: Path) -> None:
     folder, rubric = two
     (folder / 'anna').rename(folder / 'Anna Ö_12_assignsubmission_file_')
@@ -222,6 +226,7 @@ def test_the_student_is_in_every_output(two: tuple[Path, Path], tmp_path: Path) 
     assert '4.5 of 6 points' in own.read_text()
 
 
+@pytest.mark.processes
 def test_two_batches_do_not_write_into_each_other(two: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
     folder, rubric = two
     with Store(f'{folder}.results').locked():
@@ -232,6 +237,7 @@ def test_two_batches_do_not_write_into_each_other(two: tuple[Path, Path], capsys
     assert not list(Path(f'{folder}.results').rglob('*.part'))
 
 
+@pytest.mark.processes
 def test_a_fault_of_ours_with_one_is_no_zero_and_costs_nobody_else(
     group: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -251,6 +257,7 @@ def test_a_fault_of_ours_with_one_is_no_zero_and_costs_nobody_else(
     assert rows[0]['first_problem'] == "the grader broke on it: KeyError: 'ours'"
 
 
+@pytest.mark.processes
 def test_a_name_too_long_for_a_result_costs_nobody(two: tuple[Path, Path]) -> None:
     folder, rubric = two
     (folder / 'anna' / ('x' * 240 + '.launch.py')).write_bytes((folder / 'anna' / 'two.launch.py').read_bytes())

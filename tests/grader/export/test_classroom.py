@@ -32,6 +32,7 @@ def test_workflow_and_autograding_ask_for_the_same(tmp_path: Path) -> None:
     assert True not in workflow and 'on' in workflow, 'YAML 1.1 reads a bare on as true'
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(('folder', 'code'), [('solutions', 0), ('exercises', 1)])
 def test_a_command_ends_as_its_check_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, folder: str, code: int) -> None:
     shutil.copy(ROOT / folder / 'static_frame.launch.py', tmp_path)

@@ -93,6 +93,7 @@ def test_the_zip_has_what_gradescope_runs(autograder: Path) -> None:
         subprocess.run(['bash', '-n', str(source / name)], check=True)
 
 
+@pytest.mark.processes
 def test_run_autograder_grades_what_was_handed_in(autograder: Path, tmp_path: Path) -> None:
     shutil.copy(SOLUTION, autograder / 'submission')
     (tmp_path / 'bin').mkdir()
@@ -109,6 +110,7 @@ def test_run_autograder_grades_what_was_handed_in(autograder: Path, tmp_path: Pa
     assert found['extra_data']['edugrade']['receipt']['secret']
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize('text', ['x = 1\n', 'import nothing\n', 'def ('])
 def test_a_wrong_answer_and_a_broken_one(autograder: Path, text: str) -> None:
     (autograder / 'submission' / 'static_frame.launch.py').write_text(text)
@@ -118,6 +120,7 @@ def test_a_wrong_answer_and_a_broken_one(autograder: Path, text: str) -> None:
     assert found['tests'][0]['output']
 
 
+@pytest.mark.processes
 def test_an_archive_and_a_package_below_are_found(autograder: Path) -> None:
     with zipfile.ZipFile(autograder / 'submission' / 'work.zip', 'w') as archive:
         archive.write(SOLUTION, 'ws/static_frame.launch.py')
@@ -133,6 +136,7 @@ def test_nothing_to_grade_is_said(autograder: Path) -> None:
     assert 'there is no static_frame.launch.py' in found['output']
 
 
+@pytest.mark.processes
 def test_a_fault_of_ours_gives_no_score(autograder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     shutil.copy(SOLUTION, autograder / 'submission')
     (rubric,) = (autograder / 'source' / 'rubrics').iterdir()

@@ -1,0 +1,63 @@
+"""Every test runs in exactly one step of `.ci/run`, and unit tests start no Python."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from tests.house import ROOT
+from tests.kinds import ALL_TESTS, KINDS, kinds_of
+
+RUN = (ROOT / '.ci' / 'run').read_text(encoding='utf-8')
+UNIT_TESTS = '<!-- tests -->'
+"""How `.ci/run` finds the README's command, which leaves out every kind."""
+
+
+def steps() -> list[tuple[str, list[str]]]:
+    """(expression of marks, folders) of the calls of pytest in `.ci/run`, but for lessons, and for what installs a second Python."""
+    calls = re.findall(r'(?m)^[^#\n]*\bpytest (-[^;\n]*)$|\{ pytest ([^;]*);', RUN)
+    found = []
+    for call in (' '.join(both).strip() for both in calls):
+        marks = re.search(r"-m (?:'([^']*)'|(\w+))", call)
+        if '--nbval' not in call and '"$@"' not in call and 'cacheprovider' not in call:
+            found.append(((marks[1] or marks[2]) if marks else '', re.findall(r'\btests/\w+', call)))
+    return found
+
+
+def runs(item: pytest.Item, marks: str, folders: list[str]) -> bool:
+    """Whether a step runs a test."""
+    if folders and not any(item.nodeid.startswith(f'{folder}/') for folder in folders):
+        return False
+    kinds = kinds_of(item)
+    return not marks or bool(eval(marks, {'__builtins__': {}}, {kind: kind in kinds for kind in KINDS}))
+
+
+def test_the_steps_are_found() -> None:
+    assert UNIT_TESTS in RUN
+    assert ('', ['tests/browser']) in steps()
+    assert {kind for kind in KINDS for marks, folders in steps() if kind in marks or folders == [f'tests/{kind}']} == set(KINDS)
+
+
+def test_every_test_runs_in_one_step_and_no_other(request: pytest.FixtureRequest) -> None:
+    """Of all that was collected with this one; of the whole house where the README's command runs."""
+    wrong = []
+    for item in request.config.stash[ALL_TESTS]:
+        where = [step for step in steps() if runs(item, *step)]
+        if len(where) + (not kinds_of(item)) != 1:
+            wrong.append((item.nodeid, where))
+    assert wrong == []
+
+
+def test_a_python_that_a_unit_test_starts_fails_it() -> None:
+    with pytest.raises(pytest.fail.Exception, match='processes'):
+        subprocess.run([sys.executable, '-c', ''])
+    with pytest.raises(pytest.fail.Exception, match='processes'):
+        os.posix_spawn(sys.executable, [sys.executable, '-c', ''], {})
+
+
+def test_another_program_may_be_started() -> None:
+    assert subprocess.run(['true']).returncode == 0
