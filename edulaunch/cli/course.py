@@ -50,7 +50,7 @@ def _slides(arguments: argparse.Namespace) -> int:
 
 def _notes(arguments: argparse.Namespace) -> int:
     """`edulaunch course notes [LESSON]`."""
-    from edulaunch.course.notes import list_of_notes, notes_of
+    from edulaunch.course.lessons import list_of_notes, notes_of
 
     course = _chosen_course(arguments)
     print(notes_of(course, arguments.lesson) if arguments.lesson else list_of_notes(course))
@@ -58,7 +58,7 @@ def _notes(arguments: argparse.Namespace) -> int:
 
 
 def _chosen_course(arguments: argparse.Namespace) -> str:
-    from edulaunch.course.place import course_around, given_course
+    from edulaunch.course.lessons import course_around, given_course
 
     return given_course(arguments.course) if arguments.course else course_around('.')
 
@@ -113,7 +113,7 @@ def course_verb(arguments: argparse.Namespace) -> int:
 
 
 def _new(arguments: argparse.Namespace) -> int:
-    from edulaunch.course.new_course import new_course
+    from edulaunch.course.copying import new_course
 
     for name in new_course(arguments.folder):
         print(f'  {name}')
@@ -122,9 +122,8 @@ def _new(arguments: argparse.Namespace) -> int:
 
 
 def _copy(arguments: argparse.Namespace) -> int:
-    from edulaunch.course.copying import copy_files
-    from edulaunch.course.place import given_course, our_course
-    from edulaunch.course.student_files import student_files
+    from edulaunch.course.copying import copy_files, student_files
+    from edulaunch.course.lessons import given_course, our_course
 
     course = given_course(arguments.course or our_course())
     _not_into_itself(course, arguments.folder)
@@ -141,7 +140,7 @@ def _copy(arguments: argparse.Namespace) -> int:
 def _personal(files: dict[str, bytes], course: str, student: str, secret: str | None) -> dict[str, bytes]:
     from edugrade.variant import CourseSecret
 
-    from edulaunch.course.personal import personal_files
+    from edulaunch.course.copying import personal_files
     from edulaunch.errors import UnusableInput
 
     if secret is None:
@@ -153,7 +152,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     from edugrade.course_check import main as check
 
     from edulaunch.course.lesson_form import lesson_problems
-    from edulaunch.course.place import given_course
+    from edulaunch.course.lessons import given_course
 
     problems = list(lesson_problems(given_course(arguments.folder)))
     for problem in problems:
@@ -163,8 +162,7 @@ def _lint(arguments: argparse.Namespace) -> int:
 
 
 def _list(arguments: argparse.Namespace) -> int:
-    from edulaunch.course.contents import contents
-    from edulaunch.course.place import course_around, given_course
+    from edulaunch.course.lessons import contents, course_around, given_course
 
     print(contents(given_course(arguments.folder) if arguments.folder else course_around('.')))
     return 0
@@ -181,7 +179,7 @@ def _open(arguments: argparse.Namespace) -> int:
     from importlib.util import find_spec
     from subprocess import call
 
-    from edulaunch.course.place import LESSONS, given_course
+    from edulaunch.course.lessons import LESSONS, given_course
     from edulaunch.errors import UnusableInput
 
     folder = given_course(arguments.folder)
@@ -195,9 +193,8 @@ def _open(arguments: argparse.Namespace) -> int:
 
 
 def _release(arguments: argparse.Namespace) -> int:
-    from edulaunch.course.copying import copy_files, write_zip
-    from edulaunch.course.place import given_course
-    from edulaunch.course.student_files import student_files
+    from edulaunch.course.copying import copy_files, student_files, write_zip
+    from edulaunch.course.lessons import given_course
     from edulaunch.errors import UnusableInput
 
     course, out = given_course(arguments.folder), arguments.out
@@ -233,8 +230,8 @@ def _template(arguments: argparse.Namespace) -> int:
 
 
 def _lite(arguments: argparse.Namespace) -> int:
+    from edulaunch.course.lessons import given_course, our_course
     from edulaunch.course.lite.site import make_site
-    from edulaunch.course.place import given_course, our_course
 
     for note in make_site(arguments.out, arguments.pyodide, given_course(arguments.course or our_course())):
         print(f'note: {note}')

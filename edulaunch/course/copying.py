@@ -1,14 +1,134 @@
-"""`edulaunch course copy` and `release`: a course as its students get it, in a folder or a zip file."""
+"""What leaves a course: a new one to begin with, what students get (one of them her own), and how that is copied or packed.
+
+Students get lessons without outputs, exercises, questions; no solution, no rubric, no kept output.
+"""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+import shutil
+from collections.abc import Callable, Iterator, Mapping
 from hashlib import sha256
 from typing import NamedTuple
 
+from edugrade.course import MANIFEST, read_course
+from edugrade.variant import FILE, CourseSecret, personal, write_variants
+
 from edulaunch.errors import UnusableInput
+
+from .lessons import EXERCISES, LESSONS, manifest
+from .lessons import FOLDER as NOTES
+from .stored import as_text, without_outputs
+
+STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
+"""The course that is copied: kept as files, so that it is read, run and checked as every course is."""
+
+
+def new_course(folder: str) -> list[str]:
+    """Make a course. Returns its files, relative to the folder.
+
+    :raises UnusableInput: when the folder exists and is not empty, or cannot be made.
+    """
+    if os.path.lexists(folder) and not (os.path.isdir(folder) and not os.listdir(folder)):
+        raise UnusableInput(f'{folder} is there already, and not empty', help='give the name of a folder that is not there yet')
+    try:
+        shutil.copytree(STARTER, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns('__pycache__', 'my_*'))
+    except OSError as error:
+        raise UnusableInput(f'{folder} cannot be made: {error}') from None
+    places = (os.path.join(place, name) for place, _, names in os.walk(folder) for name in names)
+    return sorted(os.path.relpath(path, folder).replace(os.sep, '/') for path in places)
+
+
+RUBRICS = 'rubrics'
+KEPT_BACK = ('solutions', RUBRICS, '__pycache__', 'my_progress.toml', 'my_progress.toml.bak')
+"""Never handed out, in whatever folder."""
+BESIDE = (MANIFEST, 'README.md', 'LICENSE', 'requirements.txt')
+"""Files beside the folders of a course, handed out where the course is a folder of its own (with its manifest in it)."""
+
+
+def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
+    """The files that students get, by their path in the course with slashes, in alphabetical order.
+
+    :param rubrics: also the rubrics, so that students can check what they wrote.
+    :raises UnusableInput: when a notebook cannot be read, or a file is a link (which may lead to a solution).
+    """
+    found: dict[str, bytes] = {}
+    for name in (*BESIDE, LESSONS, EXERCISES, *([RUBRICS] if rubrics else [])):
+        path = os.path.join(course, name)
+        if os.path.isdir(path):
+            found |= {
+                f'{name}/{inner}': _content(os.path.join(path, *inner.split('/'))) for inner in _files(path, name == LESSONS)
+            }
+        elif os.path.isfile(path) and os.path.isfile(os.path.join(course, MANIFEST)):
+            found[name] = _content(path)
+    return dict(sorted(found.items()))
+
+
+def _files(folder: str, lessons: bool) -> Iterator[str]:
+    for place, folders, names in os.walk(folder):
+        here = os.path.relpath(place, folder).replace(os.sep, '/')
+        beside_notebooks = lessons and here == '.'
+        folders[:] = sorted(name for name in folders if _is_handed_out(name, beside_notebooks))
+        for name in sorted(names):
+            if _is_handed_out(name, beside_notebooks):
+                yield name if here == '.' else f'{here}/{name}'
+
+
+def _is_handed_out(name: str, beside_notebooks: bool) -> bool:
+    """Not what is kept back, what is hidden (.outputs, .ipynb_checkpoints), nor, beside the notebooks, what running them left
+    (my_launch, my_ws), the notes for teachers and what serves our tests. An exercise may be called my_package, or notes.
+    """
+    if beside_notebooks and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
+        return False
+    return name not in KEPT_BACK and not name.startswith('.') and not name.endswith(('.pyc', '.results'))
+
+
+def _content(path: str) -> bytes:
+    if os.path.islink(path):
+        raise UnusableInput(f'{path} is a link: what it leads to may not be meant for students', help='put the file itself there')
+    with open(path, 'rb') as file:
+        data = file.read()
+    if not path.endswith('.ipynb'):
+        return data
+    try:
+        return as_text(without_outputs(json.loads(data))).encode()
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise UnusableInput(f'the notebook {path} cannot be read: {error!r}', help='open it in JupyterLab and save it') from None
+
+
+LONGEST_NAME = 80
+
+
+def personal_files(files: Mapping[str, bytes], course: str, student: str, secret: CourseSecret) -> dict[str, bytes]:
+    """What is handed out, made for one student: exercises that have variants in hers, and the file by which she is graded.
+
+    :param files: what all students get, by path.
+    :raises UnusableInput: when the name is none, or no exercise of the course has variants.
+    """
+    if not student.isprintable() or not 0 < len(student) <= LONGEST_NAME:
+        raise UnusableInput(f'{student!r} is no name of a student', help='the name of the folder with what the student hands in')
+    path = manifest(course)
+    known = read_course(path) if path else []
+    variants = {item.name: found for item in known if (found := personal(item, student, secret)) is not None}
+    if not variants:
+        raise UnusableInput('no exercise of this course has variants', help=f'variants = [["usual", "other"], ...] in {MANIFEST}')
+    made = dict(files)
+    for item in known:
+        for name in files:
+            inside = name.split('/')
+            if item.name in variants and inside[0] == EXERCISES and inside[1:2] == [item.path]:
+                made[name] = _made(files[name], variants[item.name].stub)
+    made[f'{EXERCISES}/{FILE}'] = write_variants(student, variants)
+    return dict(sorted(made.items()))
+
+
+def _made(data: bytes, personal: Callable[[str], str]) -> bytes:
+    try:
+        return personal(data.decode('utf-8')).encode()
+    except UnicodeDecodeError:
+        return data  # a picture, say
+
 
 RECORD = '.edulaunch_course.json'
 """Beside the copy: what each file was when it was copied, so that a later copy knows which of them the student changed."""

@@ -11,11 +11,9 @@ from typing import Any
 
 from edulaunch.errors import UnusableInput
 
-from .lessons import read_lessons
-from .notes import FOLDER as NOTES
-from .notes import read_notes
-from .place import LESSONS
-from .questions import FILE, read_questions
+from .lessons import FOLDER as NOTES
+from .lessons import LESSONS, read_lessons, read_notes
+from .quiz import FILE, read_questions
 from .stored import read_outputs
 
 _ID = re.compile(r'[a-z][a-z0-9]*(-[a-z0-9]+)*')

@@ -2,17 +2,24 @@
 
 A page cannot ask first and show later, so what a lesson asks to be predicted is folded away on it, what was right is told to
 teachers alone, and questions stand there without their answers.
+
+As HTML they are made by nbconvert's Markdown and colours, which are loaded late: they need the notebook extra.
 """
 
 from __future__ import annotations
 
+import os
 import re
-from base64 import b64decode
-from collections.abc import Iterator, Mapping
+from base64 import b64decode, b64encode
+from collections.abc import Callable, Iterator, Mapping
 from html import unescape
 from typing import Any, NamedTuple
 
-from .questions import Question
+from edugrade.markup import element
+
+from edulaunch.errors import UnusableInput
+
+from .quiz import Question
 
 WRITES = '%%writefile '
 _CALL = r"^{}\('([\w-]+)'(?:.*#\s*(.*))?"
@@ -126,3 +133,95 @@ def _shown(data: Mapping[str, Any]) -> Output:
     if page.startswith('<table') or (page and re.fullmatch(r'<.* object.*>', text)):
         return Output('html', text, page=page)
     return Output('picture' if 'text/html' in data and text.startswith('replay of') else 'text', text)
+
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'pages')
+_HEADING = re.compile(r'<h([1-6])(?: id="[^"]*")?>(.*?)</h\1>', re.DOTALL)
+_CODE_OR_MATH = re.compile(r'(```.*?```|`[^`]*`)|\$\$?([^$`]+?)\$\$?(?!\w)', re.DOTALL)
+_LANGUAGES = {'.xml': 'xml', '.urdf': 'xml', '.xacro': 'xml', '.yaml': 'yaml', '.yml': 'yaml', '.cfg': 'ini', '.toml': 'toml'}
+
+
+def environment() -> Any:
+    """The templates, with the filters `markdown`, `code` and `picture`.
+
+    :raises UnusableInput: when nbconvert is not installed.
+    """
+    try:
+        import nbconvert  # noqa: F401
+        from jinja2 import Environment, FileSystemLoader
+    except ImportError:
+        help = "pip install 'edulaunch[notebook]' installs it; then try again"
+        raise UnusableInput('nbconvert, which makes pages of lessons, is not installed', help=help) from None
+    templates = Environment(loader=FileSystemLoader(FOLDER), autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    templates.filters.update(code=_code, picture=_picture, markdown=_safe(markdown))
+    return templates
+
+
+def _safe(function: Callable[..., str]) -> Callable[..., Any]:
+    from markupsafe import Markup
+
+    return lambda *words: Markup(function(*words))
+
+
+def markdown(text: str, prefix: str = '', lower: int = 0, opened: bool = False) -> str:
+    """Markdown as HTML: headings have ids that begin with `prefix`, formulas are drawn, tables' heads name their columns.
+
+    :param lower: by how many levels headings go down.
+    :param opened: show what the text folds away.
+    """
+    from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
+
+    formulas: list[str] = []
+
+    def keep(found: re.Match[str]) -> str:
+        if found[1]:
+            return found[1]
+        formulas.append(_formula(found[2]))
+        return f'FORMULA{len(formulas) - 1}E'
+
+    renderer = IPythonRenderer(escape=False, exclude_anchor_links=True)
+    page: str = MarkdownWithMath(renderer=renderer).render(_CODE_OR_MATH.sub(keep, text))
+    page = _HEADING.sub(lambda found: _heading(int(found[1]) + lower, found[2], prefix), page)
+    page = re.sub(r'FORMULA(\d+)E', lambda found: formulas[int(found[1])], page).replace('<th', '<th scope="col"')
+    page = page.replace('<th scope="col"ead', '<thead')
+    return page.replace('<details>', '<details open>') if opened else page
+
+
+def heading_id(prefix: str, html: str) -> str:
+    """The id of a heading, given what stands in it."""
+    return prefix + re.sub(r'\W+', '-', re.sub(r'<[^>]*>|&\w+;', '', html)).strip('-').lower()
+
+
+def _heading(level: int, html: str, prefix: str) -> str:
+    return f'<h{level} id="{heading_id(prefix, html)}">{html}</h{level}>'
+
+
+def _formula(latex: str) -> str:
+    """A formula as a drawing; as it was written where it cannot be drawn."""
+    from io import BytesIO
+
+    from matplotlib.mathtext import math_to_image
+
+    drawn = BytesIO()
+    try:
+        math_to_image(f'${latex}$', drawn, format='svg')
+    except ValueError:
+        return element('code', latex)
+    drawing = re.sub(rb'<metadata>.*?</metadata>', b'', drawn.getvalue(), flags=re.DOTALL)  # it has today's date
+    return element('img', class_='formula', alt=latex, src=f'data:image/svg+xml;base64,{b64encode(drawing).decode()}')
+
+
+def _code(part: Part) -> Any:
+    """A part's code with its colours."""
+    from markupsafe import Markup
+    from nbconvert.filters import Highlight2HTML
+
+    language = _LANGUAGES.get(os.path.splitext(part.file)[1], 'python' if not part.file or part.file.endswith('.py') else 'text')
+    colours: Any = Highlight2HTML
+    return Markup(colours(pygments_lexer='ipython3')(part.text, language=language if part.file else 'ipython3'))
+
+
+def _picture(output: Output) -> str:
+    """Where a picture's bytes are: in the page itself."""
+    kind = 'svg+xml' if output.kind == 'replay' else 'png'
+    return f'data:image/{kind};base64,{b64encode(output.data).decode()}'

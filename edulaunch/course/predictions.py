@@ -1,14 +1,17 @@
-"""A prediction is entered before the run, kept, and compared with what happened."""
+"""A prediction is entered before the run, kept in the progress file of the current folder, and compared with what happened."""
 
 from __future__ import annotations
 
 import math
+import os
+from collections.abc import Callable
 from types import EllipsisType
 from typing import Any
 
 from edugrade.markup import element, joined, visible
+from edugrade.progress_file import ProgressFile
 
-from .kept import keep, kept
+from edulaunch.errors import UnusableInput
 
 LONGEST = 300
 """Characters of a prediction that are kept."""
@@ -86,3 +89,22 @@ def _numbers(text: str) -> list[float] | None:
         return [float(word) for word in text.strip('()[] ').split(',')]
     except ValueError:
         return None
+
+
+def keep(change: Callable[[ProgressFile], None]) -> str:
+    """Change the progress file. Returns what the student must be told about it, mostly nothing.
+
+    A file that cannot be written costs nobody an answer.
+    """
+    try:
+        with ProgressFile.changing(os.getcwd()) as file:
+            change(file)
+            file.save()
+    except UnusableInput as error:
+        return f'This is not kept: {error.message}.'
+    return file.word
+
+
+def kept() -> ProgressFile:
+    """The progress of the current folder."""
+    return ProgressFile(os.getcwd())

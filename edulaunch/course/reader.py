@@ -8,6 +8,9 @@ import re
 import shutil
 from collections.abc import Iterator
 from html import unescape
+from pathlib import Path
+from shutil import which
+from subprocess import TimeoutExpired, run
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
@@ -15,16 +18,11 @@ from edugrade.course import read_toml
 
 from edulaunch.errors import UnusableInput
 
-from .copying import copy_files
-from .lesson_html import FOLDER, environment, heading_id, markdown
-from .lesson_parts import Part, lesson_parts
-from .lessons import read_lessons
-from .notes import read_notes
-from .pdf import write_pdf
-from .place import LESSONS, manifest
-from .questions import FILE, read_questions
+from .copying import copy_files, student_files
+from .lesson_parts import FOLDER, Part, environment, heading_id, lesson_parts, markdown
+from .lessons import LESSONS, manifest, read_lessons, read_notes
+from .quiz import FILE, read_questions
 from .stored import read_outputs, run_notebook, without_place
-from .student_files import student_files
 
 REPLAYS = 'replays'
 _HEADING = {level: re.compile(rf'<h{level} id="[^"]*">(.*?)</h{level}>', re.DOTALL) for level in (1, 2)}
@@ -156,3 +154,27 @@ def _make_room(target: str) -> None:
 def _write(target: str, name: str, text: str) -> None:
     with open(os.path.join(target, name), 'w', encoding='utf-8') as file:
         file.write(text)
+
+
+BROWSERS = ('chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'msedge')
+WAIT_S = 300.0
+
+
+def write_pdf(page: str, pdf: str) -> str:
+    """Print an HTML file, with its headings as an outline and its structure kept for screen readers.
+
+    Returns why there is none, and what to do instead; nothing when it is written.
+    """
+    browser = next(filter(None, map(which, BROWSERS)), None)
+    instead = f'open {page} in a browser and print it into a file'
+    if browser is None:
+        return f'no PDF: there is no Chromium here ({", ".join(BROWSERS[:3])}); {instead}'
+    with TemporaryDirectory(prefix='edulaunch-pdf-', ignore_cleanup_errors=True) as profile:
+        words = ['--headless', '--disable-gpu', '--no-pdf-header-footer', '--generate-pdf-document-outline']
+        words += ['--no-sandbox'] if hasattr(os, 'geteuid') and os.geteuid() == 0 else []  # as root it has none
+        words += [f'--user-data-dir={profile}', f'--print-to-pdf={os.path.abspath(pdf)}', Path(page).resolve().as_uri()]
+        try:
+            done = run([browser, *words], capture_output=True, text=True, errors='replace', timeout=WAIT_S)
+        except (OSError, TimeoutExpired) as error:
+            return f'no PDF: {browser} failed: {error}; {instead}'
+    return '' if os.path.isfile(pdf) else f'no PDF: {browser} failed: {done.stderr[-300:].strip()}; {instead}'

@@ -14,10 +14,8 @@ from typing import NamedTuple
 from edulaunch.errors import UnusableInput
 from edulaunch.nearest import nearest
 
-from .lesson_html import FOLDER, environment
-from .lesson_parts import Part
-from .lessons import read_lessons
-from .place import LESSONS
+from .lesson_parts import FOLDER, Part, environment
+from .lessons import LESSONS, read_lessons
 from .reader import read_pages
 
 FULL = 16

@@ -13,7 +13,7 @@ from edulaunch.errors import UnusableInput
 from edulaunch.nearest import did_you_mean
 from edulaunch.version import __version__
 
-from .place import EXERCISES, given_course, manifest
+from .lessons import EXERCISES, given_course, manifest
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'template')
 REQUIREMENTS = 'requirements.txt'

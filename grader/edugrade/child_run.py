@@ -1,7 +1,4 @@
-"""One run as the runner sees it: start it, collect what it sends, end it with all it started.
-
-The runner's end of the starter: begins runs in it.
-"""
+"""One run as the runner sees it: the starter begins it, what it sends is collected, and it ends with all it started."""
 
 from __future__ import annotations
 

@@ -1,11 +1,4 @@
-"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err.
-
-What a mark was made from: with the same, the same mark comes out again (`verify.py` tries it).
-
-The published schema of the JSON report (JSON Schema 2020-12): ``edugrade schema`` prints it.
-
-The launch graph of a run, written so that other names and another order make no difference.
-"""
+"""The JSON report and its schema. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Reads files of a stranger: nothing but regular ones, and no more of them than asked for.
-
-Writes files whole or not at all.
-"""
+"""Reads files of a stranger (regular ones, so much and no more), and writes files whole or not at all."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Grades submissions: runs the scenarios of their rubrics, judges what happened. The command and the notebook share it.
-
-A progress bar on a terminal; silence elsewhere.
-"""
+"""Grades submissions: runs the scenarios of their rubrics, judges what happened. The command and the notebook share it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What a student tried is noted in the student's own progress file; how much a report gives away comes from there.
-
-The hints of an exercise: three levels, kept in the manifest of the course.
-"""
+"""What a student tried is noted in the student's own file; from there comes how much a report gives away. And the hints."""
 
 from __future__ import annotations
 

@@ -1,9 +1,4 @@
-"""The page of ``--html``: reports with the pictures and replays of their runs, in one file that needs no network.
-
-A report as HTML: for the page that ``--html`` writes, and for a cell of a notebook.
-
-What a run looked like, as HTML: the picture at its end, and the replay.
-"""
+"""Reports as HTML: in a cell of a notebook, or the page of ``--html`` with pictures and replays, which needs no network."""
 
 from __future__ import annotations
 
@@ -21,136 +16,6 @@ from .worker import Exceeded, Lost, cpu_limit, in_worker
 if TYPE_CHECKING:
     from edulaunch.advice import Reader
     from edulaunch.recording import Recording
-
-LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
-
-
-def run_html(outcome: Outcome, is_open: bool) -> Markup:
-    """One run under a heading that unfolds: how it was launched, and what could be seen."""
-    scenario = outcome.scenario
-    heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
-    inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording)
-    attributes = {'open': ''} if is_open else {}
-    return element('details', element('summary', heading), inside, **attributes)
-
-
-def _drawn(recording: Recording) -> Markup:
-    """What can be seen, drawn by a worker: a run that cannot be drawn costs nobody the page."""
-    try:
-        return Markup(in_worker(lambda: joined(*_seen(recording))))
-    except (Exceeded, Lost, RuntimeError) as error:
-        return _not_drawn('picture', error)
-
-
-def _seen(recording: Recording) -> Iterator[Markup]:
-    picture = _picture(recording)
-    if picture is not None:
-        yield picture
-    replay = _replay(recording)
-    if replay is not None:
-        yield replay
-    yield element('p', f'recording {recording.digest()[:12]}', class_='small')
-
-
-def _picture(recording: Recording) -> Markup | None:
-    """The turtles at the end of the run; the frames when nothing moved, the nodes when there are no frames either."""
-    for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
-        try:
-            with cpu_limit(LONGEST_DRAWING_S):
-                picture = plot()
-                png = picture.png()
-            data = base64.b64encode(png).decode('ascii')
-        except ValueError:  # the view says that there is nothing for it to show
-            continue
-        except Exception as error:  # such as a ring of frames: one run that cannot be drawn costs nobody the page
-            return _not_drawn('picture', error)
-        image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
-        return element('figure', image, element('figcaption', picture.caption))
-    return None
-
-
-def _replay(recording: Recording) -> Markup | None:
-    """The player, which stands in a frame of its own: it can reach neither this page nor the network."""
-    try:
-        with cpu_limit(LONGEST_DRAWING_S):
-            return Markup(recording.replay().html())
-    except ValueError:  # nothing moved
-        return None
-    except Exception as error:
-        return _not_drawn('replay', error)
-
-
-def _not_drawn(view: str, error: Exception) -> Markup:
-    why = f'{error.name} is not installed here' if isinstance(error, ModuleNotFoundError) else type(error).__name__
-    return element('p', f'The {view} of this run could not be drawn: {why}.', class_='small')
-
-
-COLOURS = {PASSED: '#1a6e2e', FAILED: '#a3231f', NOT_RUN: '#7a5b00', GRADER_BROKE: '#6b2a8c'}
-_MARK = 'display:inline-block;min-width:4.6em;font-weight:bold;color:'
-_FIELDS = 'border-collapse:collapse;margin:.3em 0 .3em 4.6em'
-_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;opacity:.75'
-_VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:monospace;padding:.1em 0'
-
-
-def report_html(report: Report) -> Markup:
-    """What to repair first, what was not run for it, what is right, points and the next step."""
-    from edulaunch.advice import reader_here
-
-    reader = reader_here()
-    paths = ShortPaths(report.folder, report.shown, report.package)
-    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
-    repair = [
-        _failed(result, paths, reader, report.level)
-        for status in (GRADER_BROKE, FAILED)
-        for result in results
-        if result.status == status
-    ]
-    right = [_line(result, reader) for result in results if result.status == PASSED]
-    word = [element('p', element('b', reader.retells(report.word)))] if report.word else []
-    return joined(
-        *word,
-        *repair,
-        *_not_run(results, reader),
-        *right,
-        *([element('p', why_line(report), style='margin:.8em 0 .2em')] if report.why else []),
-        element('p', reader.retells(points_line(report)), style='margin:.8em 0 .2em'),
-        element('p', element('b', reader.retells(next_step(report))), style='margin:.2em 0'),
-        *([element('p', reader.retells(MORE), style='margin:.2em 0')] if says_less(report) else []),
-    )
-
-
-def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
-    mark = element('span', reader.says(MARKS[result.status]), style=_MARK + COLOURS[result.status])
-    return element(
-        'div', mark, result.sentence, element('small', points_of(result, reader)), style=f'margin:.15em 0 .15em {indent}'
-    )
-
-
-def _failed(result: CheckResult, paths: ShortPaths, reader: Reader, level: int) -> Markup:
-    rows = [
-        element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
-        for label, text in explained(result, paths, reader, level).items()
-    ]
-    reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
-    return joined(_line(result, reader), reason, element('table', *rows, style=_FIELDS))
-
-
-def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
-    """The checks that were not run, under the one to repair."""
-    waiting = [result for result in results if result.status == NOT_RUN]
-    for reason in dict.fromkeys(result.reason for result in waiting):
-        mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + COLOURS[NOT_RUN])
-        yield element('div', mark, f'{reason}:', style='margin:.15em 0')
-        yield element(
-            'ul',
-            *(
-                element('li', result.sentence, element('small', f'  [0 of {result.points}]' if result.points else ''))
-                for result in waiting
-                if result.reason == reason
-            ),
-            style='margin:.1em 0 .1em 4.6em;padding-left:1em',
-        )
-
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src 'unsafe-inline'"
 STYLE = """
@@ -225,3 +90,133 @@ def _refused(refusal: Refusal) -> Markup:
         element('p', f'was not graded: {refusal.reason}'),
         element('p', refusal.help or ''),
     )
+
+
+COLOURS = {PASSED: '#1a6e2e', FAILED: '#a3231f', NOT_RUN: '#7a5b00', GRADER_BROKE: '#6b2a8c'}
+_MARK = 'display:inline-block;min-width:4.6em;font-weight:bold;color:'
+_FIELDS = 'border-collapse:collapse;margin:.3em 0 .3em 4.6em'
+_LABEL = 'text-align:left;vertical-align:top;padding:.1em .8em .1em 0;font-weight:normal;opacity:.75'
+_VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:monospace;padding:.1em 0'
+
+
+def report_html(report: Report) -> Markup:
+    """What to repair first, what was not run for it, what is right, points and the next step."""
+    from edulaunch.advice import reader_here
+
+    reader = reader_here()
+    paths = ShortPaths(report.folder, report.shown, report.package)
+    results = [paths.result(retold(at_level(result, report.level), reader)) for result in report.results]
+    repair = [
+        _failed(result, paths, reader, report.level)
+        for status in (GRADER_BROKE, FAILED)
+        for result in results
+        if result.status == status
+    ]
+    right = [_line(result, reader) for result in results if result.status == PASSED]
+    word = [element('p', element('b', reader.retells(report.word)))] if report.word else []
+    return joined(
+        *word,
+        *repair,
+        *_not_run(results, reader),
+        *right,
+        *([element('p', why_line(report), style='margin:.8em 0 .2em')] if report.why else []),
+        element('p', reader.retells(points_line(report)), style='margin:.8em 0 .2em'),
+        element('p', element('b', reader.retells(next_step(report))), style='margin:.2em 0'),
+        *([element('p', reader.retells(MORE), style='margin:.2em 0')] if says_less(report) else []),
+    )
+
+
+def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
+    mark = element('span', reader.says(MARKS[result.status]), style=_MARK + COLOURS[result.status])
+    return element(
+        'div', mark, result.sentence, element('small', points_of(result, reader)), style=f'margin:.15em 0 .15em {indent}'
+    )
+
+
+def _failed(result: CheckResult, paths: ShortPaths, reader: Reader, level: int) -> Markup:
+    rows = [
+        element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
+        for label, text in explained(result, paths, reader, level).items()
+    ]
+    reason = element('div', result.reason, style='margin:.2em 0 .2em 4.6em;white-space:pre-wrap')
+    return joined(_line(result, reader), reason, element('table', *rows, style=_FIELDS))
+
+
+def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
+    """The checks that were not run, under the one to repair."""
+    waiting = [result for result in results if result.status == NOT_RUN]
+    for reason in dict.fromkeys(result.reason for result in waiting):
+        mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + COLOURS[NOT_RUN])
+        yield element('div', mark, f'{reason}:', style='margin:.15em 0')
+        yield element(
+            'ul',
+            *(
+                element('li', result.sentence, element('small', f'  [0 of {result.points}]' if result.points else ''))
+                for result in waiting
+                if result.reason == reason
+            ),
+            style='margin:.1em 0 .1em 4.6em;padding-left:1em',
+        )
+
+
+LONGEST_DRAWING_S = 10.0  # usual: 0.2 s
+
+
+def run_html(outcome: Outcome, is_open: bool) -> Markup:
+    """One run under a heading that unfolds: how it was launched, and what could be seen."""
+    scenario = outcome.scenario
+    heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
+    inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording)
+    attributes = {'open': ''} if is_open else {}
+    return element('details', element('summary', heading), inside, **attributes)
+
+
+def _drawn(recording: Recording) -> Markup:
+    """What can be seen, drawn by a worker: a run that cannot be drawn costs nobody the page."""
+    try:
+        return Markup(in_worker(lambda: joined(*_seen(recording))))
+    except (Exceeded, Lost, RuntimeError) as error:
+        return _not_drawn('picture', error)
+
+
+def _seen(recording: Recording) -> Iterator[Markup]:
+    picture = _picture(recording)
+    if picture is not None:
+        yield picture
+    replay = _replay(recording)
+    if replay is not None:
+        yield replay
+    yield element('p', f'recording {recording.digest()[:12]}', class_='small')
+
+
+def _picture(recording: Recording) -> Markup | None:
+    """The turtles at the end of the run; the frames when nothing moved, the nodes when there are no frames either."""
+    for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
+        try:
+            with cpu_limit(LONGEST_DRAWING_S):
+                picture = plot()
+                png = picture.png()
+            data = base64.b64encode(png).decode('ascii')
+        except ValueError:  # the view says that there is nothing for it to show
+            continue
+        except Exception as error:  # such as a ring of frames: one run that cannot be drawn costs nobody the page
+            return _not_drawn('picture', error)
+        image = element('img', src=f'data:image/png;base64,{data}', alt=repr(picture))
+        return element('figure', image, element('figcaption', picture.caption))
+    return None
+
+
+def _replay(recording: Recording) -> Markup | None:
+    """The player, which stands in a frame of its own: it can reach neither this page nor the network."""
+    try:
+        with cpu_limit(LONGEST_DRAWING_S):
+            return Markup(recording.replay().html())
+    except ValueError:  # nothing moved
+        return None
+    except Exception as error:
+        return _not_drawn('replay', error)
+
+
+def _not_drawn(view: str, error: Exception) -> Markup:
+    why = f'{error.name} is not installed here' if isinstance(error, ModuleNotFoundError) else type(error).__name__
+    return element('p', f'The {view} of this run could not be drawn: {why}.', class_='small')

@@ -1,7 +1,4 @@
-"""What an exercise asks for: which runs, and which checks over them.
-
-What a check is: a function over the recorded runs, with points and with the checks it needs.
-"""
+"""What an exercise asks for: which runs, and which checks over them. A check is a function with points and what it needs."""
 
 from __future__ import annotations
 

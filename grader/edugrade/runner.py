@@ -1,7 +1,4 @@
-"""Runs scenarios of submissions, each in a child process, as many at once as there are processors.
-
-What is asked of a runner for one submission.
-"""
+"""Runs scenarios of submissions, each in a child process, as many at once as there are processors."""
 
 from __future__ import annotations
 

@@ -1,10 +1,6 @@
-"""Fingerprints of code that do not change with names, comments, spaces, texts and numbers (winnowing, Schleimer et al. 2003).
+"""``edugrade similar RESULTS``: submissions that are more alike than the task makes them, side by side.
 
-Which submissions are more alike than the task makes them.
-
-The page of ``edugrade similar``: pairs, side by side.
-
-The command ``edugrade similar RESULTS``.
+Fingerprints of code do not change with names, comments, spaces, texts and numbers (winnowing, Schleimer et al. 2003).
 """
 
 from __future__ import annotations

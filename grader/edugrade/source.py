@@ -1,7 +1,4 @@
-"""The submission as text: for pointing at lines, never for marks.
-
-A place in a file.
-"""
+"""Places in files, and a submission as text: for pointing at lines, never for marks."""
 
 from __future__ import annotations
 

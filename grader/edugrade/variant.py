@@ -1,10 +1,8 @@
-"""Personal variants: names and numbers of an exercise that are chosen for each student from a secret of the course.
+"""What the secret of a course chooses: runs that nobody can know beforehand, and each student's own variant of an exercise.
 
 An exercise's entry in course.toml lists what may differ, ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``: first the
 text as it stands in stub, solution, rubric and hints, then what may stand in its place. So every one of them is a template, and
 the first of each row is the variant of a course without a secret.
-
-The secret of a course, from which runs are chosen that nobody can know beforehand.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""``edugrade verify REPORT``: makes a mark again from the same things, and says whether it holds.
+"""What a report is worth: ``edugrade verify`` makes its mark again from the same things, ``edugrade sign`` signs it.
 
-Signs reports with ed25519, so that nobody can change one unseen. The keys are PEM files, as OpenSSL writes them.
+Signatures are ed25519, so that nobody can change a report unseen. The keys are PEM files, as OpenSSL writes them.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
-"""Judges and draws in a process of its own that may use so much and no more: whatever becomes of it costs one submission only.
+"""Work that may use so much and no more: in a process of its own, or under a limit of processor time.
 
-The worker is a fork of the grader: it needs nothing sent, and answers with JSON. While it works the runs of others go on.
-
-Ends what takes too long in the grader's own process, such as drawing a recording that was made to be large.
+A worker is a fork of the grader: it needs nothing sent, and answers with JSON; whatever becomes of it costs one submission only.
+While it works the runs of others go on.
 """
 
 from __future__ import annotations

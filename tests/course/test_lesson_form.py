@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
+from edulaunch.course.copying import new_course
 from edulaunch.course.lesson_form import lesson_problems
-from edulaunch.course.new_course import new_course
 from tests.house import ROOT
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from edulaunch.course.lesson_html import markdown
-from edulaunch.course.lesson_parts import Part, lesson_parts
+from edulaunch.course.lesson_parts import Part, lesson_parts, markdown
 
 
 def text(source: str) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from zipfile import ZipFile
 
 import pytest
 
+from edulaunch.course.copying import new_course
 from edulaunch.course.lite.in_browser import check, contents, launch
 from edulaunch.course.lite.site import RUNTIME, make_site
-from edulaunch.course.new_course import new_course
 from edulaunch.errors import UnusableInput
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from edulaunch.cli.main import main
-from edulaunch.course import pdf
+from edulaunch.course import reader as pages
 from edulaunch.course.reader import course_title, read_pages
 
 pytest.importorskip('nbconvert', reason='nbconvert is not installed')
@@ -129,7 +129,7 @@ def test_a_folder_with_other_files_is_refused_and_an_older_reader_goes(mine: Pat
 def test_without_a_browser_there_is_a_sentence_and_no_pdf(
     mine: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(pdf, 'which', lambda name: None)
+    monkeypatch.setattr(pages, 'which', lambda name: None)
     assert main(['course', 'reader', str(mine.parent / 'out'), '--course', str(mine), '--kept', '--pdf']) == 1
     assert 'no PDF: there is no Chromium here' in capsys.readouterr().out
     assert 'course.pdf' not in (mine.parent / 'out' / 'index.html').read_text()
@@ -139,7 +139,7 @@ def test_with_a_browser_there_is_a_pdf(mine: Path, monkeypatch: pytest.MonkeyPat
     browser = tmp_path / 'browser'
     browser.write_text('#!/bin/sh\nfor word; do case $word in --print-to-pdf=*) echo %PDF > "${word#*=}";; esac; done\n')
     browser.chmod(0o755)
-    monkeypatch.setattr(pdf, 'which', lambda name: str(browser))
+    monkeypatch.setattr(pages, 'which', lambda name: str(browser))
     out = reader(mine, '--kept', '--pdf')
     assert (out / 'course.pdf').is_file() and 'href="course.pdf"' in (out / 'index.html').read_text()
 

@@ -14,7 +14,7 @@ from zipfile import ZipFile
 import pytest
 import yaml
 
-from edulaunch.course.new_course import new_course
+from edulaunch.course.copying import new_course
 from edulaunch.course.templates import FOLDER, NEXT, write_template
 from edulaunch.errors import UnusableInput
 

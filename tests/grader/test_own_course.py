@@ -11,7 +11,7 @@ import pytest
 from edugrade.cli import main
 from edugrade.notebook import CheckReport, check
 
-from edulaunch.course.contents import contents
+from edulaunch.course.lessons import contents
 from edulaunch.errors import UnusableInput
 
 ROOT = Path(__file__).parents[2]

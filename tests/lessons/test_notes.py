@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from edulaunch.course.notes import read_notes, time_plan
+from edulaunch.course.lessons import read_notes, time_plan
 from tests.house import ROOT
 from tests.lessons.doing import stated_minutes
 from tests.lessons.notebook import ORDER, Lesson

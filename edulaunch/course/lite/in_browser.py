@@ -27,7 +27,7 @@ def contents(course: str) -> str:
     """
     from edugrade.course import read_course
 
-    from edulaunch.course.place import EXERCISES, manifest
+    from edulaunch.course.lessons import EXERCISES, manifest
     from edulaunch.underlay_place import underlay_prefix
 
     place = manifest(course)

@@ -8,8 +8,7 @@ import shutil
 from collections.abc import Iterator
 from typing import Any
 
-from edulaunch.course.copying import write_zip
-from edulaunch.course.student_files import student_files
+from edulaunch.course.copying import student_files, write_zip
 from edulaunch.errors import UnusableInput
 from edulaunch.underlay_place import engine_folder
 

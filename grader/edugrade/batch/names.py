@@ -1,7 +1,4 @@
-"""Whose a submission is: read from its path as learning platforms write it, or by a pattern of one's own.
-
-A class as a table: one line for each student, with the repository or the folder of the work.
-"""
+"""Whose a submission is: by its path as learning platforms write it, by a pattern of one's own, or by a table of repositories."""
 
 from __future__ import annotations
 

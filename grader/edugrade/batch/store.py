@@ -1,7 +1,4 @@
-"""The results of a class: one file for each submission, written whole or not at all.
-
-Puts one check that was graded again into the result that was there.
-"""
+"""The results of a class: one file for each submission, written whole or not at all."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The results of a class as a table: CSV for a spreadsheet or a learning platform.
-
-The pages of a class: one for all, with marks, the commonest causes and every check; one for each student.
-"""
+"""What people read of a class: a table for a spreadsheet, and pages, one for all and one for each student."""
 
 from __future__ import annotations
 

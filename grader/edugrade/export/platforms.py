@@ -1,15 +1,9 @@
-"""One mark for each student, from the results of a class.
+"""``edugrade export moodle|canvas RESULTS/``: the marks of a class, one for each student, as a learning platform imports them.
 
-The lists that platforms give out to be filled in, as CSV.
-
-Marks for Canvas: its own gradebook with a column more (Canvas Guides, "How do I import grades in the Gradebook?").
-
-The first columns are Student, ID, SIS User ID, SIS Login ID, Section; the line "Points Possible" stands before the students.
-
-Marks for Moodle: the grade import (docs.moodle.org, "Grade import": CSV with a head, mapped by hand) and the offline grading
-worksheet of an assignment (docs.moodle.org, "Assignment: offline grading worksheet").
-
-``edugrade export moodle|canvas RESULTS/``: the marks of a class, as a learning platform imports them.
+Canvas takes its own gradebook with a column more (Canvas Guides, "How do I import grades in the Gradebook?"): the first columns
+are Student, ID, SIS User ID, SIS Login ID, Section, and the line "Points Possible" stands before the students. Moodle takes a
+grade import (docs.moodle.org, "Grade import": CSV with a head, mapped by hand) or the offline grading worksheet of an assignment
+(docs.moodle.org, "Assignment: offline grading worksheet").
 """
 
 from __future__ import annotations
