@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 
 VOID = ('img', 'meta', 'br')
+POLICY = "default-src 'none'; style-src 'unsafe-inline'"
+"""What a page may load: nothing."""
 
 
 class Markup(str):
@@ -28,6 +31,31 @@ def element(tag: str, /, *children: str, **attributes: str) -> Markup:
 def joined(*children: str) -> Markup:
     """Several pieces one after the other."""
     return Markup(''.join(child if isinstance(child, Markup) else escape(visible(child)) for child in children))
+
+
+def table_row(*cells: str, kind: str = 'td') -> Markup:
+    """A line of a table.
+
+    :param kind: 'th' for its head.
+    """
+    return element('tr', *(element(kind, cell) for cell in cells))
+
+
+def html_page(title: str, style: str, *body: str, policy: str = POLICY, meta: Sequence[Markup] = ()) -> str:
+    """A whole page.
+
+    :param policy: what the browser may load for it.
+    :param meta: more elements for its head.
+    """
+    head = element(
+        'head',
+        element('meta', charset='utf-8'),
+        element('meta', http_equiv='Content-Security-Policy', content=policy),
+        *meta,
+        element('title', title),
+        element('style', Markup(style)),
+    )
+    return f'<!doctype html>\n{element("html", head, element("body", *body), lang="en")}\n'
 
 
 def visible(text: str) -> str:

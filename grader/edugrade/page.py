@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from .evidence import Outcome
-from .markup import Markup, element, joined
+from .markup import Markup, element, html_page, joined, table_row
 from .results import FAILED, GRADER_BROKE, NOT_RUN, PASSED, CheckResult, Refusal, Report
 from .terminal import MARKS, MORE, next_step, points_line, says_less, why_line
 from .wording import ShortPaths, at_level, explained, points_of, retold
@@ -34,30 +34,18 @@ def page(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
     parts = [_summary(reports, refusals)] if len(reports) + len(refusals) > 1 else []
     parts += [_section(report, number) for number, report in enumerate(reports)]
     parts += [_refused(refusal) for refusal in refusals]
-    head = element(
-        'head',
-        element('meta', charset='utf-8'),
-        element('meta', http_equiv='Content-Security-Policy', content=POLICY),
-        element('meta', name='viewport', content='width=device-width, initial-scale=1'),
-        element('title', 'edugrade report'),
-        element('style', Markup(STYLE)),
-    )
-    body = element('body', element('h1', 'edugrade report'), *parts)
-    return f'<!doctype html>\n{element("html", head, body, lang="en")}\n'
+    meta = [element('meta', name='viewport', content='width=device-width, initial-scale=1')]
+    return html_page('edugrade report', STYLE, element('h1', 'edugrade report'), *parts, policy=POLICY, meta=meta)
 
 
 def _summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> Markup:
-    rows = [element('tr', *(element('th', name) for name in ('submission', 'result', 'checks', 'points')))]
+    rows = [table_row('submission', 'result', 'checks', 'points', kind='th')]
     for number, report in enumerate(reports):
         mark = 'no mark' if report.earned is None else f'{report.earned} of {report.possible}'
         link = element('a', report.given, href=f'#r{number}')
-        rows.append(_row(link, _verdict(report), f'{report.passed} of {len(report.results)}', mark))
-    rows += [_row(refusal.given, 'refused', '-', '-') for refusal in refusals]
+        rows.append(table_row(link, _verdict(report), f'{report.passed} of {len(report.results)}', mark))
+    rows += [table_row(refusal.given, 'refused', '-', '-') for refusal in refusals]
     return element('table', *rows, class_='sum')
-
-
-def _row(*cells: str) -> Markup:
-    return element('tr', *(element('td', cell) for cell in cells))
 
 
 def _verdict(report: Report) -> Markup:

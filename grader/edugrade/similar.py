@@ -21,7 +21,7 @@ from edulaunch.errors import UnusableInput
 from .batch.store import Store
 from .course import find_course, read_course
 from .files import write_whole
-from .markup import Markup, element
+from .markup import Markup, element, html_page, table_row
 from .submission import Submission
 from .terminal import printable
 from .verify import find_submission
@@ -144,7 +144,6 @@ def _share(
     return round(sum(weights[item] for item in shared) / smaller, 3) if smaller else 0.0
 
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 STYLE = """
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em; color: #222; }
 td, th { text-align: left; vertical-align: top; padding: .15em 1.2em .15em 0; }
@@ -161,20 +160,13 @@ MOST_LINES = 2000
 
 def similar_page(exercise: str, pairs: Sequence[Pair]) -> str:
     """The whole page. Nothing that a student wrote is markup in it."""
-    rows = [element('tr', *(element('th', name) for name in ('pair', 'code', 'launch graph')))]
+    rows = [table_row('pair', 'code', 'launch graph', kind='th')]
     for number, pair in enumerate(pairs[:MOST_PAIRS]):
         link = element('a', f'{pair.one.student} and {pair.two.student}', href=f'#p{number}')
-        rows.append(element('tr', *(element('td', cell) for cell in (link, f'{pair.code:.0%}', f'{pair.graph:.0%}'))))
-    head = element(
-        'head',
-        element('meta', charset='utf-8'),
-        element('meta', http_equiv='Content-Security-Policy', content=POLICY),
-        element('title', f'edugrade similar: {exercise}'),
-        element('style', Markup(STYLE)),
-    )
+        rows.append(table_row(link, f'{pair.code:.0%}', f'{pair.graph:.0%}'))
     parts = [element('h1', f'Alike: {exercise}'), element('p', WORDS), element('table', *rows)]
     parts += [_section(pair, number) for number, pair in enumerate(pairs[:MOST_PAIRS])]
-    return f'<!doctype html>\n{element("html", head, element("body", *parts), lang="en")}\n'
+    return html_page(f'edugrade similar: {exercise}', STYLE, *parts)
 
 
 def _section(pair: Pair, number: int) -> Markup:

@@ -10,7 +10,8 @@ import yaml
 
 from .evidence import Evidence, Failure, Scenario
 from .rubric import Check, CheckFunction, Rubric, RubricMistake
-from .yaml_checks import ARGUMENT, KINDS, Wanted
+from .yaml_checks import KINDS
+from .yaml_wanted import ARGUMENT, Wanted
 
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')

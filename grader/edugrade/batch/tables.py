@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from ..files import write_whole
-from ..markup import Markup, element
+from ..markup import Markup, element, html_page, table_row
 
 if TYPE_CHECKING:
     from .store import Store
@@ -84,7 +84,6 @@ STYLE = (
     'body{font:16px/1.45 system-ui,sans-serif;margin:2em;color:#222}'
     'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
 )
-POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'first_problem')
 MOST_CAUSES = 20
 LONGEST_STEM = 80  # characters of a student's page's name
@@ -109,12 +108,14 @@ def student_file(name: str, number: str = '') -> str:
 
 def class_page(results: Results, pages: dict[str, str]) -> str:
     """All marks, what went wrong most often, and how often each check passed and failed."""
-    table = [_line('th', 'student', 'submission', *SHOWN)]
+    table = [table_row('student', 'submission', *SHOWN, kind='th')]
     for (entry, _), row in zip(results, rows(results), strict=True):
         name = element('a', entry.student, href=quote(student_file(entry.student, entry.id)))
-        table.append(_line('td', name, _link(entry.path, pages), *(row[column] for column in SHOWN)))
-    return _page(
-        'A class',
+        table.append(table_row(name, _link(entry.path, pages), *(row[column] for column in SHOWN)))
+    return html_page(
+        'edugrade: A class',
+        STYLE,
+        element('h1', 'A class'),
         *(element('p', words) for words in _marks(results)),
         element('table', *table),
         element('h2', 'Commonest causes'),
@@ -133,15 +134,15 @@ def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
         parts.append(element('p', _link(entry.path, {path: f'../{page}' for path, page in pages.items()}), f' {row["verdict"]}'))
         if row['first_problem'] and 'checks' not in (found or {}):
             parts.append(element('p', f'{row["first_problem"]}. {(found or {}).get("help") or ""}'))
-        checks = [_line('th', 'check', 'result', 'points', 'why', 'seen', 'try')]
+        checks = [table_row('check', 'result', 'points', 'why', 'seen', 'try', kind='th')]
         for check in (found or {}).get('checks', ()):
             words = (check['reason'], check['seen'], check['try'])
             points = f'{check["earned"]} of {check["points"]}'
             checks.append(
-                _line('td', check['sentence'], check['status'].replace('_', ' '), points, *(word or '' for word in words))
+                table_row(check['sentence'], check['status'].replace('_', ' '), points, *(word or '' for word in words))
             )
         parts += [element('table', *checks)] if len(checks) > 1 else []
-    return _page(name, *parts)
+    return html_page(f'edugrade: {name}', STYLE, element('h1', name), *parts)
 
 
 def _marks(results: Results) -> Iterator[str]:
@@ -170,8 +171,8 @@ def _causes(results: Results) -> list[Markup]:
                 (check for check in (found or {}).get('checks', ()) if check['status'] in ('failed', 'grader_broke')), None
             )
             counts[row['exercise'], bad['sentence'] if bad else 'It can be graded', row['first_problem']] += 1
-    lines = [_line('th', 'how many', 'exercise', 'check', 'cause')]
-    lines += [_line('td', str(count), *cause) for cause, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))]
+    lines = [table_row('how many', 'exercise', 'check', 'cause', kind='th')]
+    lines += [table_row(str(count), *cause) for cause, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))]
     return lines[: MOST_CAUSES + 1]
 
 
@@ -180,26 +181,11 @@ def _checks(results: Results) -> list[Markup]:
     for _, found in results:
         for check in (found or {}).get('checks', ()):
             counts.setdefault((found['rubric']['name'], check['sentence']), Counter())[check['status']] += 1  # type: ignore[index]
-    lines = [_line('th', 'exercise', 'check', 'passed', 'failed', 'not run')]
+    lines = [table_row('exercise', 'check', 'passed', 'failed', 'not run', kind='th')]
     for (exercise, sentence), of in counts.items():
-        lines.append(_line('td', exercise, sentence, *(str(of[status]) for status in ('passed', 'failed', 'not_run'))))
+        lines.append(table_row(exercise, sentence, *(str(of[status]) for status in ('passed', 'failed', 'not_run'))))
     return lines
 
 
 def _link(path: str, pages: dict[str, str]) -> str:
     return element('a', path, href=quote(pages[path], errors='surrogateescape')) if path in pages else path
-
-
-def _page(title: str, *parts: str) -> str:
-    head = element(
-        'head',
-        element('meta', charset='utf-8'),
-        element('meta', http_equiv='Content-Security-Policy', content=POLICY),
-        element('title', f'edugrade: {title}'),
-        element('style', Markup(STYLE)),
-    )
-    return f'<!doctype html>\n{element("html", head, element("body", element("h1", title), *parts), lang="en")}\n'
-
-
-def _line(kind: str, *cells: str) -> Markup:
-    return element('tr', *(element(kind, cell) for cell in cells))

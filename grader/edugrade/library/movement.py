@@ -8,7 +8,7 @@ from math import hypot, isfinite
 from typing import TYPE_CHECKING, cast
 
 from ..evidence import Failure
-from .stock import refuse_strangers
+from .launched import refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
-from .launched import find_processes
-from .stock import is_of, refuse_strangers
+from .launched import find_processes, is_of, refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

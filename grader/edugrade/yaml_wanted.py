@@ -1,0 +1,127 @@
+"""What a check of a YAML rubric asks for: values, which may name an argument of the run, and numbers that are calculated."""
+
+from __future__ import annotations
+
+import ast
+import operator
+import re
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from .evidence import Evidence
+from .library.close import require_close
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+
+ARGUMENT = re.compile(r'\$\(arg (\w+)\)')
+OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+
+
+class Wanted(dict[str, Any]):
+    """What a check of a rubric asks for; values may have ``$(arg name)`` in them, the launch argument of the run."""
+
+    def __init__(self, given: dict[str, Any], try_: str | None) -> None:
+        super().__init__(given)
+        self.try_ = try_
+
+    def __missing__(self, key: str) -> str:
+        return ''
+
+    @property
+    def shown(self) -> Wanted:
+        """As a sentence says it: ``$(arg speed)`` is speed, and the parts of a list have commas between them."""
+        parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
+        return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
+
+    def of_each(self, run: Evidence) -> Iterator[OfRun]:
+        """What it asks of each run."""
+        return (OfRun(self, run, scenario) for scenario in run)
+
+    def refuse_odd_values(self) -> None:
+        """Raise ValueError for a tolerance or another measure that is no number, or a share that is none."""
+        for key in ('tolerance', 'within', 'since', 'rate', 'near'):
+            if key in self and not (isinstance(self[key], (int, float)) and self[key] >= 0):
+                raise ValueError(f'{key} is {self[key]!r}, and no number from 0 on')
+        for key in ('at_least', 'radius', 'x', 'y', 'z', 'yaw', 'at'):
+            try:
+                calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
+            except ValueError:
+                raise ValueError(f'{key} is {self[key]!r}; a number, $(arg NAME), or such with + - * / between them') from None
+        if 'share' in self and not (isinstance(self['share'], (int, float)) and 0 < self['share'] < 1):
+            raise ValueError(f'share is {self["share"]!r}, and no number between 0 and 1')
+        try:
+            re.compile(str(self['pattern']))
+        except re.error as error:
+            raise ValueError(f'pattern is no regular expression: {error}') from None
+
+
+class OfRun:
+    """What a check asks of one run.
+
+    :ivar alone: the evidence of this run.
+    :ivar told: for a Failure: where to look, and what the rubric advises.
+    """
+
+    def __init__(self, wanted: Wanted, run: Evidence, scenario: str) -> None:
+        self.wanted, self.run, self.scenario = wanted, run, scenario
+        self.recording: Recording = run[scenario]
+        self.words = run.scenario(scenario).words
+        self.alone = run.only([scenario])
+        self.told: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
+
+    def text(self, key: str) -> str:
+        """A value as text."""
+        arguments = self.run.scenario(self.scenario).arguments
+        return ARGUMENT.sub(lambda found: arguments[found[1]], str(self.wanted[key]))
+
+    def number(self, key: str) -> float:
+        """A value as a number; it may have to be calculated."""
+        return calculated(self.text(key))
+
+    def same_type(self, key: str) -> Any:
+        """A value as YAML reads it: ``$(arg radius)`` is 0.5 when radius:=0.5."""
+        if not isinstance(self.wanted[key], str) or not ARGUMENT.search(self.wanted[key]):
+            return self.wanted[key]
+        import yaml
+
+        return yaml.safe_load(self.text(key))
+
+    def tolerance(self, usual: float) -> float:
+        """The tolerance that the rubric gives, or else the usual one."""
+        return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
+
+    def require_close(self, thing: str, seen: float, asked: float, usual: float, try_: str | None = None) -> None:
+        """A number is what it should be, by the rubric's tolerance (else the usual one); within `near` a share is given.
+
+        :raises Mismatch: with both numbers.
+        """
+        near, share = float(self.wanted['near'] or 0.0), float(self.wanted['share'] or 0.5)
+        advice = try_ or self.wanted.try_
+        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice)
+
+
+def calculated(text: str) -> float:
+    """The value of numbers with + - * / and brackets between them: ``5.544 + 4 * 0.3``.
+
+    :raises ValueError: for anything else.
+    """
+    try:
+        return _value(ast.parse(text.strip(), mode='eval').body)
+    except (SyntaxError, ZeroDivisionError, RecursionError, KeyError):
+        raise ValueError(f'{text!r} is no number, and nothing that is calculated of numbers with + - * / and brackets') from None
+
+
+def _value(node: ast.expr) -> float:
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and node.value is not True:
+        return float(node.value)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return -_value(node.operand)
+    if isinstance(node, ast.BinOp):
+        return OPERATORS[type(node.op)](_value(node.left), _value(node.right))
+    raise KeyError(type(node))
