@@ -8,11 +8,13 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from hashlib import sha256
 from typing import NamedTuple
 
 from edugrade.course import MANIFEST, read_course
+from edugrade.files import files_below
 from edugrade.variant import FILE, CourseSecret, personal, write_variants
 
 from edulaunch.errors import UnusableInput
@@ -36,8 +38,7 @@ def new_course(folder: str) -> list[str]:
         shutil.copytree(STARTER, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns('__pycache__', 'my_*'))
     except OSError as error:
         raise UnusableInput(f'{folder} cannot be made: {error}') from None
-    places = (os.path.join(place, name) for place, _, names in os.walk(folder) for name in names)
-    return sorted(os.path.relpath(path, folder).replace(os.sep, '/') for path in places)
+    return sorted(files_below(folder, lambda name, inside: True))
 
 
 RUBRICS = 'rubrics'
@@ -57,29 +58,18 @@ def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
     for name in (*BESIDE, LESSONS, EXERCISES, *([RUBRICS] if rubrics else [])):
         path = os.path.join(course, name)
         if os.path.isdir(path):
-            found |= {
-                f'{name}/{inner}': _content(os.path.join(path, *inner.split('/'))) for inner in _files(path, name == LESSONS)
-            }
+            inner = files_below(path, partial(_is_handed_out, name == LESSONS))
+            found |= {f'{name}/{each}': _content(os.path.join(path, *each.split('/'))) for each in inner}
         elif os.path.isfile(path) and os.path.isfile(os.path.join(course, MANIFEST)):
             found[name] = _content(path)
     return dict(sorted(found.items()))
 
 
-def _files(folder: str, lessons: bool) -> Iterator[str]:
-    for place, folders, names in os.walk(folder):
-        here = os.path.relpath(place, folder).replace(os.sep, '/')
-        beside_notebooks = lessons and here == '.'
-        folders[:] = sorted(name for name in folders if _is_handed_out(name, beside_notebooks))
-        for name in sorted(names):
-            if _is_handed_out(name, beside_notebooks):
-                yield name if here == '.' else f'{here}/{name}'
-
-
-def _is_handed_out(name: str, beside_notebooks: bool) -> bool:
+def _is_handed_out(in_lessons: bool, name: str, inside: str) -> bool:
     """Not what is kept back, what is hidden (.outputs, .ipynb_checkpoints), nor, beside the notebooks, what running them left
     (my_launch, my_ws), the notes for teachers and what serves our tests. An exercise may be called my_package, or notes.
     """
-    if beside_notebooks and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
+    if in_lessons and not inside and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
         return False
     return name not in KEPT_BACK and not name.startswith('.') and not name.endswith(('.pyc', '.results'))
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from edugrade.course import read_course
+from edugrade.files import files_below
 
 from edulaunch.errors import UnusableInput
 from edulaunch.nearest import did_you_mean
@@ -65,16 +66,10 @@ def _files(name: str, course: str) -> dict[str, bytes]:
     found = {} if os.path.exists(os.path.join(course, REQUIREMENTS)) else {REQUIREMENTS: requirements.encode()}
     folder = os.path.join(FOLDER, name)
     title = re.sub(r'[^a-z0-9]+', '-', os.path.basename(os.path.abspath(course)).lower()).strip('-') or 'course'
-    for path in _paths(folder):
+    for path in files_below(folder, lambda name, inside: not name.endswith('.pyc')):
         text = _content(os.path.join(folder, path)).decode()
         found[path] = text.replace('@COURSE@', title).replace('@REQUIREMENTS@\n', requirements).encode()
     return found
-
-
-def _paths(folder: str) -> Iterator[str]:
-    for place, _, names in os.walk(folder):
-        here = os.path.relpath(place, folder)
-        yield from (name if here == '.' else f'{here}/{name}'.replace(os.sep, '/') for name in names if not name.endswith('.pyc'))
 
 
 def _classroom(requirements: str) -> dict[str, bytes]:

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
 
-from .grading import Work, grade, plan_work
+from .files import write_whole
+from .grading import Work, grade, plan_work, progress_bar
 from .job import CAN_FORK, Limits
 from .options import is_personal, read_options
 from .rubric import RubricMistake
 from .submission import Submission
+from .variant import CourseSecret
 
 if TYPE_CHECKING:
     from .results import Refusal, Report
@@ -101,11 +103,7 @@ def _grade(options: argparse.Namespace) -> int:
 def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
     """What can be graded, and what cannot; one bad path among several spoils only itself."""
     works, refusals = [], []
-    secret = None
-    if options.course_secret_file:
-        from .variant import CourseSecret
-
-        secret = CourseSecret(options.course_secret_file)
+    secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     for path in options.paths:
         try:
             student, called = options.student, options.student if is_personal(options) else ''
@@ -130,8 +128,6 @@ def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[
 def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> list[Report]:
     from dataclasses import replace
 
-    from .grading import progress_bar
-
     runs = sum(len(work.scenarios) for work in works)
     with progress_bar(runs if several else 0) as advance:
         reports = grade(works, Limits(options.limit, sandbox=options.sandbox), options.workspace, advance)
@@ -150,19 +146,16 @@ def _told(report: Report, options: argparse.Namespace) -> Report:
 def _write(options: argparse.Namespace, reports: list[Report], refusals: list[Refusal], exit_code: int) -> None:
     if options.json is not None:
         from .document import document, document_of_all, json_text
-        from .files import write_whole
 
         alone = len(options.paths) == 1
         write_whole(options.json, json_text(document(reports[0]) if alone else document_of_all(reports, refusals, exit_code)))
     if options.junit is not None:
         from .document import document
-        from .files import write_whole
         from .junit import junit_text
 
         documents = [{'path': report.given, **document(report)} for report in reports]
         write_whole(options.junit, junit_text(documents, refusals))
     if options.html is not None:
-        from .files import write_whole
         from .page import page
 
         write_whole(options.html, page(reports, refusals))

@@ -17,6 +17,7 @@ from edulaunch.errors import UnusableInput
 
 from .catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .course import LEVELS, MANIFEST, Exercise, read_course
+from .files import files_below
 from .grading import grade, plan_work
 from .submission import Submission
 from .variant import CourseSecret, Variant, personal
@@ -154,15 +155,7 @@ def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
 
 
 def _files(folder: str) -> list[str]:
-    found = []
-    for place, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _BY_THE_WAY)
-        found += [
-            os.path.relpath(os.path.join(place, name), folder).replace(os.sep, '/')
-            for name in names
-            if name not in (*_BY_THE_WAY, MANIFEST)
-        ]
-    return sorted(found)
+    return sorted(files_below(folder, lambda name, inside: name not in (*_BY_THE_WAY, MANIFEST)))
 
 
 def _against_the_rubric(item: Exercise, file: str) -> Iterator[str]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.version import __version__
 
 from .evidence import Outcome
 from .results import CheckResult, Refusal, Report
+from .source import Place
 from .wording import ShortPaths
 from .worker import Exceeded, TooLong, cpu_limit, in_worker
 
@@ -60,6 +61,13 @@ def _connections(recording: Recording) -> list[str]:
         for speaker in topic.publishers
         for listener in topic.subscriptions
     ]
+
+
+def explanation(check: Mapping[str, Any]) -> list[str]:
+    """What stands below the reason of a check, as lines ``label: text`` of what there is."""
+    where = None if check['where'] is None else Place(**check['where'])
+    fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
+    return [f'{label}: {text}' for label, text in fields.items() if text]
 
 
 def receipt(made: Work | Report) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
@@ -22,6 +23,32 @@ def read_regular(path: str, most: int) -> bytes:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, 'it is not a regular file', path)
         return file.read(most)
+
+
+def read_given(path: str, most: int, what: str = '', help: str | None = None) -> bytes:
+    """As `read_regular`, of a file that somebody has named.
+
+    :param what: it is, with a space behind it: ``'the key '``.
+    :raises UnusableInput: when it cannot be read.
+    """
+    try:
+        return read_regular(path, most)
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
+        why = getattr(error, 'strerror', None) or error
+        raise UnusableInput(f'{what}{path} cannot be read: {why}', help=help) from None
+
+
+def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
+    """The files below a folder, by their path in it with slashes; each folder's own first, by their names.
+
+    :param is_taken: given a name, and the path in `folder` of what it lies in (''; or with a slash at its end): whether the file is
+        given, or the folder looked into.
+    """
+    for place, folders, names in os.walk(folder):
+        here = os.path.relpath(place, folder).replace(os.sep, '/')
+        inside = '' if here == '.' else f'{here}/'
+        folders[:] = sorted(name for name in folders if is_taken(name, inside))
+        yield from (inside + name for name in sorted(names) if is_taken(name, inside))
 
 
 def write_whole(path: str, text: str | bytes) -> None:

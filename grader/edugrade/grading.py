@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from .catalogue import find_rubric
-from .job import CAN_FORK, Limits
+from .job import CAN_FORK, Limits, Ticket
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .in_place import InPlace
     from .results import CheckResult, Report
     from .rubric import Rubric
-    from .runner import Runner, Ticket
+    from .runner import Runner
     from .variant import CourseSecret
 
 
@@ -128,11 +128,7 @@ def _report(work: Work, runner: Runner | InPlace, ticket: Ticket, workspaces: Se
     except Exception as error:  # a fault of ours with one submission, which costs no other its report
         results = [broken(error)]
     return Report(
-        file=submission.file,
-        given=submission.given,
-        folder=submission.folder,
-        shown=submission.shown_folder,
-        package=submission.package.name if submission.package else None,
+        **submission.named,
         sha256=submission.sha256,
         rubric=work.name,
         title=work.rubric.title,

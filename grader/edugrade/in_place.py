@@ -15,8 +15,7 @@ from contextlib import contextmanager, suppress
 from edulaunch.errors import UnusableInput
 
 from .evidence import Outcome, Scenario
-from .job import Limits, environment
-from .runner import Ticket
+from .job import Limits, Ticket, environment
 from .submission import Submission
 
 STATE = {'the submission': 'this system cannot: only grade your own files here'}

@@ -1,20 +1,25 @@
-"""What a run is told, what it may use, what it may read, and the surroundings it gets."""
+"""What is asked of a runner: what a run is told, what it may use, what it may read, and the surroundings it gets."""
 
 from __future__ import annotations
 
 import os
 import sys
+from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from edulaunch.underlay_place import engine_folder
 
 from .catalogue import rubrics_folder
-from .evidence import Scenario
+from .evidence import Outcome, Scenario
 from .submission import Submission
 
+MEBI = 1 << 20
+CAN_FORK = hasattr(os, 'fork') and sys.platform != 'emscripten'
+"""Whether a run can have a process of its own: not on Windows, nor in a browser, where Python has the function and it fails."""
 
-class Limits:
+
+class Limits(NamedTuple):
     """Limits of one child process; wall-clock time is the only one that a student should ever meet.
 
     :param wall_s: seconds of real time for one scenario. The simulated duration is the rubric's business.
@@ -27,26 +32,31 @@ class Limits:
         each endless loop), a single call into C two and a half times that.
     """
 
-    def __init__(
-        self,
-        wall_s: float = 30.0,
-        memory_mib: int = 2048,
-        output_mib: int = 4,
-        recording_mib: int = 128,
-        sandbox: str = 'auto',
-        turn_s: float = 0.8,
-    ) -> None:
-        self.wall_s = wall_s
-        self.memory_mib = memory_mib
-        self.output_mib = output_mib
-        self.recording_mib = recording_mib
-        self.sandbox = sandbox
-        self.turn_s = turn_s
+    wall_s: float = 30.0
+    memory_mib: int = 2048
+    output_mib: int = 4
+    recording_mib: int = 128
+    sandbox: str = 'auto'
+    turn_s: float = 0.8
 
     @property
     def resources(self) -> dict[str, int]:
         """For setrlimit, by the name behind ``RLIMIT_``."""
         return {'CPU': int(self.wall_s) + 5, 'AS': self.memory_mib * MEBI, 'FSIZE': 64 * MEBI, 'NOFILE': 256, 'CORE': 0}
+
+
+class Ticket:
+    """The runs of one submission: what is asked for, and what has come of it."""
+
+    def __init__(self, scenarios: Sequence[Scenario]) -> None:
+        self.scenarios = list(scenarios)
+        self.outcomes: dict[str, Outcome] = {}
+        self.again: Counter[str] = Counter()  # how often a run was begun again, by the scenario's name
+
+    @property
+    def is_done(self) -> bool:
+        """Whether every run has ended."""
+        return len(self.outcomes) == len(self.scenarios)
 
 
 class Job:
@@ -152,8 +162,3 @@ def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tupl
     yield place, False
     for name in sorted(os.listdir(place)):
         yield from _beneath(os.path.realpath(os.path.join(place, name)), hidden, seen)
-
-
-MEBI = 1 << 20
-CAN_FORK = hasattr(os, 'fork') and sys.platform != 'emscripten'
-"""Whether a run can have a process of its own: not on Windows, nor in a browser, where Python has the function and it fails."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
+from .document import explanation
 from .results import FAILED, GRADER_BROKE, NOT_RUN, Refusal
 
 _ELEMENTS = {FAILED: 'failure', GRADER_BROKE: 'error', NOT_RUN: 'skipped'}
@@ -56,15 +57,9 @@ def _case(check: Mapping[str, Any], classname: str) -> Iterator[str]:
         yield _start('testcase', case, '/>')
         return
     yield _start('testcase', case)
-    yield f'{_start(element, {"message": check["reason"] or "", "type": check["name"]})}{_safe(_details(check))}</{element}>'
+    details = _safe('\n'.join(explanation(check)))
+    yield f'{_start(element, {"message": check["reason"] or "", "type": check["name"]})}{details}</{element}>'
     yield '</testcase>'
-
-
-def _details(check: Mapping[str, Any]) -> str:
-    place = check['where']
-    where = None if place is None else place['file'] + (f':{place["line"]}' if place['line'] else '')
-    fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
-    return '\n'.join(f'{label}: {text}' for label, text in fields.items() if text)
 
 
 def _start(name: str, attributes: Mapping[str, str], end: str = '>') -> str:

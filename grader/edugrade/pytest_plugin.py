@@ -97,8 +97,6 @@ class CheckFailed(Exception):
     def __init__(self, result: CheckResult) -> None:
         from .terminal import printable
 
-        place = result.where
-        where = None if place is None else place.file + (f':{place.line}' if place.line else '')
-        fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
+        fields = {'expected': result.expected, 'seen': result.seen, 'where': result.where, 'try': result.try_}
         lines = [f'{result.sentence}: {result.reason}', *(f'  {label}: {text}' for label, text in fields.items() if text)]
         super().__init__(printable('\n'.join(lines)))

@@ -4,33 +4,17 @@ from __future__ import annotations
 
 import os
 import selectors
-from collections import Counter
 from collections.abc import Callable, Sequence
 from time import monotonic
 from typing import Any
 
 from .child_run import ChildRun, StarterLink
 from .evidence import Outcome, Scenario
-from .job import Job, Limits
+from .job import Job, Limits, Ticket
 from .sandbox.remove_tree import remove_tree
 from .submission import Submission
 from .verdicts import verdict
 from .worker import attended
-
-
-class Ticket:
-    """The runs of one submission: what is asked for, and what has come of it."""
-
-    def __init__(self, scenarios: Sequence[Scenario]) -> None:
-        self.scenarios = list(scenarios)
-        self.outcomes: dict[str, Outcome] = {}
-        self.again: Counter[str] = Counter()  # how often a run was begun again, by the scenario's name
-
-    @property
-    def is_done(self) -> bool:
-        """Whether every run has ended."""
-        return len(self.outcomes) == len(self.scenarios)
-
 
 LONGEST_NAP_S = 0.05
 MOST_STARTS = 20  # of a run before which the starter was killed: nothing of a submission had been read

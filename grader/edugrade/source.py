@@ -16,29 +16,28 @@ class Place(NamedTuple):
     file: str
     line: int | None = None
 
+    def __str__(self) -> str:
+        return f'{self.file}:{self.line}' if self.line else self.file
+
 
 def is_engine(file: str) -> bool:
     """Whether a file is code of edulaunch itself; the launch files that it ships are not."""
-    return is_shipped(file) and not file.startswith(os.path.join(_engine(), 'underlay', 'share'))
+    return is_shipped(file) and not file.startswith(os.path.join(engine_folder(), 'underlay', 'share'))
 
 
 def is_shipped(file: str) -> bool:
     """Whether a file came with edulaunch: nothing that a student can change."""
-    return file.startswith(_engine() + os.sep)
+    return file.startswith(engine_folder() + os.sep)
 
 
 def shipped_program(package: str, executable: str) -> str:
     """The path under which edulaunch runs a program of a package of its own."""
-    return os.path.join(_engine(), 'underlay', 'lib', package, executable)
+    return os.path.join(engine_folder(), 'underlay', 'lib', package, executable)
 
 
 def comes_with_edulaunch(package: str) -> bool:
     """Whether edulaunch brings a package of this name."""
-    return os.path.isdir(os.path.join(_engine(), 'underlay', 'share', package))
-
-
-def _engine() -> str:
-    return engine_folder()
+    return os.path.isdir(os.path.join(engine_folder(), 'underlay', 'share', package))
 
 
 _GAP = re.compile(r'\s*(?:#|<!--)\s*TODO\b\s*(\d{0,9})')

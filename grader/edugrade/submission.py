@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from functools import cached_property
 from random import Random
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
@@ -46,6 +46,12 @@ class Submission:
     def workspaces(self) -> list[str]:
         """The folder to search for the student's packages: found by itself when the launch file lies in a package."""
         return [self.package.workspace] if self.package else []
+
+    @property
+    def named(self) -> dict[str, Any]:
+        """What a `Report` says of it."""
+        package = self.package.name if self.package else None
+        return {'file': self.file, 'given': self.given, 'folder': self.folder, 'shown': self.shown_folder, 'package': package}
 
     @property
     def shown_folder(self) -> str:

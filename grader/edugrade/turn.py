@@ -91,11 +91,7 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
     outcomes = [_outcome(scenario, launch) for scenario in rubric.scenarios(SEED)]
     results = judge(rubric.checks, outcomes, submission.source)
     return Report(
-        file=submission.file,
-        given=submission.given,
-        folder=submission.folder,
-        shown=submission.shown_folder,
-        package=submission.package.name if submission.package else None,
+        **submission.named,
         sha256=digest.hexdigest(),
         rubric=name,
         title=rubric.title,

@@ -18,7 +18,7 @@ from edulaunch.errors import UnusableInput
 
 from .catalogue import course_manifest
 from .course import Exercise, find_course, read_course, read_toml
-from .files import read_regular
+from .files import read_given
 
 LEAST_BYTES, MOST_BYTES = 16, 4096
 
@@ -30,10 +30,7 @@ class CourseSecret:
     """
 
     def __init__(self, path: str) -> None:
-        try:
-            self._key = read_regular(path, MOST_BYTES).strip()
-        except (OSError, ValueError) as error:
-            raise UnusableInput(f'the course secret {path} cannot be read: {getattr(error, "strerror", None) or error}') from None
+        self._key = read_given(path, MOST_BYTES, 'the course secret ').strip()
         if len(self._key) < LEAST_BYTES:
             raise UnusableInput(
                 f'the course secret {path} is shorter than {LEAST_BYTES} bytes', help='make one: openssl rand -hex 32 > secret'

@@ -15,7 +15,7 @@ from typing import Any
 from edulaunch.errors import UnusableInput
 
 from .document import document, json_text, receipt
-from .files import read_regular, write_whole
+from .files import read_given, write_whole
 from .grading import grade, plan_work
 from .job import Limits
 from .options import add_common
@@ -45,10 +45,9 @@ def read_report(path: str) -> dict[str, Any]:
 
     :raises UnusableInput: when it cannot be read, or is none.
     """
+    data = read_given(path, LARGEST_REPORT, 'the report ')
     try:
-        found = json.loads(read_regular(path, LARGEST_REPORT))
-    except OSError as error:
-        raise UnusableInput(f'the report {path} cannot be read: {error.strerror or error}') from None
+        found = json.loads(data)
     except (ValueError, RecursionError) as error:
         raise UnusableInput(f'{path} is no JSON report: {error}') from None
     if not isinstance(found, dict) or not isinstance(found.get('receipt'), dict) or not isinstance(found.get('checks'), list):
@@ -92,10 +91,9 @@ def _name(public: Any, serialization: Any) -> str:
 
 
 def _loaded(load: Any, key: str) -> Any:
+    data = read_given(key, LARGEST_KEY, 'the key ', help=MAKE)
     try:
-        return load(read_regular(key, LARGEST_KEY))
-    except OSError as error:
-        raise UnusableInput(f'the key {key} cannot be read: {error.strerror or error}', help=MAKE) from None
+        return load(data)
     except Exception as error:
         raise UnusableInput(f'the key {key} is no PEM key without a password: {error}', help=MAKE) from None
 

@@ -142,10 +142,8 @@ def points_of(result: CheckResult, reader: Reader) -> str:
 
 def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int = ALL) -> dict[str, str]:
     """What stands below the reason of a failed check: label -> text, of what there is and is told at this level."""
-    place, fields = result.where, {}
-    fields['expected'], fields['seen'] = result.expected, result.seen
-    fields['where'] = None if place is None else place.file + (f':{place.line}' if place.line else '')
-    fields['try'] = result.try_
+    where = None if result.where is None else str(result.where)
+    fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
     if result.cause is not None:
         from edulaunch.advice import told
 

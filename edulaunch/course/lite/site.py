@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.course.copying import student_files, write_zip
@@ -68,20 +67,20 @@ def _engine() -> dict[str, bytes]:
     import edugrade
     import yaml
     from edugrade.catalogue import rubrics_folder
+    from edugrade.files import files_below
 
     grader, parser = (os.path.dirname(os.path.abspath(str(module.__file__))) for module in (edugrade, yaml))
     places = [(engine_folder(), 'edulaunch'), (grader, 'edugrade'), (rubrics_folder(), 'edugrade/checks'), (parser, 'yaml')]
     files = {'greenlet.py': _content(os.path.join(PAGE, 'greenlet.py'))}
     for folder, name in places:
-        files |= {f'{name}/{inner}': _content(os.path.join(folder, *inner.split('/'))) for inner in _inside(folder)}
+        files |= {
+            f'{name}/{inner}': _content(os.path.join(folder, *inner.split('/'))) for inner in files_below(folder, _is_taken)
+        }
     return files
 
 
-def _inside(folder: str) -> Iterator[str]:
-    for place, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in LEFT_OUT)
-        here = os.path.relpath(place, folder).replace(os.sep, '/')
-        yield from (name if here == '.' else f'{here}/{name}' for name in sorted(names) if not name.endswith(BINARY))
+def _is_taken(name: str, inside: str) -> bool:
+    return name not in LEFT_OUT and not name.endswith(BINARY)
 
 
 def _content(path: str) -> bytes:

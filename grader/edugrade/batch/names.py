@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from ..files import read_regular
+from ..files import read_given, read_regular
 
 ARCHIVES = ('.zip', '.tar', '.tar.gz', '.tgz', '.tar.bz2', '.tbz2')
 LARGEST_METADATA = 20_000_000
@@ -152,10 +152,7 @@ def clone_all(table: str, folder: str) -> Iterator[tuple[Student, str, str, str]
 
 
 def _rows(table: str) -> list[Mapping[str, str]]:
-    try:
-        text = read_regular(table, LARGEST_TABLE).decode('utf-8-sig', 'replace')
-    except OSError as error:
-        raise UnusableInput(f'the table {table} cannot be read: {error.strerror or error}') from None
+    text = read_given(table, LARGEST_TABLE, 'the table ').decode('utf-8-sig', 'replace')
     reader = csv.DictReader(io.StringIO(text))
     head = [(name or '').strip().lower() for name in reader.fieldnames or ()]
     if 'student' not in head or not {'url', 'path'} & set(head):

@@ -20,8 +20,8 @@ from edulaunch.version import __version__
 
 from ..batch.entries import Finder
 from ..catalogue import find_rubric
-from ..document import document, json_text
-from ..files import read_regular, write_whole
+from ..document import document, explanation, json_text
+from ..files import read_given, read_regular, write_whole
 from ..grading import grade, plan_work
 from ..job import Limits
 from ..results import BROKEN_GRADER, GRADER_BROKE, PASSED
@@ -82,11 +82,11 @@ def build(exercise: str, out: str, wheel: str | None = None, secret: str | None 
     config = {'exercise': name, 'rubric': rubric_file, 'limit_s': limit_s, 'edulaunch': __version__}
     files = {'setup.sh': SETUP.format(wheel=source).encode(), 'run_autograder': RUN.encode(), rubric_file: rubric.text}
     if wheel is not None:
-        files[os.path.basename(wheel)] = _read(wheel, LARGEST_WHEEL)
+        files[os.path.basename(wheel)] = read_given(wheel, LARGEST_WHEEL)
     if secret is not None:
         CourseSecret(secret)
         config['secret'] = 'course_secret'
-        files['course_secret'] = _read(secret, LARGEST_WHEEL)
+        files['course_secret'] = read_given(secret, LARGEST_WHEEL)
     files['edugrade.json'] = json_text(config).encode()
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, 'w', zipfile.ZIP_DEFLATED) as archive:
@@ -103,7 +103,7 @@ def run(folder: str) -> int:
     Where the grader broke nothing is written, and the exit code is 3: Gradescope says that the autograder failed: no mark.
     """
     source = os.path.join(folder, 'source')
-    config = json.loads(_read(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
+    config = json.loads(read_given(os.path.join(source, 'edugrade.json'), LARGEST_WHEEL))
     rubric = os.path.join(source, config['rubric'])
     secret = CourseSecret(os.path.join(source, config['secret'])) if 'secret' in config else None
     student, name, tries = _student(folder)
@@ -155,16 +155,12 @@ def refused(reason: str, possible: int) -> dict[str, Any]:
 
 
 def _test(check: dict[str, Any]) -> dict[str, Any]:
-    place = check['where']
-    where = None if place is None else place['file'] + (f':{place["line"]}' if place['line'] else '')
-    fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
-    lines = [check['reason'] or '', *(f'{label}: {text}' for label, text in fields.items() if text)]
     return {
         'name': printable(check['sentence']),
         'score': check['earned'],
         'max_score': check['points'],
         'status': 'passed' if check['status'] == PASSED else 'failed',
-        'output': printable('\n'.join(lines)).strip()[:LONGEST_OUTPUT],
+        'output': printable('\n'.join([check['reason'] or '', *explanation(check)])).strip()[:LONGEST_OUTPUT],
         'tags': [check['status']],
     }
 
@@ -188,10 +184,3 @@ def _find(folder: str, unpacked: str, exercise: str) -> str:
         reason = next((entry.refused for entry in entries if entry.path.count('.')), '')
         raise UnusableInput(f'there is no {exercise}.launch.py in what was handed in' + (f': {reason}' if reason else ''))
     return found
-
-
-def _read(path: str, most: int) -> bytes:
-    try:
-        return read_regular(path, most)
-    except OSError as error:
-        raise UnusableInput(f'{path} cannot be read: {error.strerror or error}') from None
