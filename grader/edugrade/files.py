@@ -41,8 +41,8 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
 def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
     """The files below a folder, by their path in it with slashes; each folder's own first, by their names.
 
-    :param is_taken: given a name, and the path in `folder` of what it lies in (''; or with a slash at its end): whether the file is
-        given, or the folder looked into.
+    :param is_taken: given a name, and the path in `folder` of what it lies in ('' or with a slash at its end): whether the
+        file is given, or the folder looked into.
     """
     for place, folders, names in os.walk(folder):
         here = os.path.relpath(place, folder).replace(os.sep, '/')

@@ -73,14 +73,9 @@ def _engine() -> dict[str, bytes]:
     places = [(engine_folder(), 'edulaunch'), (grader, 'edugrade'), (rubrics_folder(), 'edugrade/checks'), (parser, 'yaml')]
     files = {'greenlet.py': _content(os.path.join(PAGE, 'greenlet.py'))}
     for folder, name in places:
-        files |= {
-            f'{name}/{inner}': _content(os.path.join(folder, *inner.split('/'))) for inner in files_below(folder, _is_taken)
-        }
+        inner = files_below(folder, lambda each, inside: each not in LEFT_OUT and not each.endswith(BINARY))
+        files |= {f'{name}/{each}': _content(os.path.join(folder, *each.split('/'))) for each in inner}
     return files
-
-
-def _is_taken(name: str, inside: str) -> bool:
-    return name not in LEFT_OUT and not name.endswith(BINARY)
 
 
 def _content(path: str) -> bytes:
