@@ -10,7 +10,7 @@ import os
 import re
 from typing import NamedTuple
 
-from edugrade.course import HIGHEST, MANIFEST, Exercise, read_course
+from edugrade.course import MANIFEST, Exercise, here_and_above, read_course
 
 from edulaunch.errors import UnusableInput
 from edulaunch.nearest import nearest
@@ -44,12 +44,8 @@ def given_course(folder: str) -> str:
 
 def course_around(folder: str) -> str:
     """The course in this folder or above it, else ours."""
-    above = os.path.abspath(folder)
-    for _ in range(HIGHEST):
-        if manifest(above) is not None and os.path.basename(above) != EXERCISES:
-            return above
-        above = os.path.dirname(above)
-    return our_course()
+    courses = (above for above in here_and_above(folder) if manifest(above) is not None and os.path.basename(above) != EXERCISES)
+    return next(courses, None) or our_course()
 
 
 _PREDICTS = re.compile(r"^predict\('([\w-]+)'", re.MULTILINE)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from html import escape
 from typing import Any, NamedTuple
 
-from edugrade.course import HIGHEST, read_toml
+from edugrade.course import here_and_above, read_toml
 
 from edulaunch.errors import UnusableInput
 from edulaunch.nearest import nearest
@@ -54,12 +54,10 @@ def read_questions(path: str) -> dict[str, Question]:
 
 def find_questions() -> dict[str, Question]:
     """The questions beside the notebook, or in the folder ``lessons`` here or above; none when there is no such file."""
-    above = os.getcwd()
-    for _ in range(HIGHEST):
-        for folder in (above, os.path.join(above, 'lessons')):
-            if os.path.isfile(path := os.path.join(folder, FILE)):
+    for above in here_and_above(os.curdir):
+        for path in (os.path.join(above, FILE), os.path.join(above, 'lessons', FILE)):
+            if os.path.isfile(path):
                 return read_questions(path)
-        above = os.path.dirname(above)
     return {}
 
 

@@ -4,9 +4,15 @@ For the author of a rubric::
 
     from edugrade import Evidence, Missing, Mismatch, Rubric, Scenario, check
 
-In reading order: `submission.py` (what was handed in), `rubric.py` and `check.py` (what is asked),
-`runner.py` with `child_run.py` and `sandbox/` (the runs), `verdicts.py` and `judging.py` (what they came to),
-`terminal.py` and `document.py` (the reports), `cli.py`.
+In reading order:
+
+- what was handed in: `submission.py`, `source.py`, `files.py`
+- what is asked: `rubric.py`, `evidence.py`, `library/`; found by `catalogue.py`, `course.py`, `variant.py`, `yaml_rubric.py`
+- the runs: `grading.py`, `runner.py`, `job.py`, `child_run.py`, `sandbox/`; `in_place.py` where nothing can be forked
+- what they came to: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
+- the reports: `document.py`, `wording.py`, `terminal.py`, `page.py`, `junit.py`; a student's own file: `noted.py`, `progress_file.py`
+- who asks: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`; `batch/`, `export/`, `similar.py`,
+  `verify.py`, `course_check.py`, `doctor.py`
 """
 
 from __future__ import annotations

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from importlib.util import module_from_spec, spec_from_loader
 from types import ModuleType
 
 from edulaunch.errors import UnusableInput
 
+from .course import course_manifest, read_course
 from .files import read_regular
 from .rubric import Rubric, RubricMistake
 
 _HERE = os.path.dirname(os.path.abspath(__file__))
-MANIFEST, RUBRICS = 'course.toml', 'rubrics'
+RUBRICS = 'rubrics'
 ENDINGS = ('.py', '.yaml', '.yml')
-HIGHEST = 6  # folders above the current one in which a course is looked for
 LARGEST_BYTES = 1_000_000
 
 
@@ -34,27 +34,8 @@ def course_rubrics(inside: str = '') -> str | None:
     if path is None:
         return None
     manifest = os.path.dirname(path)
-    place = next((place for place in (manifest, os.path.dirname(manifest)) if _has_rubrics(place)), None)
-    return None if place is None else os.path.join(place, RUBRICS)
-
-
-def course_manifest(inside: str = '') -> str | None:
-    """The course.toml of the course that the current folder (or the given one) lies in, if it lies in one."""
-    for folder in _above(os.path.abspath(inside)):
-        for place in (folder, os.path.join(folder, 'exercises')):
-            if os.path.isfile(os.path.join(place, MANIFEST)):
-                return os.path.join(place, MANIFEST)
-    return None
-
-
-def _has_rubrics(folder: str) -> bool:
-    return os.path.isdir(os.path.join(folder, RUBRICS))
-
-
-def _above(folder: str) -> Iterator[str]:
-    for _ in range(HIGHEST):
-        yield folder
-        folder = os.path.dirname(folder)
+    places = (os.path.join(place, RUBRICS) for place in (manifest, os.path.dirname(manifest)))
+    return next(filter(os.path.isdir, places), None)
 
 
 def exercises() -> list[str]:
@@ -114,8 +95,6 @@ def _by_the_course(name: str, rubric: Rubric) -> Rubric:
     path = course_manifest()
     if path is None or os.path.dirname(rubric.file) != rubrics_folder():
         return rubric
-    from .course import read_course
-
     points = next((item.check_points for item in read_course(path) if item.name == name), None)
     if not points:
         return rubric

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -14,7 +14,7 @@ from .submission import exercise_of
 
 LEVELS = 3
 MANIFEST = 'course.toml'
-HIGHEST = 6  # folders above a submission in which the manifest is looked for
+HIGHEST = 6  # folders, from the one of a submission on, in which the manifest is looked for
 _BESIDE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _OURS = (os.path.join(_BESIDE, 'edulaunch', 'course', 'ours', 'exercises'), os.path.join(os.path.dirname(_BESIDE), 'exercises'))
 
@@ -88,18 +88,30 @@ def read_course(path: str) -> list[Exercise]:
         raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
 
 
+def here_and_above(folder: str) -> Iterator[str]:
+    """A folder and those above it in which something of a course is looked for; HIGHEST in all."""
+    folder = os.path.abspath(folder)
+    for _ in range(HIGHEST):
+        yield folder
+        folder = os.path.dirname(folder)
+
+
+def course_manifest(inside: str = '') -> str | None:
+    """The course.toml of the course that the current folder (or the given one) lies in, if it lies in one."""
+    places = (place for folder in here_and_above(inside) for place in (folder, os.path.join(folder, 'exercises')))
+    return _manifest_of(places)
+
+
 def find_course(folder: str) -> str:
     """The manifest: in this folder or above it, else the one of our course, from the installed package or the source tree.
 
     :raises UnusableInput: when there is none.
     """
-    above = os.path.abspath(folder)
-    places = []
-    for _ in range(HIGHEST):
-        places += [above, os.path.join(above, 'exercises')]
-        above = os.path.dirname(above)
-    for place in (*places, *_OURS):
-        path = os.path.join(place, MANIFEST)
-        if os.path.isfile(path):
-            return path
-    raise UnusableInput(f'there is no {MANIFEST}', help='it comes with the files of the folder exercises/')
+    path = course_manifest(folder) or _manifest_of(_OURS)
+    if path is None:
+        raise UnusableInput(f'there is no {MANIFEST}', help='it comes with the files of the folder exercises/')
+    return path
+
+
+def _manifest_of(places: Iterable[str]) -> str | None:
+    return next(filter(os.path.isfile, (os.path.join(place, MANIFEST) for place in places)), None)

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from edulaunch.errors import UnusableInput
 
-from .course import HIGHEST, LEVELS, MANIFEST, find_course, read_course
+from .course import LEVELS, MANIFEST, find_course, here_and_above, read_course
 from .progress_file import NAME, ProgressFile
 from .results import ALL_PASSED, Report
 from .submission import Submission
@@ -66,16 +66,13 @@ def progress_folder(file: str) -> str | None:
 
     None for what does not lie in a course's folder ``exercises``: a solution, a submission, a file of its own.
     """
-    file = os.path.abspath(file)
-    folder = os.path.dirname(file)
-    for _ in range(HIGHEST):
+    for folder in here_and_above(os.path.dirname(file)):
         inside, above = os.path.basename(folder) == 'exercises', os.path.dirname(folder)
         if inside and any(os.path.isfile(os.path.join(place, MANIFEST)) for place in (folder, above)):
             lessons = os.path.join(above, 'lessons')
             if os.path.isdir(lessons) and not os.path.isfile(os.path.join(above, NAME)):
                 return lessons
             return above
-        folder = above
     return None
 
 

@@ -16,8 +16,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.errors import UnusableInput
 
-from .catalogue import course_manifest
-from .course import Exercise, find_course, read_course, read_toml
+from .course import Exercise, course_manifest, find_course, read_course, read_toml
 from .files import read_given
 
 LEAST_BYTES, MOST_BYTES = 16, 4096

@@ -114,18 +114,9 @@ def grade_parcel(given: Parcel) -> dict[str, Any]:
         rubric.parent.mkdir()
         rubric.write_bytes(given['rubric'][1])
         (home / 'here').mkdir()
-        words = [
-            '--rubric',
-            str(rubric),
-            '--seed',
-            str(given['seed']),
-            '--limit',
-            str(given['limit']),
-            '--sandbox',
-            given['sandbox'],
-        ]
-        words += ['--json', str(home / 'report.json'), *(['--only', given['only']] if given['only'] else [])]
-        words += ['--html', str(home / 'page.html')] if given['page'] else []
+        settings = {'rubric': rubric, 'json': home / 'report.json', 'html': home / 'page.html' if given['page'] else None}
+        settings |= {key: given[key] for key in ('seed', 'limit', 'sandbox', 'only')}
+        words = [word for key, value in settings.items() if value is not None for word in (f'--{key}', str(value))]
         command = [sys.executable, '-m', 'edugrade', str(home / 'submission' / given['name'] / given['launch']), *words]
         done = subprocess.run(
             command, cwd=home / 'here', stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE_S + 10 * given['limit']
