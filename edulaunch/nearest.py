@@ -11,15 +11,20 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     Case and the three usual separators are looked through first (`My-Robot` finds `my_robot`); ties go to the
     alphabet.
     """
-    known = sorted(set(names))
-    folded = {_folded(candidate): candidate for candidate in reversed(known)}
+    return next(iter(nearest_few(name, names, 1)), None)
+
+
+def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
+    """The known names that `name` was probably meant to be, the nearest first: the one that it is but for case and separators,
+    or up to `most` that are close.
+    """
+    folded = {_folded(candidate): candidate for candidate in sorted(set(names), reverse=True)}
     same = folded.get(_folded(name))
     if same is not None:
-        return same
+        return [same]
     from difflib import get_close_matches
 
-    close = get_close_matches(_folded(name), list(folded), n=1, cutoff=0.6)
-    return folded[close[0]] if close else None
+    return [folded[close] for close in get_close_matches(_folded(name), list(folded), n=most, cutoff=0.6)]
 
 
 def _folded(name: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.nearest import nearest
+from edulaunch.nearest import nearest, nearest_few
 
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 
@@ -26,3 +26,10 @@ def test_the_nearest_name_is_the_one_that_was_meant(name: str, expected: str | N
 
 def test_ties_go_to_the_alphabet_whatever_the_order_of_the_names() -> None:
     assert nearest('node_c', ['node_b', 'node_a']) == nearest('node_c', ['node_a', 'node_b'])
+
+
+def test_several_that_are_close_come_with_the_nearest_first_and_one_that_is_meant_comes_alone() -> None:
+    names = ['two_rooms', 'two_robots', 'two_robotss', 'radio']
+    assert nearest_few('two_robot', names, 3) == ['two_robots', 'two_robotss', 'two_rooms']
+    assert nearest_few('two_robot', names, 1) == ['two_robots']
+    assert nearest_few('Two-Rooms', names, 3) == ['two_rooms']

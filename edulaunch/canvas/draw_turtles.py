@@ -27,6 +27,7 @@ from edulaunch.canvas.sheet import (
 from edulaunch.canvas.style import INK, LOOKS, MUTED, PAPER, SHELLS, SMALL, TEXT, Colour, Part, mono_width, robot, shade, turtle
 from edulaunch.canvas.turtle_scene import Body, TurtleScene, Window
 
+Point = tuple[float, float]
 SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
 DASHES = ('-', '--', '-.', ':')
 """Of trails that have a colour of their own: whose they are must be seen without it, too."""
@@ -97,17 +98,12 @@ def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
     ground = {'boxstyle': 'round,pad=0.15', 'facecolor': rgb(PAPER), 'edgecolor': 'none', 'alpha': 0.85}
     for body, (x, y), box in zip(bodies, anchors, boxes, strict=True):
         away = ((box.left + box.right) / 2 - x, (box.bottom + box.top) / 2 - y)
-        ax.annotate(
-            body.name,
-            (body.x, body.y),
-            away,
-            textcoords='offset points',
-            ha='center',
-            va='center',
-            fontsize=SMALL,
-            family='DejaVu Sans Mono',
-            bbox=ground,
-        )
+        _write(ax, body.name, (body.x, body.y), away, SMALL, family='DejaVu Sans Mono', bbox=ground)
+
+
+def _write(ax: Axes, text: str, place: Point, away: Point, size: float, **look: Any) -> None:
+    """A text around a point that lies `away` layout pixels from a place in the world."""
+    ax.annotate(text, place, away, textcoords='offset points', ha='center', va='center', fontsize=size, **look)
 
 
 def frames_sheet(scene: FramesScene) -> Sheet:
@@ -156,19 +152,9 @@ def draw_axes(ax: Axes, mark: FrameMark) -> None:
             ('', AXIS, {'arrowstyle': '-', 'color': rgb(colour), 'linewidth': width, 'linestyle': style}),
             (letter, AXIS + 7, None),
         ):
-            ax.annotate(
-                text,
-                (mark.x, mark.y),
-                (dx * reach, dy * reach),
-                textcoords='offset points',
-                ha='center',
-                va='center',
-                fontsize=SMALL - 1,
-                weight='bold',
-                color=rgb(colour),
-                path_effects=HALO,
-                arrowprops=line and {**line, 'shrinkA': 0, 'shrinkB': 0},
-            )
+            look = {'weight': 'bold', 'color': rgb(colour), 'path_effects': HALO}
+            arrow = line and {**line, 'shrinkA': 0, 'shrinkB': 0}
+            _write(ax, text, (mark.x, mark.y), (dx * reach, dy * reach), SMALL - 1, arrowprops=arrow, **look)
     ax.plot([mark.x], [mark.y], 'o', color=rgb(INK), markersize=5)
 
 
@@ -184,19 +170,10 @@ def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float,
     taken += [box for mark in frames if mark.parent in pixels for box in along(pixels[mark.name], pixels[mark.parent], 1.5)]
     boxes = place_labels(anchors, [(mono_width(text) + 4, TEXT + 3) for text in texts], box_of(ax), 6, taken)
     for text, mark, (x, y), box in zip(texts, frames, anchors, boxes, strict=True):
+        away = ((box.left + box.right) / 2 - x, (box.bottom + box.top) / 2 - y)
         line = {'arrowstyle': '-', 'linestyle': ':', 'color': rgb(INK), 'linewidth': 0.7, 'shrinkB': 0}
-        ax.annotate(
-            text,
-            (mark.x, mark.y),
-            ((box.left + box.right) / 2 - x, (box.bottom + box.top) / 2 - y),
-            textcoords='offset points',
-            ha='center',
-            va='center',
-            fontsize=TEXT,
-            family='DejaVu Sans Mono',
-            path_effects=HALO,
-            arrowprops=line if leader((x, y), box) is not None else None,
-        )
+        arrow = line if leader((x, y), box) is not None else None
+        _write(ax, text, (mark.x, mark.y), away, TEXT, family='DejaVu Sans Mono', path_effects=HALO, arrowprops=arrow)
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {TurtleScene: (turtles_sheet, draw_turtles), FramesScene: (frames_sheet, draw_frames)}

@@ -6,13 +6,14 @@ import argparse
 import os
 import webbrowser
 from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import Any
 
 from edulaunch.errors import UnusableInput
-from edulaunch.graph.qos import QoS
 from edulaunch.recording import Recording
 from edulaunch.sourcing import source
 
+PROCESS = ('name', 'pid', 'origin', 'started_s', 'ended_s', 'returncode')
 PICTURES = ('turtles', 'frames', 'tree', 'graph')
 TABS = ('frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters')
 
@@ -58,20 +59,15 @@ def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]
     """The messages at the times when they were published; of a topic with several types those of the first."""
     from edulaunch.cli.ros2.bag_record import write_bag
 
-    topics = [_Topic(name, type(recording.messages(name)[0][1]), recording.offered(name)) for name in names]
+    topics = [
+        SimpleNamespace(name=name, cls=type(recording.messages(name)[0][1]), offered=recording.offered(name)) for name in names
+    ]
     messages = [
         (recording.start_ns + time_ns, topic.name, wire)
         for topic in topics
         for time_ns, wire in recording.wires(topic.name, topic.cls.TYPE)
     ]
     write_bag(folder, storage, topics, sorted(messages, key=lambda message: message[0]), recording.registry)
-
-
-class _Topic:
-    """One topic of the bag, with its class and the quality of service of its publishers."""
-
-    def __init__(self, name: str, cls: Any, offered: list[QoS]) -> None:
-        self.name, self.cls, self.offered = name, cls, offered
 
 
 def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
@@ -195,17 +191,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
         'seed': recording.seed,
         'duration_s': recording.duration_s,
         'digest': recording.digest(),
-        'processes': [
-            {
-                'name': process.name,
-                'pid': process.pid,
-                'origin': process.origin,
-                'started_s': process.started_s,
-                'ended_s': process.ended_s,
-                'returncode': process.returncode,
-            }
-            for process in recording.processes
-        ],
+        'processes': [{name: getattr(process, name) for name in PROCESS} for process in recording.processes],
         'nodes': [{'name': node.name, 'process': node.process} for node in recording.nodes],
         'topics': [
             {

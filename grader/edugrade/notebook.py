@@ -109,11 +109,11 @@ def find_exercise(name: str) -> str:
 
 
 def _unknown(name: str, known: list[str]) -> UnusableInput:
-    from edulaunch.nearest import nearest
+    from edulaunch.nearest import nearest_few
 
-    close = nearest(name, known)
-    question = f'did you mean check("{close}")? ' if close else ''
-    return UnusableInput(f'there is no exercise "{name}"', help=f'{question}There are: {", ".join(known)}')
+    close = ' or '.join(f'check("{name}")' for name in nearest_few(name, known, 3))
+    question = f'did you mean {close}? ' if close else ''
+    return UnusableInput(f'there is no exercise "{name}"', help=f'{question}All there are: %edulaunch course list')
 
 
 def _graded(submission: Submission) -> CheckReport:

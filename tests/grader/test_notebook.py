@@ -48,6 +48,8 @@ def test_a_misspelt_exercise_is_a_note_with_the_nearest(lessons: Path) -> None:
     assert isinstance(found, Note)
     assert 'did you mean check("circle")?' in repr(found)
     assert 'did you mean check(&quot;circle&quot;)?' in found._repr_html_()
+    assert 'yaml_' not in repr(found), 'no list of everything: where the list is'
+    assert 'All there are: %edulaunch course list' in repr(check('zzzz'))
 
 
 @pytest.mark.processes

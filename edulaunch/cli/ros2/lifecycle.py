@@ -30,17 +30,10 @@ def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
     return sorted(name for service in served if include_hidden or not names.is_hidden(name := service.removesuffix(_SERVICE)))
 
 
-class LifecycleNodeOf:
-    """The lifecycle node `name`, as seen from the node of a command."""
+class LifecycleNodeOf(node_parameters.OtherNode):
+    """The lifecycle node `name`."""
 
-    def __init__(self, node: Node, name: str) -> None:
-        self._node = node
-        self.name = name
-
-    def _call(self, service: str, cls: str, **fields: Any) -> Any:
-        from lifecycle_msgs import srv
-
-        return cli_node.call(self._node, f'{self.name}/{service}', getattr(srv, cls), **fields)
+    PACKAGE = 'lifecycle_msgs'
 
     def state(self) -> str:
         """Label and number of its state."""

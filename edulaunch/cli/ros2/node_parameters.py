@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.cli.ros2 import cli_node, names
@@ -49,17 +50,24 @@ def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = Fals
     )
 
 
-class ParametersOf:
-    """The parameters of the node `name`."""
+class OtherNode:
+    """The node `name`, as seen from the node of a command. `PACKAGE` has the types of its services."""
+
+    PACKAGE: str
 
     def __init__(self, node: Node, name: str) -> None:
         self._node = node
         self.name = name
 
     def _call(self, service: str, cls: str, **fields: Any) -> Any:
-        from rcl_interfaces import srv
+        types = import_module(f'{self.PACKAGE}.srv')
+        return cli_node.call(self._node, f'{self.name}/{service}', getattr(types, cls), **fields)
 
-        return cli_node.call(self._node, f'{self.name}/{service}', getattr(srv, cls), **fields)
+
+class ParametersOf(OtherNode):
+    """The parameters of the node `name`."""
+
+    PACKAGE = 'rcl_interfaces'
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
         """Sorted names of all, or of those under some prefixes."""

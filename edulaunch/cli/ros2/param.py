@@ -11,19 +11,6 @@ from edulaunch.cli.ros2 import cli_node, names, node_parameters
 from edulaunch.cli.ros2.output import complain, say, say_lines, with_help
 from edulaunch.processes.current import current_process
 
-LABELS = (
-    'Parameter not set.',
-    'Boolean value is:',
-    'Integer value is:',
-    'Double value is:',
-    'String value is:',
-    'Byte values are:',
-    'Boolean values are:',
-    'Integer values are:',
-    'Double values are:',
-    'String values are:',
-)
-
 
 def delete_arguments(parser: argparse.ArgumentParser) -> None:
     """The options and words of `ros2 param delete`."""
@@ -120,10 +107,16 @@ def get_verb(arguments: argparse.Namespace) -> str | None:
             return with_help('Parameter not set', parameters.help_for(name))
     value = node_parameters.python_value(values[0])
     if value is None:
-        say(LABELS[0])
+        say('Parameter not set.')
     else:
-        say(str(value) if arguments.hide_type else f'{LABELS[values[0].type]} {value}')
+        say(str(value) if arguments.hide_type else f'{_label(values[0].type)} {value}')
     return None
+
+
+def _label(kind: int) -> str:
+    """'Double value is:', 'Byte values are:'"""
+    word, _, array = node_parameters.TYPE_WORDS[kind].partition(' ')
+    return f'{word.capitalize()} {"values are" if array else "value is"}:'
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
