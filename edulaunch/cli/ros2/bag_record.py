@@ -135,6 +135,7 @@ class BagRecorder:
         self._node = node
         self._wanted = wanted
         self._arguments = arguments
+        self._core = node._rclpy
         self._log = node.get_logger()
         self._is_paused = self._is_complete = False
         self.topics: dict[str, BagTopic] = {}
@@ -175,7 +176,7 @@ class BagRecorder:
 
     def _is_wanted(self, topic: str, type_name: str) -> bool:
         chosen, is_event = self._arguments, topic.endswith(EVENT_TOPIC)
-        if topic not in self._node._rclpy.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
+        if topic not in self._core.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
             return False
         if topic in self._wanted:
             return True
@@ -187,8 +188,8 @@ class BagRecorder:
         return bool(chosen.all or chosen.all_topics or by_name or type_name in chosen.topic_types)
 
     def _listen(self, topic: str) -> None:
-        graph = self._node._rclpy.graph
-        self.topics[topic] = BagTopic(self._node._rclpy.entry, graph.publishers[topic], self.messages)
+        graph = self._core.graph
+        self.topics[topic] = BagTopic(self._core.entry, graph.publishers[topic], self.messages)
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str, storage: str) -> None:
