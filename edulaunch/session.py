@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from copy import deepcopy
 from types import TracebackType
 from typing import TextIO
 
@@ -165,6 +164,8 @@ class Session:
 
     def snapshot(self) -> Recording:
         """What happened until now. Later events do not change it, and are kept for the next snapshot."""
+        from copy import deepcopy
+
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()

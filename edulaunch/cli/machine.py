@@ -10,7 +10,6 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from edulaunch.errors import UnusableInput
-from edulaunch.view import TABS
 
 if TYPE_CHECKING:
     import socket
@@ -76,6 +75,8 @@ def _install() -> int:
 
 def view_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the verb."""
+    from edulaunch.view import TABS
+
     parser.add_argument('--tab', choices=TABS, default='graph', help='what stands on the right side at first')
     parser.add_argument('--port', type=int, default=0, help='port on this computer (default: any that is free)')
     parser.add_argument('--no-browser', action='store_true', help='only say where the page is')

@@ -5,21 +5,16 @@ from __future__ import annotations
 import argparse
 import os
 import signal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from edulaunch.cli.ros2.output import say, with_help
 from edulaunch.errors import UnusableInput
 from edulaunch.launching import LAUNCH_SUFFIXES, find_launch_file
 from edulaunch.packages import Index
-from edulaunch.processes.children import inherit_terminal
 from edulaunch.processes.current import current_process
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.task import current_task
-from edulaunch.workspace.not_needed import WINDOWS, shown_by
-
-if TYPE_CHECKING:
-    from edulaunch.processes.process import Process
 
 
 def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
@@ -145,6 +140,10 @@ def run_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run_verb(arguments: argparse.Namespace) -> int | str:
     """Run it to its end; returns its exit code."""
+    import shlex
+
+    from edulaunch.workspace.not_needed import WINDOWS, shown_by
+
     process = current_process()
     package, executable = arguments.package_name, arguments.executable_name
     path = process.index.find_executable(package, executable)
@@ -153,8 +152,6 @@ def run_verb(arguments: argparse.Namespace) -> int | str:
         return 0
     if path is None:
         return _not_found(process.index, package, executable)
-    import shlex
-
     words = [*shlex.split(arguments.prefix or ''), path, *arguments.argv]
     spec = ProcessSpec(
         argv=tuple(words),
@@ -174,6 +171,8 @@ def run_verb(arguments: argparse.Namespace) -> int | str:
 
 def run_child(process: Process, spec: ProcessSpec) -> int:
     """Run a program that writes to the streams of `process` and gets its Ctrl-C; returns its return code."""
+    from edulaunch.processes.children import inherit_terminal
+
     task = current_task()
     child: Any = process.host.start(spec, process.on_output or process.write, lambda code: task.wake())
     child.is_passed_on = True
