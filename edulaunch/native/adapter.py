@@ -6,7 +6,6 @@ import os
 import sys
 import time
 from collections.abc import Callable
-from functools import partial
 from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType, SimpleNamespace
@@ -76,8 +75,7 @@ def _messages() -> None:
     from rclpy.utilities import get_default_context
 
     add: Callable[..., None] = _add
-    add(Publisher, _send=send, _impl=property(lambda each: SimpleNamespace(publish=partial(send, each))))
-    add(Publisher, _context=property(lambda each: get_default_context()))
+    add(Publisher, send_wire=send, context=property(lambda each: get_default_context()))
     add(Subscription, take_wires=take_wires)
     add(Context, alive=property(lambda context: context.ok()), park=_park)
     add(Node, _rclpy=property(_NodeFacts.of))

@@ -78,7 +78,7 @@ def test_what_a_query_gives_is_a_copy(ros: Callable[..., list[Any]], world: Worl
         (info,) = node.get_publishers_info_by_topic('t')
         info.node_name = 'm'
         world.say((info == node.get_publishers_info_by_topic('t')[0], str(info.topic_type_hash)[:15]))
-        publisher._impl.type_name = 'other_msgs/msg/Unknown'
+        publisher.endpoint.type_name = 'other_msgs/msg/Unknown'
         world.say(str(node.get_publishers_info_by_topic('t')[0].topic_type_hash))
 
     assert ros(body) == [(False, 'RIHS01_df668c74'), 'INVALID']

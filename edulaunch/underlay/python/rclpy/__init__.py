@@ -190,7 +190,7 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     if executor.spinner is not None and executor.note_nested_spin():
         from rclpy.impl.facts import note_spin, note_wait
 
-        source = None if future is None or future._done else getattr(future, 'source', None)
+        source = None if future is None or future.ended else getattr(future, 'source', None)
         if source is not None and not source.callback_group.can_execute(source):
             note_wait(function, source)
         else:

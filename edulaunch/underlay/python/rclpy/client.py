@@ -26,7 +26,7 @@ class Client(ServiceEnd, Entity):
     """Made by `Node.create_client`."""
 
     category = CLIENT
-    _impl: ServiceClient
+    endpoint: ServiceClient
 
     def __init__(
         self,
@@ -60,8 +60,8 @@ class Client(ServiceEnd, Entity):
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
         deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
-        while not future._done:
-            if not task.park(deadline) and not future._done:
+        while not future.ended:
+            if not task.park(deadline) and not future.ended:
                 self.remove_pending_request(future)
                 return None
         return future.result()
@@ -75,11 +75,11 @@ class Client(ServiceEnd, Entity):
 
     def awaited(self) -> dict[str, str]:
         """What it waits for, for a fact."""
-        return {'name': self._impl.service_name, 'kind': 'service'}
+        return {'name': self.endpoint.service_name, 'kind': 'service'}
 
     def node_name(self) -> str:
         """Full name of the node that it belongs to."""
-        name: str = self._impl.node.fully_qualified_name
+        name: str = self.endpoint.node.fully_qualified_name
         return name
 
     def call_async(self, request: Any) -> Future:
@@ -88,15 +88,15 @@ class Client(ServiceEnd, Entity):
         :raises TypeError: for a request of another class.
         """
         self._check_request(request)
-        if self._destroyed:
+        if self.destroyed:
             raise invalid_handle()
-        impl = self._impl
+        impl = self.endpoint
         sequence = impl.send(self.srv_type.Request.to_wire(request))
         if impl.lost and not self._lost_noted:
             self._note_lost_request()
         future = Future()
         future.source = self
-        future._callbacks.append(self.remove_pending_request)
+        future.add_done_callback(self.remove_pending_request)
         self._pending_requests[sequence] = future
         if self._introspection is not None:
             self._introspection.request_sent(sequence, request)
@@ -106,15 +106,15 @@ class Client(ServiceEnd, Entity):
         self._lost_noted = True
         from rclpy.impl.facts import note_lost_request
 
-        note_lost_request(self._impl, self._impl.service_name, 'service')
+        note_lost_request(self.endpoint, self.endpoint.service_name, 'service')
 
     def _check_request(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
             raise wrong_class(request, self.srv_type, 'Request')
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
-        queue = self._impl.queue
+        queue = self.endpoint.queue
         if not queue:
             return None
         sequence, wire = queue.popleft()
@@ -125,7 +125,7 @@ class Client(ServiceEnd, Entity):
             self._introspection.response_received(sequence, response)
         future = self._pending_requests.get(sequence)
         if future is not None:
-            future._executor = executor
+            future._set_executor(executor)
             future.set_result(response)
         return None
 
@@ -142,16 +142,16 @@ class Client(ServiceEnd, Entity):
 
     def service_is_ready(self) -> bool:
         """Whether a server is there now. Raises InvalidHandle when destroyed, RCLError after shutdown."""
-        check_endpoint(self._impl, self.context, 'failed to check service availability: rcl node')
+        check_endpoint(self.endpoint, self.context, 'failed to check service availability: rcl node')
         current_task().poll()
-        return self._impl.server_is_ready()
+        return self.endpoint.server_is_ready()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
-        check_alive(self._impl)
+        check_alive(self.endpoint)
         left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
         task = current_task()
-        while self.context.alive and not self._impl.server_is_ready() and left > 0.0:
+        while self.context.alive and not self.endpoint.server_is_ready() and left > 0.0:
             task.sleep_until(task.sim.now_ns + POLL_NS)
             left -= POLL_NS / 1e9
             self._waited_ns += POLL_NS
@@ -162,15 +162,15 @@ class Client(ServiceEnd, Entity):
         """Note a wait that has become long, until it ends well."""
         from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
 
-        if self._impl.server_is_ready():
-            note_server_came(self._impl, self._impl.service_name)
+        if self.endpoint.server_is_ready():
+            note_server_came(self.endpoint, self.endpoint.service_name)
         elif self._waited_ns == LONG_NS:
-            note_long_wait(self._impl, self._impl.service_name, 'service')
+            note_long_wait(self.endpoint, self.endpoint.service_name, 'service')
 
     def destroy(self) -> None:
         """Leave the service. `Node.destroy_client` is the better way."""
-        self._destroyed = True
-        self._impl.destroy()
+        self.destroyed = True
+        self.endpoint.destroy()
 
 
 __getattr__ = passed_on(__name__)

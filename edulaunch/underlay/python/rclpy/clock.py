@@ -127,18 +127,18 @@ class Clock:
             raise TypeError('Clock type must be a ClockType enum')
         self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
         self._clock_type = clock_type
-        self._sim = current_task().sim
+        self.sim = current_task().sim
         self.override_ns = None
         self._told_ns = 0
         self.jump_handles = []
-        self._timers = []
+        self.timers = []
         return self
 
-    _sim: Any
+    sim: Any
     override_ns: int | None
     _told_ns: int
     jump_handles: list[JumpHandle]
-    _timers: list[Timer]
+    timers: list[Timer]
 
     @property
     def clock_type(self) -> ClockType:
@@ -157,12 +157,12 @@ class Clock:
         """The present time."""
         current_task().poll()
         override = self.override_ns
-        return time_of_clock(self._sim.now_ns if override is None else override, self._clock_type)
+        return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
     def now_ns(self) -> int:
         """The present time in nanoseconds, without counting as a look at the clock."""
         override: int | None = self.override_ns
-        now: int = self._sim.now_ns if override is None else override
+        now: int = self.sim.now_ns if override is None else override
         return now
 
     def create_jump_callback(
@@ -253,7 +253,7 @@ class ROSClock(Clock):
             if handle.pre_callback is not None:
                 handle.pre_callback()
         self.override_ns = override_ns
-        for timer in list(self._timers):
+        for timer in list(self.timers):
             timer.clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
         for handle in handles:
             if handle.post_callback is not None:

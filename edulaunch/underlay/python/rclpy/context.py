@@ -29,7 +29,7 @@ class Context:
         self.used = False
         self.ended_by_signal = False
         self._domain_id = 0
-        self._arguments = RosArguments()
+        self.arguments = RosArguments()
         self._callbacks: list[Callable[[], object]] = []
         self.executors: list[Executor] = []
         self.parked: list[Task] = []
@@ -51,14 +51,14 @@ class Context:
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f'Domain id ({domain_id}) should not be lower than zero.')
         state = process_state()
-        self._arguments = _global_arguments(list(state.process.argv) if args is None else args)
+        self.arguments = _global_arguments(list(state.process.argv) if args is None else args)
         self._domain_id = _default_domain_id(state.process.env.get('ROS_DOMAIN_ID', '')) if domain_id is None else domain_id
         self.alive = self.used = True
         state.contexts.append(self)
         if initialize_logging:
             from rclpy.impl.logging_state import logging_state
 
-            logging_state().configure(self._arguments)
+            logging_state().configure(self.arguments)
 
     def ok(self) -> bool:
         """Whether the context is between init and shutdown."""

@@ -92,10 +92,10 @@ class EventHandler(Waitable):
         self.callback = callback
         self._take_info = take
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
         info = self._take_info()
-        if info is not None and not self._destroyed:
+        if info is not None and not self.destroyed:
             self.callback(info)
         return None
 
@@ -103,12 +103,12 @@ class EventHandler(Waitable):
 
     def ready_changed(self) -> None:
         """Something happened: let the executor call back."""
-        if not self._destroyed:
+        if not self.destroyed:
             self.signal()
 
     def destroy(self) -> None:
         """Call back no more."""
-        self._destroyed = True
+        self.destroyed = True
 
 
 QoSEventHandler = EventHandler
@@ -177,7 +177,7 @@ class _EventCallbacks:
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
-    def _attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
+    def attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
         """Watch an endpoint that was just made; partners that it found at once count too."""
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
         if incompatible_qos is not None:

@@ -112,8 +112,8 @@ class MultiThreadedExecutor(Executor):
                 job = self._jobs.popleft()
                 try:
                     job()
-                    if isinstance(job, Task) and job._exception is not None:
-                        job.result()
+                    if isinstance(job, Task):
+                        job.raise_if_failed()
                 except Exception as error:
                     self._failures.append(error)
             self._idle.append(thread)

@@ -37,21 +37,21 @@ class GuardCondition(Entity):
     @property
     def handle(self) -> Handle:
         """What holds the guard condition."""
-        return Handle(self, lambda: self._destroyed)
+        return Handle(self, lambda: self.destroyed)
 
     def trigger(self) -> None:
         """Let the callback be called. Triggering twice before that is triggering once. Raises InvalidHandle after destroy."""
-        if self._destroyed:
+        if self.destroyed:
             raise invalid_handle()
         self.signal()
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
-        return self.callback() if self.callback is not None and not self._destroyed else None
+        return self.callback() if self.callback is not None and not self.destroyed else None
 
     def destroy(self) -> None:
         """Trigger no more."""
-        self._destroyed = True
+        self.destroyed = True
 
 
 __getattr__ = passed_on(__name__)

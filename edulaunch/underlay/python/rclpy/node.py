@@ -79,7 +79,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             raise NotInitializedException('cannot create node')
         arguments = [parse_or_raise(cli_args)] if cli_args else []
         if use_global_arguments:
-            arguments.append(context._arguments)
+            arguments.append(context.arguments)
         core = self._rclpy = NodeCore(context, node_name, namespace or '', arguments)
         core.graph.tracer.watch(core.entry, lambda: _odd_facts(core))
         core.logger = RcutilsLogger(core.logger_name)

@@ -23,7 +23,7 @@ FOR_EVER = Duration(seconds=-1)
 class Publisher(TopicEnd):
     """Made by `Node.create_publisher`. Messages are copied when they are published."""
 
-    _impl: GraphPublisher
+    endpoint: GraphPublisher
 
     def __init__(
         self, publisher_impl: GraphPublisher, msg_type: Any, topic: str, qos_profile: QoSProfile, context: Context
@@ -32,10 +32,10 @@ class Publisher(TopicEnd):
         self.topic = topic
         self.qos_profile = qos_profile
         self.event_handlers: list[Any] = []
-        self._impl = publisher_impl
-        self._context = context
+        self.endpoint = publisher_impl
+        self.context = context
         self._to_wire = msg_type.to_wire
-        self._send: Callable[[Any], object] = publisher_impl.publish
+        self.send_wire: Callable[[Any], object] = publisher_impl.publish
 
     def publish(self, msg: Any) -> None:
         """Send a message, or the bytes of a serialized one, to everybody who listens now.
@@ -43,38 +43,38 @@ class Publisher(TopicEnd):
         :raises TypeError: for a message of another class.
         :raises RCLError: after shutdown.
         """
-        if msg.__class__ is self.msg_type and self._context.alive:
-            self._send(self._to_wire(msg))
+        if msg.__class__ is self.msg_type and self.context.alive:
+            self.send_wire(self._to_wire(msg))
         else:
             self._publish_other(msg)
 
     def _publish_other(self, msg: Any) -> None:
         if not (isinstance(msg, (self.msg_type, bytes))):
             raise TypeError(f'Expected {self.msg_type}, got {type(msg)}')
-        if self._impl.destroyed:
+        if self.endpoint.destroyed:
             raise invalid_handle()
-        if not self._context.alive:
+        if not self.context.alive:
             raise after_shutdown('Failed to publish: publisher')
         if isinstance(msg, bytes):
             from edulaunch.interfaces.cdr import decode
 
-            self._send(decode(self.msg_type, msg))
+            self.send_wire(decode(self.msg_type, msg))
         else:
-            self._send(self._to_wire(msg))
+            self.send_wire(self._to_wire(msg))
 
     def get_subscription_count(self) -> int:
         """How many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
-        check_endpoint(self._impl, self._context, 'failed to get subscription count: publisher')
+        check_endpoint(self.endpoint, self.context, 'failed to get subscription count: publisher')
         current_task().poll()
-        return self._impl.subscription_count
+        return self.endpoint.subscription_count
 
     def assert_liveliness(self) -> None:
         """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish.
 
         :raises RCLError: after shutdown.
         """
-        check_endpoint(self._impl, self._context, 'Failed to assert liveliness on the Publisher: publisher')
-        show_life = getattr(self._impl, 'show_life', None)
+        check_endpoint(self.endpoint, self.context, 'Failed to assert liveliness on the Publisher: publisher')
+        show_life = getattr(self.endpoint, 'show_life', None)
         if show_life is not None:
             show_life()
 
@@ -85,7 +85,7 @@ class Publisher(TopicEnd):
         :raises AttributeError: when it is no Duration.
         :raises RCLError: after shutdown.
         """
-        check_endpoint(self._impl, self._context, 'Failed to wait for all acknowledgements: publisher')
+        check_endpoint(self.endpoint, self.context, 'Failed to wait for all acknowledgements: publisher')
         if not isinstance(timeout, Duration):
             raise with_facts(
                 AttributeError(f"'{type(timeout).__name__}' object has no attribute '_duration_handle'"),
@@ -99,8 +99,8 @@ class Publisher(TopicEnd):
         """Leave the topic. `Node.destroy_publisher` is the better way."""
         for handler in self.event_handlers:
             handler.destroy()
-        self._impl.destroy()
-        self._send = self._refuse
+        self.endpoint.destroy()
+        self.send_wire = self._refuse
 
     def _refuse(self, _: Any) -> None:
         raise invalid_handle()

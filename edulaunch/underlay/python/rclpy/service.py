@@ -20,7 +20,7 @@ class Service(ServiceEnd, Entity):
     """Made by `Node.create_service`. The callback gets (request, response) and returns the response."""
 
     category = SERVICE
-    _impl: ServiceServer
+    endpoint: ServiceServer
 
     def __init__(
         self,
@@ -39,9 +39,9 @@ class Service(ServiceEnd, Entity):
         self.qos_profile = qos_profile
         self.is_async = is_coroutine_function(callback)
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
-        queue = self._impl.queue
+        queue = self.endpoint.queue
         if not queue:
             return None
         wire, request_id = queue.popleft()
@@ -68,15 +68,15 @@ class Service(ServiceEnd, Entity):
         if not isinstance(response, response_type):
             from edulaunch.facts import kind_of, with_facts
 
-            raise with_facts(TypeError(), 'programs.no-response', service=self._impl.service_name, returned=kind_of(response))
-        self._impl.respond(header, response_type.to_wire(response))
+            raise with_facts(TypeError(), 'programs.no-response', service=self.endpoint.service_name, returned=kind_of(response))
+        self.endpoint.respond(header, response_type.to_wire(response))
         if self._introspection is not None:
             self._introspection.response_sent(header, response)
 
     def destroy(self) -> None:
         """Stop answering. `Node.destroy_service` is the better way."""
-        self._destroyed = True
-        self._impl.destroy()
+        self.destroyed = True
+        self.endpoint.destroy()
 
 
 __getattr__ = passed_on(__name__)

@@ -28,24 +28,18 @@ class ServiceIntrospectionState(IntEnum):
 class Introspection:
     """Publishes service events of one service or client on `<service>/_service_event`."""
 
-    def __init__(self, end: Any, clock: Clock, qos: QoSProfile, contents: bool) -> None:
-        impl = end._impl
-        self._client = impl
+    def __init__(self, endpoint: Any, event_class: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> None:
+        self._client = endpoint
         self._clock = clock
-        self._contents = contents
-        self._event_class = end.srv_type.Event
-        self._publisher = impl.graph.create_publisher(
-            impl.node, f'{impl.service_name}/_service_event', self._event_class, engine_qos(qos)
+        self._contents = state == ServiceIntrospectionState.CONTENTS
+        self._event_class = event_class
+        self._publisher = endpoint.graph.create_publisher(
+            endpoint.node, f'{endpoint.service_name}/_service_event', event_class, engine_qos(qos)
         )
 
-    @classmethod
-    def configured(cls, end: Any, clock: Clock, qos: QoSProfile, state: ServiceIntrospectionState) -> Introspection | None:
-        """A new one in place of the one that `end` has; None when switched off."""
-        if end._introspection is not None:
-            end._introspection._publisher.destroy()
-        if state == ServiceIntrospectionState.OFF:
-            return None
-        return cls(end, clock, qos, state == ServiceIntrospectionState.CONTENTS)
+    def stop(self) -> None:
+        """Publish no more."""
+        self._publisher.destroy()
 
     def request_sent(self, sequence: int, request: Any) -> None:
         """A client has sent a request."""

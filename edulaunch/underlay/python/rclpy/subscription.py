@@ -22,7 +22,7 @@ class Subscription(TopicEnd, Entity):
     """Made by `Node.create_subscription`. Each message is a new object of its own."""
 
     category = SUBSCRIPTION
-    _impl: GraphSubscription
+    endpoint: GraphSubscription
 
     class CallbackType(Enum):
         """What the callback takes."""
@@ -52,7 +52,7 @@ class Subscription(TopicEnd, Entity):
 
     def connect(self, impl: GraphSubscription) -> None:
         """Stand for this endpoint of the graph."""
-        self._impl = impl
+        self.endpoint = impl
         self._queue = impl.queue
 
     @property
@@ -68,11 +68,11 @@ class Subscription(TopicEnd, Entity):
         self._wire_callback: Callable[[Any], object] | None = None
         self.is_async = is_coroutine_function(value)
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
         queue = self._queue
-        if self._impl.may_expire:
-            self._impl.drop_expired()
+        if self.endpoint.may_expire:
+            self.endpoint.drop_expired()
         if not queue:
             return None
         taken = queue.popleft()
@@ -107,15 +107,15 @@ class Subscription(TopicEnd, Entity):
 
     def get_publisher_count(self) -> int:
         """How many publishers are heard. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        return self._impl.publisher_count
+        check_alive(self.endpoint)
+        return self.endpoint.publisher_count
 
     def destroy(self) -> None:
         """Leave the topic. `Node.destroy_subscription` is the better way."""
-        self._destroyed = True
+        self.destroyed = True
         for handler in self.event_handlers:
             handler.destroy()
-        self._impl.destroy()
+        self.endpoint.destroy()
 
 
 def callback_type(callback: Any) -> Subscription.CallbackType:

@@ -198,18 +198,22 @@ class Task(Future):
     """A function or coroutine that an executor runs; a coroutine that waits is taken up again at each turn.
 
     Calling the task runs it until it waits or ends; its outcome is the future's.
+
+    :param entity: the one whose callback it is.
     """
 
     _executing = False
     _running: Coroutine[Any, Any, Any] | None = None
-    _entity: Entity | None = None
 
-    def __init__(self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None) -> None:
+    def __init__(
+        self, handler: Any, args: Any = None, kwargs: Any = None, executor: Executor | None = None, entity: Entity | None = None
+    ) -> None:
         self._callbacks = []
         self._executor = executor
         self._args = args or ()
         self._kwargs = kwargs or {}
         self._handler = handler
+        self._entity = entity
         if is_coroutine_function(handler):
             self._running = handler(*self._args, **self._kwargs)
         elif not callable(handler) and hasattr(handler, 'send') and hasattr(handler, 'throw'):
@@ -249,6 +253,11 @@ class Task(Future):
             from rclpy.impl.facts import note_wait
 
             note_wait('await', source, coroutine_line(self._running))
+
+    def raise_if_failed(self) -> None:
+        """Raise the exception that it ended with, if any."""
+        if self._exception is not None:
+            self.result()
 
     def executing(self) -> bool:
         """Whether it is being run just now."""

@@ -51,7 +51,7 @@ class Timer(Entity):
         self._next_ns = self._last_ns + timer_period_ns
         self.due_ns = NEVER_NS
         self._credit_ns = 0
-        clock._timers.append(self)
+        clock.timers.append(self)
         self.ready_list.timers.append(self)
         self._plan()
 
@@ -63,7 +63,7 @@ class Timer(Entity):
     @property
     def handle(self) -> Handle:
         """What holds the timer."""
-        return Handle(self, lambda: self._destroyed)
+        return Handle(self, lambda: self.destroyed)
 
     @property
     def timer_period_ns(self) -> int:
@@ -104,12 +104,12 @@ class Timer(Entity):
             self._next_ns = now + self._period_ns
         self._plan()
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
-        if self._canceled or self._destroyed:
+        if self._canceled or self.destroyed:
             return None
         clock = self._clock
-        now = clock._sim.now_ns if clock.override_ns is None else clock.override_ns
+        now = clock.sim.now_ns if clock.override_ns is None else clock.override_ns
         period = self._period_ns
         next_ns = self._next_ns
         if next_ns > now:
@@ -169,15 +169,15 @@ class Timer(Entity):
         return self._clock.now_ns() - self._last_ns
 
     def _check(self) -> None:
-        if self._destroyed:
+        if self.destroyed:
             raise invalid_handle()
 
     def destroy(self) -> None:
         """End for good. `Node.destroy_timer` is the better way."""
-        if not self._destroyed:
-            self._destroyed = True
+        if not self.destroyed:
+            self.destroyed = True
             self.due_ns = NEVER_NS
-            self._clock._timers.remove(self)
+            self._clock.timers.remove(self)
             self.ready_list.timers.remove(self)
             self.ready_list.plan()
 
@@ -187,7 +187,7 @@ class Rate:
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
         self._clock = timer.clock
-        self._timer = timer
+        self.timer = timer
         self._context = context
         self._is_destroyed = False
         self._called = 0
@@ -202,7 +202,7 @@ class Rate:
         """End; whoever sleeps is woken."""
         self._is_destroyed = True
         self._on_call()
-        self._timer.destroy()
+        self.timer.destroy()
 
     def sleep(self) -> None:
         """Wait for the next call of the timer.
@@ -212,11 +212,11 @@ class Rate:
         """
         self._check()
         called = self._called
-        executor = self._timer.ready_list.executor
-        if executor is not None and executor.cannot_serve(self._timer):
+        executor = self.timer.ready_list.executor
+        if executor is not None and executor.cannot_serve(self.timer):
             from rclpy.impl.facts import note_rate
 
-            note_rate(self._timer)
+            note_rate(self.timer)
         while self._called == called and self._context.alive and not self._is_destroyed:
             self._context.park()
         self._check_context()

@@ -92,7 +92,7 @@ class Waitable(Entity):
         """Forget a future."""
         self._futures.remove(future)
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         self.queued = False
         return self.execute(self.take_data())
 

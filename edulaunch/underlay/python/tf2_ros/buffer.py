@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from rclpy.impl.passed_on import passed_on
-from rclpy.time import Time
 from tf2_py import BufferCore
 from tf2_py.buffer_core import NS_PER_S, exception_of, message, nanoseconds, report
 
@@ -147,9 +146,7 @@ class Buffer(BufferCore, BufferInterface):
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
         try:  # lookup_transform_core, written out: nodes that follow something call this all the time
-            stamp_ns, pose = self._tf.lookup(
-                target_frame, source_frame, time._nanoseconds if time.__class__ is Time else nanoseconds(time)
-            )
+            stamp_ns, pose = self._tf.lookup(target_frame, source_frame, nanoseconds(time))
         except TransformFailure as failure:
             waited_s = timeout.nanoseconds / 1e9
             self._failed.note(self._tf, target_frame, source_frame, nanoseconds(time), failure.kind, str(failure), waited_s)
@@ -270,9 +267,17 @@ class Buffer(BufferCore, BufferInterface):
         return future
 
 
-def fills_directly(buffer: Any) -> bool:
-    """Whether nobody has put a `set_transform` of their own into the buffer."""
-    return type(buffer).set_transform is Buffer.set_transform and 'set_transform' not in vars(buffer)
+def wire_receiver(buffer: Any, authority: str) -> Callable[[tuple[Any, ...]], None] | None:
+    """What puts the wire of a TFMessage into the buffer; None when somebody gave the buffer a `set_transform` of their own."""
+    if type(buffer).set_transform is not Buffer.set_transform or 'set_transform' in vars(buffer):
+        return None
+    set_wire = buffer._set_wire
+
+    def receive(wire: tuple[Any, ...]) -> None:
+        for transform in wire[0]:
+            set_wire(transform, authority)
+
+    return receive
 
 
 __getattr__ = passed_on(__name__)

@@ -32,8 +32,8 @@ class TransformBroadcaster:
         transforms' wires.
         """
         publisher = self.pub_tf
-        if transform.__class__ is TransformStamped and publisher._context.alive:
-            publisher._send(((_to_wire(transform),),))
+        if transform.__class__ is TransformStamped and publisher.context.alive:
+            publisher.send_wire(((_to_wire(transform),),))
         else:
             publisher.publish(TFMessage(transforms=as_list(transform)))
 

@@ -13,7 +13,7 @@ from tf2_msgs.msg import TFMessage
 
 from edulaunch.processes.current import current_process
 from edulaunch.processes.whose_code import student_line
-from tf2_ros.buffer import fills_directly
+from tf2_ros.buffer import wire_receiver
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -71,8 +71,9 @@ class TransformListener:
         own_static = type(self).static_callback is not TransformListener.static_callback
         self.tf_sub.callback = self.callback if own else _receiver(buffer.set_transform)
         self.tf_static_sub.callback = self.static_callback if own_static else _receiver(buffer.set_transform_static)
-        if fills_directly(buffer) and not own:
-            self.tf_sub.take_wires(_wire_receiver(buffer))
+        receive_wire = wire_receiver(buffer, AUTHORITY)
+        if receive_wire is not None and not own:
+            self.tf_sub.take_wires(receive_wire)
 
     def callback(self, data: TFMessage) -> None:
         """Put a message of /tf into the buffer. A subclass may do something else with it."""
@@ -123,16 +124,6 @@ def _note_dropped(node: Node, line: dict[str, Any]) -> None:
 
 def _nowhere(message: TFMessage) -> None:
     """The callback until there is a buffer."""
-
-
-def _wire_receiver(buffer: Buffer) -> Any:
-    set_wire = buffer._set_wire
-
-    def receive(wire: tuple[Any, ...]) -> None:
-        for transform in wire[0]:
-            set_wire(transform, AUTHORITY)
-
-    return receive
 
 
 def _receiver(set_transform: Any) -> Any:

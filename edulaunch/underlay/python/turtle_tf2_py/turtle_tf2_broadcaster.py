@@ -30,12 +30,12 @@ class FramePublisher(Node):
 
     def _on_pose(self, pose: Pose) -> None:
         stamp, translation, rotation = self._stamp, self._translation, self._rotation
-        stamp._sec, stamp._nanosec = divmod(self._clock.now_ns(), S_TO_NS)
-        translation._x = pose._x
-        translation._y = pose._y
-        half = pose._theta / 2.0
-        rotation._z = sin(half)
-        rotation._w = cos(half)
+        stamp.sec, stamp.nanosec = divmod(self._clock.now_ns(), S_TO_NS)
+        translation.x = pose.x
+        translation.y = pose.y
+        half = pose.theta / 2.0
+        rotation.z = sin(half)
+        rotation.w = cos(half)
         self._broadcaster.sendTransform(self._transform)
 
 

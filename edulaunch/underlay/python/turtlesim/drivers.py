@@ -111,8 +111,8 @@ class MimicNode(CppNode):
 
     def _on_pose(self, pose: Pose) -> None:
         twist = self._twist
-        twist.linear._x = pose._linear_velocity
-        twist.angular._z = pose._angular_velocity
+        twist.linear.x = pose.linear_velocity
+        twist.angular.z = pose.angular_velocity
         self._commands.publish(twist)
 
 

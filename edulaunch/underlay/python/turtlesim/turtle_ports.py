@@ -122,7 +122,7 @@ class TurtlePorts:
             node.create_service(TeleportAbsolute, f'{name}/teleport_absolute', self._on_teleport_absolute),
         ]
         self._rotation = RotateAbsoluteServer(node, turtle)
-        self._publish_pose, self._publish_color = self._poses._impl.publish, self._colors._impl.publish
+        self._publish_pose, self._publish_color = self._poses.send_wire, self._colors.send_wire
         self._resting: tuple[float, ...] | None = None  # the pose of a turtle that stands still: always the same
 
     def destroy(self) -> None:

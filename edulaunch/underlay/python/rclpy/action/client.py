@@ -129,7 +129,7 @@ class ActionClient(Waitable):
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
         return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.signal)
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
 
         As over a real network the answer to a goal and its status come before the goal's first feedback, and its last feedback
@@ -200,7 +200,7 @@ class ActionClient(Waitable):
             note_wait('call', self)
         task = current_task()
         future.add_done_callback(lambda _: task.wake())
-        while not future._done:
+        while not future.ended:
             task.park()
         return future.result()
 
@@ -289,7 +289,7 @@ class ActionClient(Waitable):
 
     def destroy(self) -> None:
         """Leave the action."""
-        if self._destroyed:
+        if self.destroyed:
             return
         self._node.remove_waitable(self)
         for endpoint in (self._goal_client, self._cancel_client, self._result_client, self._feedback, self._status):

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.processes.current import current_process
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.action.server_goal_handle import ACTIVE, GoalEvent, GoalState, ServerGoalHandle
+from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
 from rclpy.impl.passed_on import passed_on
-from rclpy.impl.refusals import checked_action_name
+from rclpy.impl.refusals import after_shutdown, checked_action_name
 from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, await_or_execute
-from rclpy.type_support import check_is_valid_action_type
+from rclpy.type_support import check_is_valid_action_type, wrong_class
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ class ActionServer(Waitable):
             raise TypeError('Failed to register goal execution callback: not callable')
         self._execute_callback = execute_callback
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         """At most one goal, one cancel request and one result request in a turn, as rclpy."""
         self.queued = False
         taken = [
@@ -182,7 +182,7 @@ class ActionServer(Waitable):
         goal_handle = ServerGoalHandle(self, request.goal_id, response.stamp, request.goal)
         self._goals[goal_uuid] = goal_handle
         self._result_futures[goal_uuid] = Future()
-        self._publish_status()
+        self.goal_changed()
         self._goal_service.respond(request_id, service.Response.to_wire(response))
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 
@@ -194,14 +194,14 @@ class ActionServer(Waitable):
             verdict = await await_or_execute(self._cancel_callback, goal_handle)
             if verdict == CancelResponse.ACCEPT and goal_handle.is_active:
                 goal_handle._update_state(GoalEvent.CANCEL_GOAL)
-                response.goals_canceling.append(goal_handle._info())
+                response.goals_canceling.append(goal_info(goal_handle))
         self._cancel_service.respond(request_id, service.Response.to_wire(response))
 
     def _goals_to_cancel(self, info: Any, response: Any) -> list[ServerGoalHandle]:
         """Which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
         goal_uuid = bytes(info.goal_id.uuid)
         limit = (info.stamp.sec, info.stamp.nanosec)
-        stoppable = [goal for goal in self._goals.values() if goal._state in (GoalState.ACCEPTED, GoalState.EXECUTING)]
+        stoppable = [goal for goal in self._goals.values() if goal.status in (GoalState.ACCEPTED, GoalState.EXECUTING)]
         if any(goal_uuid) and limit == (0, 0):
             goal = self._goal_handles.get(goal_uuid)
             if goal is None:
@@ -209,11 +209,7 @@ class ActionServer(Waitable):
             elif goal not in stoppable:
                 response.return_code = response.ERROR_GOAL_TERMINATED
             return [goal] if goal in stoppable and goal is not None else []
-        return [
-            goal
-            for goal in stoppable
-            if limit == (0, 0) or bytes(goal.goal_id.uuid) == goal_uuid or (goal._stamp.sec, goal._stamp.nanosec) <= limit
-        ]
+        return [goal for goal in stoppable if limit == (0, 0) or bytes(goal.goal_id.uuid) == goal_uuid or stamp_of(goal) <= limit]
 
     async def _answer_result(self, wire: Any, request_id: RequestId) -> None:
         service = self._action_type.Impl.GetResultService
@@ -230,12 +226,26 @@ class ActionServer(Waitable):
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
+    def now_ns(self) -> int:
+        """The time of the node's clock."""
+        return self._node.get_clock().now_ns()
+
+    def send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
+        """Publish feedback of a goal; errors as of :meth:`ServerGoalHandle.publish_feedback`."""
+        if not isinstance(feedback, self._action_type.Feedback):
+            raise wrong_class(feedback, self._action_type, 'Feedback')
+        if not self._node.context.ok():
+            raise after_shutdown('Failed to publish feedback with an action server: publisher')
+        message_class = self._action_type.Impl.FeedbackMessage
+        if goal_handle.status != GoalState.UNKNOWN:
+            self._feedback.publish(message_class.to_wire(message_class(goal_id=goal_handle.goal_id, feedback=feedback)))
+
     def notify_goal_done(self) -> None:
         """Tell that a goal has ended: results that were kept for long enough are forgotten.
 
         :raises RCLError: when the server was destroyed.
         """
-        if self._destroyed:
+        if self.destroyed:
             raise RCLError('Failed to notfiy action server of goal done: action server pointer is invalid')
         self._forget_old_goals()
 
@@ -255,7 +265,7 @@ class ActionServer(Waitable):
     def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
         """Answer those who ask for the result of a goal; the first result counts."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
-        if future is not None and not future._done:
+        if future is not None and not future.ended:
             if not isinstance(result, self._action_type.Result):
                 from edulaunch.facts import kind_of, with_facts
 
@@ -274,24 +284,25 @@ class ActionServer(Waitable):
 
         current_process().write('stderr', student_traceback(error)[0])
 
-    def _publish_status(self) -> None:
+    def goal_changed(self) -> None:
+        """Tell everybody of the states of all goals."""
         from action_msgs.msg import GoalStatus
 
         message = self._action_type.Impl.GoalStatusMessage()
-        message.status_list = [GoalStatus(goal_info=goal._info(), status=goal.status) for goal in self._goals.values()]
+        message.status_list = [GoalStatus(goal_info=goal_info(goal), status=goal.status) for goal in self._goals.values()]
         self._status.publish(type(message).to_wire(message))
 
     def _forget_old_goals(self) -> None:
         """Drop ended goals whose result was kept for `result_timeout`."""
-        limit = self._node.get_clock().now_ns() - self._result_timeout_ns
+        limit = self.now_ns() - self._result_timeout_ns
         for goal_uuid, goal in list(self._goals.items()):
-            if goal._state not in ACTIVE and goal._ended_ns <= limit:
+            if has_ended_until(goal, limit):
                 del self._goals[goal_uuid]
                 del self._result_futures[goal_uuid]
 
     def destroy(self) -> None:
         """Serve no more."""
-        if self._destroyed:
+        if self.destroyed:
             return
         self._node.remove_waitable(self)
         for goal in self._goals.values():

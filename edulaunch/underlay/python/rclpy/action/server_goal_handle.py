@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.refusals import after_shutdown
-from rclpy.type_support import wrong_class
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
@@ -106,18 +104,13 @@ class ServerGoalHandle:
         """The state, as a number of action_msgs/GoalStatus; UNKNOWN once the goal is forgotten."""
         return int(GoalState.UNKNOWN if self._destroyed else self._state)
 
-    def _info(self) -> Any:
-        from action_msgs.msg import GoalInfo
-
-        return GoalInfo(goal_id=self._goal_id, stamp=self._stamp)
-
     def _update_state(self, event: GoalEvent) -> None:
         if self._destroyed:
             return
         self._state = state_after(self._state, event)
         if self._state not in ACTIVE:
-            self._ended_ns = self._action_server._node.get_clock().now_ns()
-        self._action_server._publish_status()
+            self._ended_ns = self._action_server.now_ns()
+        self._action_server.goal_changed()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Let the executor work on the goal."""
@@ -131,15 +124,7 @@ class ServerGoalHandle:
         :raises TypeError: when it is no `ActionType.Feedback`.
         :raises RCLError: when ROS 2 is shut down, as by Ctrl-C while the goal is worked on.
         """
-        action_type = self._action_server._action_type
-        if not isinstance(feedback, action_type.Feedback):
-            raise wrong_class(feedback, action_type, 'Feedback')
-        if not self._action_server._node.context.ok():
-            raise after_shutdown('Failed to publish feedback with an action server: publisher')
-        if not self._destroyed:
-            message_class = action_type.Impl.FeedbackMessage
-            message = message_class(goal_id=self._goal_id, feedback=feedback)
-            self._action_server._feedback.publish(message_class.to_wire(message))
+        self._action_server.send_feedback(self, feedback)
 
     def succeed(self) -> None:
         """End the goal as SUCCEEDED; the execute callback returns the result.
@@ -159,3 +144,20 @@ class ServerGoalHandle:
     def destroy(self) -> None:
         """Forget the goal."""
         self._destroyed = True
+
+
+def goal_info(goal: ServerGoalHandle) -> Any:
+    """Its id and stamp as action_msgs/GoalInfo."""
+    from action_msgs.msg import GoalInfo
+
+    return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)
+
+
+def stamp_of(goal: ServerGoalHandle) -> tuple[int, int]:
+    """When it was accepted: seconds and nanoseconds."""
+    return goal._stamp.sec, goal._stamp.nanosec
+
+
+def has_ended_until(goal: ServerGoalHandle, limit_ns: int) -> bool:
+    """Whether it ended, at that time or before."""
+    return goal._state not in ACTIVE and goal._ended_ns <= limit_ns

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy.impl.refusals import after_shutdown, invalid_handle
 
 if TYPE_CHECKING:
+    from edulaunch.sim.task import Task as SimTask
     from rclpy.callback_groups import CallbackGroup
     from rclpy.clock import Clock
     from rclpy.context import Context
@@ -69,15 +70,17 @@ class ReadyList:
     """What a node's executor looks at: the entities that are ready, and the timers; `due_ns` is when the first of them is due.
 
     :ivar asked: waitables of the program itself, which are asked in each wait.
+    :ivar waiting: the simulated threads that are parked in the executor.
     """
 
-    __slots__ = ('entities', 'timers', 'asked', 'executor', 'due_ns')
+    __slots__ = ('entities', 'timers', 'asked', 'executor', 'waiting', 'due_ns')
 
     def __init__(self) -> None:
         self.entities: list[Entity] = []
         self.timers: list[Timer] = []
         self.asked: list[Waitable] = []
         self.executor: Executor | None = None
+        self.waiting: list[SimTask] = []
         self.due_ns = NEVER_NS
 
     def plan(self) -> None:
@@ -90,10 +93,8 @@ class ReadyList:
 
     def notify(self) -> None:
         """Something is ready, or a due time has changed: wake whoever waits."""
-        executor = self.executor
-        if executor is not None:
-            for task in executor._waiting:
-                task.wake()
+        for task in self.waiting:
+            task.wake()
 
 
 class Entity:
@@ -110,7 +111,7 @@ class Entity:
         self.ready_list = ready_list
         self.order = self.category << 32 | number
         self.queued = False
-        self._destroyed = False
+        self.destroyed = False
 
     def signal(self) -> None:
         """Something came: stand on the ready list and wake the executor."""
@@ -118,12 +119,10 @@ class Entity:
             self.queued = True
             ready_list = self.ready_list
             ready_list.entities.append(self)
-            executor = ready_list.executor
-            if executor is not None:
-                for task in executor._waiting:
-                    task.wake()
+            for task in ready_list.waiting:
+                task.wake()
 
-    def _run(self, executor: Executor) -> Any:
+    def run_callback(self, executor: Executor) -> Any:
         """Take what waits and call the callback with it; it has left the ready list. A coroutine is for the executor to run."""
         raise TypeError(f'{type(self).__name__} cannot be executed')
 
@@ -131,23 +130,23 @@ class Entity:
 class GraphEnd:
     """Has an endpoint in the graph, given by :meth:`connect`."""
 
-    _impl: Any
+    endpoint: Any
 
     def connect(self, impl: Any) -> None:
         """Stand for this endpoint of the graph."""
-        self._impl = impl
+        self.endpoint = impl
 
     @property
     def logger_name(self) -> str:
         """The name of its node's logger. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        name: str = self._impl.node.logger_name
+        check_alive(self.endpoint)
+        name: str = self.endpoint.node.logger_name
         return name
 
     @property
     def handle(self) -> Handle:
         """What holds the endpoint in the graph."""
-        impl = self._impl
+        impl = self.endpoint
         return Handle(impl, lambda: impl.destroyed)
 
 
@@ -157,21 +156,22 @@ class TopicEnd(GraphEnd):
     @property
     def topic_name(self) -> str:
         """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        name: str = self._impl.topic_name
+        check_alive(self.endpoint)
+        name: str = self.endpoint.topic_name
         return name
 
 
 class ServiceEnd(GraphEnd):
     """A client or a service."""
 
+    srv_type: Any
     _introspection: Any = None
 
     @property
     def service_name(self) -> str:
         """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
-        check_alive(self._impl)
-        name: str = self._impl.service_name
+        check_alive(self.endpoint)
+        name: str = self.endpoint.service_name
         return name
 
     def configure_introspection(
@@ -180,4 +180,10 @@ class ServiceEnd(GraphEnd):
         """Publish what it sends and receives on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection
 
-        self._introspection = Introspection.configured(self, clock, service_event_qos_profile, introspection_state)
+        if self._introspection is not None:
+            self._introspection.stop()
+        self._introspection = None
+        if introspection_state:
+            self._introspection = Introspection(
+                self.endpoint, self.srv_type.Event, clock, service_event_qos_profile, introspection_state
+            )

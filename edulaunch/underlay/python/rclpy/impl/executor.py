@@ -75,7 +75,7 @@ class Executor(Waiting):
         ready_list = core.ready_list
         if ready_list.executor is self:
             return False
-        ready_list.executor = self
+        ready_list.executor, ready_list.waiting = self, self._waiting
         core.was_spun = True
         self._nodes.append(node)
         if core.executor is not self:
@@ -91,7 +91,7 @@ class Executor(Waiting):
             ready_list = core_of(node).ready_list
             self._lists.remove(ready_list)
             if ready_list.executor is self:
-                ready_list.executor = None
+                ready_list.executor, ready_list.waiting = None, []
             self._nodes_changed()
 
     def _nodes_changed(self) -> None:
@@ -156,8 +156,7 @@ class Executor(Waiting):
         """Execute one item in place. Raises what its callback raises."""
         if isinstance(item, Task):
             item()
-            if item._exception is not None:
-                item.result()
+            item.raise_if_failed()
         else:
             self._run_entity(item)
 
@@ -172,11 +171,11 @@ class Executor(Waiting):
         if kind is MutuallyExclusiveCallbackGroup and group.busy_with is None:
             group.busy_with = entity
             try:
-                entity._run(self)
+                entity.run_callback(self)
             finally:
                 group.busy_with = None
         elif kind is ReentrantCallbackGroup:
-            entity._run(self)
+            entity.run_callback(self)
         elif group.beginning_execution(entity):
             self._run_begun(entity)
         else:
@@ -186,7 +185,7 @@ class Executor(Waiting):
         """Execute an entity whose group has let it begin."""
         coroutine = None
         try:
-            coroutine = entity._run(self)
+            coroutine = entity.run_callback(self)
         finally:
             if coroutine is None or not entity.is_async:
                 entity.callback_group.ending_execution(entity)
@@ -202,10 +201,9 @@ class Executor(Waiting):
             finally:
                 entity.callback_group.ending_execution(entity)
 
-        task = Task(guarded, executor=self)
-        task._entity = entity
+        task = Task(guarded, executor=self, entity=entity)
         task()
-        if task._done:
+        if task.ended:
             task.result()
         else:
             self._tasks.append(task)
@@ -296,7 +294,7 @@ class Executor(Waiting):
         batch = self._collect()
         if batch:
             for entity in sorted(batch, key=_rclcpp_order):
-                if not entity._destroyed:
+                if not entity.destroyed:
                     self._run_entity(entity)
             self._run_tasks()
 

@@ -172,13 +172,13 @@ def _undeclared(core: NodeCore) -> Facts:
 def _waiting(core: NodeCore) -> Facts:
     now_ns = core.graph.sim.now_ns
     for subscription in core.subscriptions:
-        queue = subscription._impl.queue
+        queue = subscription.endpoint.queue
         if queue and (now_ns - queue[0][1] >= WAITING_NS or DEEP <= len(queue) == queue.maxlen):
-            data = {'node': core.full_name, 'topic': subscription._impl.topic_name, 'messages': len(queue)}
+            data = {'node': core.full_name, 'topic': subscription.endpoint.topic_name, 'messages': len(queue)}
             yield 'messages wait', {**data, 'depth': queue.maxlen, 'since_s': _elapsed_s(core, queue[0][1])}
     for client in core.clients:
-        if client._impl.queue:
-            yield 'reply waits', {'node': core.full_name, 'service': client._impl.service_name}
+        if client.endpoint.queue:
+            yield 'reply waits', {'node': core.full_name, 'service': client.endpoint.service_name}
 
 
 def _going_on(core: NodeCore, something_waits: bool) -> Facts:
@@ -196,8 +196,8 @@ def _going_on(core: NodeCore, something_waits: bool) -> Facts:
 
 
 def _never_spun(core: NodeCore) -> Facts:
-    topics = [subscription._impl.topic_name for subscription in core.subscriptions]
-    services = [service._impl.service_name for service in core.services]
+    topics = [subscription.endpoint.topic_name for subscription in core.subscriptions]
+    services = [service.endpoint.service_name for service in core.services]
     own = [name for name in services if not name.startswith(f'{core.full_name}/')]
     if core.timers or topics or own:
         task = core.process.task

@@ -163,7 +163,7 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """The tasks that can go on, newest first."""
         self._new_tasks = False
-        return [task for task in reversed(self._tasks) if not (task.ended or task._executing)]
+        return [task for task in reversed(self._tasks) if not (task.ended or task.executing())]
 
     def _forget_tasks(self) -> None:
         """Keep only the tasks that are neither done nor cancelled."""
@@ -201,7 +201,7 @@ class Waiting:
             try:
                 while batch:
                     entity = batch.pop()
-                    if entity._destroyed:
+                    if entity.destroyed:
                         continue
                     if entity.callback_group.can_execute(entity):
                         given_out = True

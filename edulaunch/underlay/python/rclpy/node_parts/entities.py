@@ -85,7 +85,7 @@ class NodeEntities:
 
     def remove_waitable(self, waitable: Waitable) -> None:
         """Wait for it no more."""
-        waitable._destroyed = True
+        waitable.destroyed = True
         for waitables in (self._rclpy.waitables, self._rclpy.ready_list.asked):
             if waitable in waitables:
                 waitables.remove(waitable)
@@ -272,8 +272,8 @@ class NodeEntities:
         """Destroy a rate."""
         if rate in self._rclpy.rates:
             self._rclpy.rates.remove(rate)
-        if rate._timer in self._rclpy.timers:
-            self._rclpy.timers.remove(rate._timer)
+        if rate.timer in self._rclpy.timers:
+            self._rclpy.timers.remove(rate.timer)
         rate.destroy()
         return True
 
@@ -380,7 +380,7 @@ def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: Call
 
     if callbacks is None:
         callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
-    callbacks._attach(node, entity, impl, group or core_of(node).default_callback_group)
+    callbacks.attach(node, entity, impl, group or core_of(node).default_callback_group)
 
 
 def _overridden(node: Any, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:

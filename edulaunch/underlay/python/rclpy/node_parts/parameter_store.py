@@ -215,7 +215,7 @@ class ParameterEvents:
         if not core.context.alive:
             raise after_shutdown('Failed to publish: publisher')
         stamp = divmod(core.clock.now_ns(), S_TO_NS)
-        self._publisher._send((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
+        self._publisher.send_wire((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _describe(self, name: str) -> None:
         """Tell what a parameter is declared to be, where that says more than its type."""
