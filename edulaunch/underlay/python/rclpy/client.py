@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.sim.task import current_task
@@ -22,7 +23,71 @@ POLL_NS = 250_000_000
 """How often `wait_for_service` looks, as rclpy: each 0.25 s."""
 
 
-class Client(ServiceEnd, Entity):
+class Asker(Entity):
+    """What clients of services and of actions share: they wait for a server and for answers; facts tell of waits in vain."""
+
+    _waited_ns = 0
+
+    def asked(self) -> tuple[ServiceClient, str, str]:
+        """The endpoint whose server is awaited, its name, and whether that is a 'service' or an 'action'."""
+        raise NotImplementedError
+
+    def awaited(self) -> dict[str, str]:
+        """What it waits for, for a fact."""
+        _, name, kind = self.asked()
+        return {'name': name, 'kind': kind}
+
+    def node_name(self) -> str:
+        """Full name of the node that it belongs to."""
+        return self.asked()[0].node.fully_qualified_name
+
+    def note_deadlock(self) -> None:
+        """Note when the code that runs now will wait for an answer that cannot come meanwhile."""
+        executor = self.ready_list.executor
+        if executor is not None and executor.cannot_serve(self):
+            from rclpy.impl.facts import note_wait
+
+            note_wait('call', self)
+
+    def await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
+        """Look each 0.25 s whether a server is there, as rclpy; a wait that becomes long is noted until it ends well."""
+        while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
+
+    def _watch_wait(self, is_ready: Callable[[], bool]) -> None:
+        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
+
+        self._waited_ns += POLL_NS
+        endpoint, name, kind = self.asked()
+        if is_ready():
+            note_server_came(endpoint, name)
+        elif self._waited_ns == LONG_NS:
+            note_long_wait(endpoint, name, kind)
+
+
+def while_looking(
+    context: Context, is_ready: Callable[[], bool], timeout_sec: float | None, looked: Callable[[], object] = lambda: None
+) -> None:
+    """Look each 0.25 s until it is ready, the time is over (None: never) or the context ends; `looked()` after each wait."""
+    left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+    task = current_task()
+    while context.alive and not is_ready() and left > 0.0:
+        task.sleep_until(task.sim.now_ns + POLL_NS)
+        left -= POLL_NS / 1e9
+        looked()
+
+
+def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
+    """Park until a future is done or the time is over (None: never); whether it is done. Some other thread must spin."""
+    task = current_task()
+    future.add_done_callback(lambda _: task.wake())
+    deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
+    while not future.ended:
+        if not task.park(deadline) and not future.ended:
+            return False
+    return True
+
+
+class Client(ServiceEnd, Asker):
     """Made by `Node.create_client`."""
 
     category = CLIENT
@@ -45,7 +110,6 @@ class Client(ServiceEnd, Entity):
         self.qos_profile = qos_profile
         self._pending_requests: dict[int, Future] = {}
         self._lost_noted = False
-        self._waited_ns = 0
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the reply. Some other thread must spin: inside a callback it waits for ever.
@@ -55,32 +119,16 @@ class Client(ServiceEnd, Entity):
         """
         self._check_request(request)
         if timeout_sec is None:
-            self._note_deadlock()
+            self.note_deadlock()
         future = self.call_async(request)
-        task = current_task()
-        future.add_done_callback(lambda _: task.wake())
-        deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
-        while not future.ended:
-            if not task.park(deadline) and not future.ended:
-                self.remove_pending_request(future)
-                return None
+        if not parked_until_done(future, timeout_sec):
+            self.remove_pending_request(future)
+            return None
         return future.result()
 
-    def _note_deadlock(self) -> None:
-        executor = self.ready_list.executor
-        if executor is not None and executor.cannot_serve(self):
-            from rclpy.impl.facts import note_wait
-
-            note_wait('call', self)
-
-    def awaited(self) -> dict[str, str]:
-        """What it waits for, for a fact."""
-        return {'name': self.endpoint.service_name, 'kind': 'service'}
-
-    def node_name(self) -> str:
-        """Full name of the node that it belongs to."""
-        name: str = self.endpoint.node.fully_qualified_name
-        return name
+    def asked(self) -> tuple[ServiceClient, str, str]:
+        """Its endpoint, service name and kind."""
+        return self.endpoint, self.endpoint.service_name, 'service'
 
     def call_async(self, request: Any) -> Future:
         """Send a request; the future gets the reply. Without a server the request is lost.
@@ -149,23 +197,8 @@ class Client(ServiceEnd, Entity):
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
         check_alive(self.endpoint)
-        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
-        task = current_task()
-        while self.context.alive and not self.endpoint.server_is_ready() and left > 0.0:
-            task.sleep_until(task.sim.now_ns + POLL_NS)
-            left -= POLL_NS / 1e9
-            self._waited_ns += POLL_NS
-            self._watch_wait()
+        self.await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
         return self.service_is_ready()
-
-    def _watch_wait(self) -> None:
-        """Note a wait that has become long, until it ends well."""
-        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
-
-        if self.endpoint.server_is_ready():
-            note_server_came(self.endpoint, self.endpoint.service_name)
-        elif self._waited_ns == LONG_NS:
-            note_long_wait(self.endpoint, self.endpoint.service_name, 'service')
 
     def destroy(self) -> None:
         """Leave the service. `Node.destroy_client` is the better way."""

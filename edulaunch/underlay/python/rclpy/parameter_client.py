@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.sim.task import current_task
-from rclpy.client import POLL_NS
+from rclpy.client import while_looking
 from rclpy.impl.passed_on import passed_on
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
@@ -62,11 +61,7 @@ class AsyncParameterClient:
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
         """Wait for the services, looking each 0.25 s; whether they are there."""
-        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
-        task = current_task()
-        while self.node.context.alive and not self.services_are_ready() and left > 0.0:
-            task.sleep_until(task.sim.now_ns + POLL_NS)
-            left -= POLL_NS / 1e9
+        while_looking(self.node.context, self.services_are_ready, timeout_sec)
         return self.services_are_ready()
 
     @staticmethod

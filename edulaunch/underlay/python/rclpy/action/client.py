@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from action_msgs.msg import GoalStatus
 
 from edulaunch.sim.task import current_task
-from rclpy.client import POLL_NS
+from rclpy.client import Asker, parked_until_done
 from rclpy.impl.entity import check_endpoint
 from rclpy.impl.passed_on import passed_on
 from rclpy.impl.refusals import checked_action_name
@@ -82,7 +82,7 @@ class ClientGoalHandle:
         return self._action_client._get_result_async(self)
 
 
-class ActionClient(Waitable):
+class ActionClient(Asker, Waitable):
     """A client of an action."""
 
     def __init__(
@@ -105,7 +105,6 @@ class ActionClient(Waitable):
         self._action_type = action_type
         self._logger = node.get_logger().get_child('action_client')
         self._pending: dict[tuple[str, int], Future] = {}
-        self._waited_ns = 0
         self._goal_ids: dict[int, Any] = {}
         self._asked_results: dict[int, bytes] = {}
         self._goal_handles: dict[bytes, ClientGoalHandle] = {}
@@ -193,15 +192,8 @@ class ActionClient(Waitable):
         return self._wait_for(self._get_result_async(goal_handle))
 
     def _wait_for(self, future: Future) -> Any:
-        executor = self.ready_list.executor
-        if executor is not None and executor.cannot_serve(self):
-            from rclpy.impl.facts import note_wait
-
-            note_wait('call', self)
-        task = current_task()
-        future.add_done_callback(lambda _: task.wake())
-        while not future.ended:
-            task.park()
+        self.note_deadlock()
+        parked_until_done(future)
         return future.result()
 
     def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None) -> Future:
@@ -243,14 +235,9 @@ class ActionClient(Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
-    def node_name(self) -> str:
-        """Full name of the node that it belongs to."""
-        name: str = self._goal_client.node.fully_qualified_name
-        return name
-
-    def awaited(self) -> dict[str, str]:
-        """What it waits for, for a fact."""
-        return {'name': self._name, 'kind': 'action'}
+    def asked(self) -> tuple[Any, str, str]:
+        """The endpoint that sends goals, the action's name and kind."""
+        return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
         future = Future()
@@ -269,23 +256,8 @@ class ActionClient(Waitable):
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, looking each 0.25 s as rclpy does; None waits for ever. Whether one is there."""
-        left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
-        task = current_task()
-        while self._node.context.alive and not self._server_is_ready() and left > 0.0:
-            task.sleep_until(task.sim.now_ns + POLL_NS)
-            left -= POLL_NS / 1e9
-            self._waited_ns += POLL_NS
-            self._watch_wait()
+        self.await_server(self._node.context, self._server_is_ready, timeout_sec)
         return self.server_is_ready()
-
-    def _watch_wait(self) -> None:
-        """Note a wait that has become long, until it ends well."""
-        from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
-
-        if self._server_is_ready():
-            note_server_came(self._goal_client, self._name)
-        elif self._waited_ns == LONG_NS:
-            note_long_wait(self._goal_client, self._name, 'action')
 
     def destroy(self) -> None:
         """Leave the action."""
