@@ -60,13 +60,13 @@ _PICTURES = ('plot_turtles', 'plot_frames', 'plot_tf_tree', 'plot_graph', 'plot_
 attached.PLACES.update({name: ('edulaunch.canvas', name) for name in _PICTURES})
 attached.PLACES.update({name: ('edulaunch.canvas.table', name) for name in ('message_table', 'log_table')})
 attached.PLACES.update(
-    advice_marks=('edulaunch.advice.marks', 'marks'),
+    advice_marks=('edulaunch.advice.wording', 'marks'),
     judge=('edulaunch.advice.judging', 'judge'),
     told=('edulaunch.advice.wording', 'told'),
     said_at_the_end=('edulaunch.advice.wording', 'said_at_the_end'),
     replay=('edulaunch.view.replay', 'Replay'),
-    help_below=('edulaunch.advice.below', 'help_below'),
-    help_of=('edulaunch.advice.below', 'help_of'),
+    help_below=('edulaunch.advice.wording', 'help_below'),
+    help_of=('edulaunch.advice.wording', 'help_of'),
     ros2=('edulaunch.cli.ros2.commands', 'main'),
     completions=('edulaunch.cli.candidates', 'ros2_words'),
 )

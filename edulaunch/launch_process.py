@@ -6,7 +6,7 @@ import signal
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from edulaunch.advice.below import help_of
+from edulaunch.advice.wording import help_of
 from edulaunch.errors import LaunchFileError
 from edulaunch.packages import Index
 from edulaunch.processes.host import Host

@@ -62,7 +62,7 @@ def _existing_file(path: str) -> str:
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:
-    from edulaunch.advice.below import help_of_facts
+    from edulaunch.advice.wording import help_of_facts
     from edulaunch.workspace.missing import missing_launch_file, missing_package
 
     if package not in index.packages():

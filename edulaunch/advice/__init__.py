@@ -13,13 +13,17 @@ TYPE_CHECKING = False  # as `typing.TYPE_CHECKING`, without loading `typing`
 if TYPE_CHECKING:
     from typing import Any
 
-    from edulaunch.advice.failure import Failure
-    from edulaunch.advice.finding import Finding, found
     from edulaunch.advice.judging import judge, judge_failure, judge_plan, judge_sources
     from edulaunch.advice.reader import Reader, reader_here
-    from edulaunch.advice.rule import Rule
+    from edulaunch.advice.rule import Failure, Finding, Rule, found
     from edulaunch.advice.wording import Told, told
 
+_MODULES = {
+    **dict.fromkeys(('Failure', 'Finding', 'Rule', 'found'), 'rule'),
+    **dict.fromkeys(('judge', 'judge_failure', 'judge_plan', 'judge_sources'), 'judging'),
+    **dict.fromkeys(('Reader', 'reader_here'), 'reader'),
+    **dict.fromkeys(('Told', 'told'), 'wording'),
+}
 __all__ = [
     'Failure',
     'Finding',
@@ -34,19 +38,10 @@ __all__ = [
     'reader_here',
     'told',
 ]
-_MODULES = {
-    'Failure': 'failure',
-    'Reader': 'reader',
-    'reader_here': 'reader',
-    'Rule': 'rule',
-    'Told': 'wording',
-    'told': 'wording',
-}
 
 
 def __getattr__(name: str) -> Any:
     """Each name when it is first used: who judges a run without a finding loads no words."""
-    if name not in __all__:
+    if name not in _MODULES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    module = _MODULES.get(name) or ('judging' if name.startswith('judge') else 'finding')
-    return getattr(import_module(f'{__name__}.{module}'), name)
+    return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

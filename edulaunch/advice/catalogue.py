@@ -14,7 +14,7 @@ from datetime import datetime, timezone
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.reader import LOCALE
-from edulaunch.advice.registry import all_rules
+from edulaunch.advice.rule import all_rules
 
 if TYPE_CHECKING:
     from babel.messages.catalog import Catalog

@@ -9,10 +9,7 @@ from contextlib import contextmanager
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.failure import Failure, failure_of
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.registry import rule_named, rules_over
-from edulaunch.advice.rule import CONFIDENCES, LEVELS, Rule
+from edulaunch.advice.rule import CONFIDENCES, LEVELS, Failure, Finding, Rule, failure_of, found, rule_named, rules_over
 from edulaunch.errors import EdulaunchError
 
 if TYPE_CHECKING:

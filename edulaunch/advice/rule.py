@@ -1,11 +1,47 @@
-"""The one form of a rule."""
+"""The one form of a rule: what it looks at (a Failure among others), what it found, and where rules are.
+
+Each file of a folder beside this one has rules for one kind of thing; they are loaded when they are asked. A finding is plain
+data, without a word: the words are put on where it is told (`wording.py`). A failure may come out of a file, so nothing of it
+is ever executed.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable
+from functools import cache
+from importlib import import_module
 from typing import Any, NamedTuple
 
-from edulaunch.advice.finding import Finding
+
+class Finding(NamedTuple):
+    """One mistake at one place.
+
+    :ivar kind: what it is about: 'node', 'topic', 'service', 'frame', 'process', 'parameter', 'file', 'package', 'turtle'.
+    :ivar name: the name of that: '/listener', '/turtle1/cmd_vel', 'carrot1', 'listener-2'.
+    :ivar facts: what the sentences of the rule need beside `kind` and `name`: texts, numbers, lists of texts; None: not known.
+    :ivar file: the student's file, where one is to be looked at, and its line.
+    :ivar time_s: simulated seconds since the start, when it happened at a time.
+    :ivar rule: which rule found it: 'tf.unknown-frame'. Set by the judge.
+    :ivar process: launch name of the program whose error it explains. Set by the judge.
+    """
+
+    kind: str
+    name: str
+    facts: dict[str, Any]
+    file: str | None = None
+    line: int | None = None
+    time_s: float | None = None
+    rule: str = ''
+    process: str | None = None
+
+
+def found(
+    kind: str, name: str, *, file: str | None = None, line: int | None = None, time_s: float | None = None, **facts: Any
+) -> Finding:
+    """A finding of the rule that yields it; see :class:`Finding`."""
+    return Finding(kind, name, facts, file, line, time_s)
+
 
 GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim', 'grader')
 LEVELS = ('error', 'warning', 'info')
@@ -63,3 +99,57 @@ def rule(
 
 def _several(sentence: Sentence) -> tuple[str, ...]:
     return (sentence,) if isinstance(sentence, str) else sentence
+
+
+class Failure(NamedTuple):
+    """An exception that ended a program, a launch or a command.
+
+    :ivar type: name of its class.
+    :ivar message: its text, as ROS 2 or Python gives it.
+    :ivar facts: what the room that raised it knew and the text does not say: names that were known, the nearest one.
+    :ivar process: launch name of the program that it ended.
+    """
+
+    type: str
+    message: str
+    file: str | None = None
+    line: int | None = None
+    time_s: float | None = None
+    process: str | None = None
+    facts: dict[str, Any] = {}
+
+
+def failure_of(error: BaseException) -> Failure:
+    """An exception that is at hand; what a room knew of it stands in its attribute `edulaunch_facts`."""
+    file, line = getattr(error, 'edulaunch_place', None) or (None, None)
+    return Failure(type(error).__name__, str(error), file, line, facts=getattr(error, 'edulaunch_facts', {}))
+
+
+KINDS = ('errors', 'plans', 'recordings', 'sources', 'workspaces')
+"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, a Source, a Workspace."""
+
+
+_loaded: dict[str, Rule] = {}
+
+
+@cache
+def rules_over(kind: str) -> tuple[Rule, ...]:
+    """The rules that look at one kind of thing, in the order of their files."""
+    folder = os.path.join(os.path.dirname(__file__), kind)
+    modules = sorted(name.removesuffix('.py') for name in os.listdir(folder) if name.endswith('.py') and name[0] != '_')
+    loaded = [import_module(f'edulaunch.advice.{kind}.{name}') for name in modules]
+    rules = tuple(value for module in loaded for value in vars(module).values() if isinstance(value, Rule))
+    _loaded.update((rule.name, rule) for rule in rules)
+    return rules
+
+
+@cache
+def all_rules() -> dict[str, Rule]:
+    """Every rule by its name, in the order of the alphabet."""
+    rules = {rule.name: rule for kind in KINDS for rule in rules_over(kind)}
+    return dict(sorted(rules.items()))
+
+
+def rule_named(name: str) -> Rule:
+    """The rule of that name; only as many files are loaded as it takes to find it. Raises KeyError when there is none."""
+    return _loaded[name] if name in _loaded else all_rules()[name]

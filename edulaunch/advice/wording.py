@@ -1,14 +1,16 @@
-"""A finding in words: the only place of the house where facts become sentences of advice."""
+"""A finding in words: the only place of the house where facts become sentences of advice. Below an error, at the end of a run,
+by the doctor, and as marks of the live view.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+import os
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edulaunch.advice.finding import Finding
-from edulaunch.advice.reader import Reader, reader_here
-from edulaunch.advice.registry import rule_named
-from edulaunch.advice.retelling import fields_of
+from edulaunch.advice.judging import judge_failure
+from edulaunch.advice.reader import Reader, fields_of, reader_here, reader_of
+from edulaunch.advice.rule import Failure, Finding, rule_named
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording
@@ -90,3 +92,101 @@ def _listed(value: Any) -> Any:
     if not isinstance(value, (list, tuple)):
         return value
     return ', '.join([*map(str, value[:MOST_NAMES]), *(['...'] if len(value) > MOST_NAMES else [])])
+
+
+def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
+    """One line about an error, None when nothing is known of it.
+
+    :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without that it is an error of
+        a launch file, whose place is told too: nothing above says it.
+    :param env: of the program in whose terminal it is read.
+    """
+    file, line = error.get('place') or (None, None)
+    failure = Failure(error['type'], error['message'], file, line, None, error.get('process'), error['facts'])
+    words = help_text(failure, reader_of(env, ''))
+    if failure.process is not None or file is None:
+        return words
+    action = failure.facts.get('action')
+    where = f'{file}:{line}{f" ({action})" if action else ""}'
+    return where if words is None else f'{where}: {words}'
+
+
+def help_of(error: dict[str, Any]) -> str | None:
+    """What is wrong and what to do, in one line, about an error as data, in the language of who started this program."""
+    file, line = error.get('place') or (None, None)
+    return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
+
+
+def help_of_facts(facts: dict[str, Any]) -> str:
+    """What is wrong and what to do, in one line, by facts alone; '' when there are none."""
+    return help_text(Failure('', '', facts=facts)) or ''
+
+
+def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
+    """What is wrong and what to do, in one line; None when no rule knows the error."""
+    found = judge_failure(failure)
+    if not found:
+        return None
+    words = told(found[0], reader)
+    return '; '.join(filter(None, (words.what, words.do)))
+
+
+FORMAT = 1
+
+
+def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
+    """The lines for people, the worst first."""
+    if not findings:
+        yield reader.says('nothing wrong was found')
+    for number, finding in enumerate(findings, 1):
+        words = told(finding, reader)
+        margin = ' ' * len(f'{number}. ')
+        yield f'{number}. {words.what}'
+        lesson = f'lessons/{words.lesson}.ipynb' if words.lesson else ''
+        parts = ((reader.says('where'), words.where), (reader.says('why'), words.why), (reader.says('do'), words.do))
+        width = max(len(label) for label, _ in parts) + 2
+        for label, text in (*parts, (reader.says('see'), lesson)):
+            if text:
+                yield margin + f'{label}:'.ljust(width) + text
+
+
+def diagnosis_data(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
+    """The same as plain data, with the facts."""
+    return {'format': FORMAT, 'findings': [_data(finding, reader) for finding in findings]}
+
+
+def _data(finding: Finding, reader: Reader) -> dict[str, Any]:
+    words, rule = told(finding, reader), rule_named(finding.rule)
+    place = {'file': finding.file, 'line': finding.line, 'time_s': finding.time_s, 'process': finding.process}
+    said = {'what': words.what, 'why': words.why or None, 'do': words.do, 'lesson': words.lesson}
+    about = {'kind': finding.kind, 'name': finding.name, 'facts': finding.facts}
+    return {'rule': rule.name, 'level': rule.level, 'confidence': rule.confidence, **about, **place, **said}
+
+
+DRAWN = ('node', 'topic', 'frame')
+
+
+class Mark(NamedTuple):
+    """See `edulaunch.view.film.Mark`."""
+
+    time_s: float
+    subject: tuple[str, str]
+    text: str
+    rule: str
+
+
+def marks(recording: Recording) -> list[Mark]:
+    """A mark for each finding, the worst first; files are named without their folders, for pages are kept and given on."""
+    nodes = {node.process: node.name for node in reversed(recording.nodes)}
+    return [_mark(finding, nodes) for finding in recording.advice]
+
+
+def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
+    """What is about a program stands at its first node."""
+    subject = (finding.kind, finding.name)
+    if finding.kind not in DRAWN:
+        node = nodes.get(finding.process or finding.name)
+        subject = ('node', node) if node else ('', '')
+    file = None if finding.file is None else os.path.basename(finding.file)
+    words = told(finding._replace(file=file), reader_here())
+    return Mark(finding.time_s or 0.0, subject, str(words), finding.rule)

@@ -6,9 +6,9 @@ import argparse
 import os
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.diagnosis import diagnosis, diagnosis_data
 from edulaunch.advice.judging import in_order, judge, judge_plan, judge_sources
 from edulaunch.advice.reader import reader_here
+from edulaunch.advice.wording import diagnosis, diagnosis_data
 from edulaunch.cli.launch import split_words
 from edulaunch.errors import UnusableInput
 from edulaunch.packages.discovery import workspaces_of_command
@@ -16,7 +16,7 @@ from edulaunch.recording import Recording
 from edulaunch.recording.file_format import FORMAT
 
 if TYPE_CHECKING:
-    from edulaunch.advice.finding import Finding
+    from edulaunch.advice.rule import Finding
 
 SECONDS = 20.0
 

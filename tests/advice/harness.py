@@ -17,7 +17,7 @@ from pathlib import Path
 import edulaunch
 from edulaunch.advice import Finding, judge, judge_plan, judge_sources, told
 from edulaunch.advice.reader import Reader
-from edulaunch.advice.registry import KINDS, all_rules, rules_over
+from edulaunch.advice.rule import KINDS, all_rules, rules_over
 from edulaunch.session import Session
 
 EXAMPLES = Path(__file__).parent / 'examples'

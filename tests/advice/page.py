@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import edulaunch
-from edulaunch.advice.registry import all_rules, rules_over
-from edulaunch.advice.rule import GROUPS, Rule
+from edulaunch.advice.rule import GROUPS, Rule, all_rules, rules_over
 from tests.advice.harness import EXAMPLES, WITHOUT, example
 
 PAGE = Path(__file__).parents[2] / 'docs' / 'advice.md'

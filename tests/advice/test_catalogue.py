@@ -8,8 +8,7 @@ from gettext import GNUTranslations
 import pytest
 
 from edulaunch.advice.catalogue import languages, messages, path_of
-from edulaunch.advice.reader import Reader
-from edulaunch.advice.retelling import fields_of
+from edulaunch.advice.reader import Reader, fields_of
 
 pytest.importorskip('babel', reason='Babel is only there for those who develop edulaunch')
 from edulaunch.advice.catalogue import read  # noqa: E402

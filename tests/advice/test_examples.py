@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from edulaunch.advice import told
-from edulaunch.advice.registry import all_rules
+from edulaunch.advice.rule import all_rules
 from tests.advice.harness import EXAMPLES, WITHOUT, findings, told_text
 
 RULES = [name for name in all_rules() if name not in WITHOUT]

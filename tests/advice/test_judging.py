@@ -8,10 +8,9 @@ import pytest
 
 import edulaunch
 from edulaunch.advice import Failure, Rule, judge, judge_failure, told
-from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.judging import in_order
 from edulaunch.advice.reader import Reader
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.wording import warning_lines
 from tests.advice.harness import EXAMPLES
 

@@ -9,7 +9,7 @@ import pytest
 
 import edulaunch
 from edulaunch.advice import judge_sources
-from edulaunch.advice.below import help_of_facts
+from edulaunch.advice.wording import help_of_facts
 from edulaunch.packages import Index
 from edulaunch.workspace.missing import installed_file, missing_executable, missing_launch_file, missing_package
 

@@ -6,9 +6,7 @@ import os
 from collections.abc import Iterator
 from typing import Any
 
-from edulaunch.advice.failure import Failure
-from edulaunch.advice.finding import Finding
-from edulaunch.advice.rule import Rule, Sentence, rule
+from edulaunch.advice.rule import Failure, Finding, Rule, Sentence, rule
 
 
 def about(

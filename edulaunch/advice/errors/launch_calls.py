@@ -6,10 +6,8 @@ import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, speak
-from edulaunch.advice.failure import Failure
-from edulaunch.advice.finding import Finding
 from edulaunch.advice.launch_names import class_named, keywords_of
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.nearest import nearest
 
 OLD_KEYWORDS = {

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, speak
-from edulaunch.advice.failure import Failure
-from edulaunch.advice.finding import Finding
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.nearest import nearest
 
 HOMES = {

@@ -6,9 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from edulaunch.advice.failure import Failure
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import Rule, rule
+from edulaunch.advice.rule import Failure, Finding, Rule, found, rule
 
 SYNTAX = ('SyntaxError', 'IndentationError', 'TabError', 'InvalidPythonLaunchFileError')
 CLOSING = {'(': ')', '[': ']', '{': '}'}

@@ -1,16 +1,18 @@
-"""Actions that do nothing."""
+"""Actions that do nothing, launch arguments that decide nothing, and command lines that name no program."""
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.outlines import branches, name_of, nodes, place_of
-from edulaunch.advice.rule import rule
+from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, place_of
+from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
+    from edulaunch.plan.outline import Branch
 
 IDLE = frozenset(
     ('argument', 'include', 'set_configuration', 'push_namespace', 'set_env', 'unset_env', 'set_parameter', 'set_remap')
@@ -48,3 +50,136 @@ def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
     is_left_out = any(not branch.is_taken for branch in branches(rehearsal))
     if plan['error'] is None and kinds <= IDLE and not is_left_out and not rehearsal.missing[1]:
         yield found('file', plan['file'], file=plan['file'])
+
+
+LESSON = '02_substitutions_and_events'
+OF_LAUNCH = frozenset(
+    ('sigterm_timeout', 'sigkill_timeout', 'emulate_tty', 'launch-prefix', 'launch-prefix-filter', 'log_level', 'ros_namespace')
+)
+"""Launch itself reads these."""
+_COMMENTS = re.compile(r'^[ \t]*#[^\n]*|<!--.*?-->', re.MULTILINE | re.DOTALL)
+
+
+@rule(
+    'launch.argument-unused',
+    what="the launch argument '{argument}' is declared, and nothing reads it",
+    why='whoever gives it a value changes nothing',
+    do="write LaunchConfiguration('{argument}') (in XML and YAML: $(var {argument})) where its value belongs, or take it out",
+    lesson=LESSON,
+)
+def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Nothing asked for it, and its name stands nowhere else in the launch files, not even under a condition that was not
+    met; silent when a file could not be read."""
+    declared = [branch for branch in branches(rehearsal) if branch.item is not None and branch.item['kind'] == 'argument']
+    if not declared or rehearsal.plan['error'] is not None or any(word.startswith('file ') for word in rehearsal.missing[1]):
+        return
+    text = '\n'.join(map(_code, launch_files(rehearsal)))
+    for branch in declared:
+        name = branch.action.name
+        if name in OF_LAUNCH or name in rehearsal.read:
+            continue
+        times = len({other.origin for other in declared if other.action.name == name})
+        if len(re.findall(rf'(?<![\w-]){re.escape(name)}(?![\w-])', text)) <= times:
+            yield found('argument', name, **place_of(branch))
+
+
+def _code(file: str) -> str:
+    from edulaunch.workspace.sources import read_text
+
+    return _COMMENTS.sub('', read_text(file))
+
+
+_COMPARED = re.compile(
+    r"""LaunchConfig\('(?P<name>[\w-]+)'\)[^\w]*(?:==)?[^\w]*'(?P<value>[\w.-]+)'|'(?P<old>[\w-]+)' is '(?P<to>[\w.-]+)'"""
+)
+
+
+@rule(
+    'launch.condition-never',
+    what="the condition compares '{argument}' with '{value}', which is none of its choices: {choices}",
+    why='it comes out the same whatever is given',
+    do=("write '{near}'", "add '{value}' to choices= of the argument"),
+    lesson=LESSON,
+)
+def condition_never(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of an argument with choices, compared by EqualsSubstitution, a Python expression or LaunchConfigurationEquals."""
+    from edulaunch.nearest import nearest
+
+    choices = {one['name']: one['choices'] for one in rehearsal.plan['arguments'] if one['choices']}
+    for branch in branches(rehearsal) if choices else ():
+        said = _COMPARED.search(branch.condition or '')
+        if said is None:
+            continue
+        name, value = said['name'] or said['old'], said['value'] or said['to']
+        if name in choices and value not in choices[name]:
+            facts = {'value': value, 'choices': choices[name], 'near': nearest(value, choices[name])}
+            yield found('argument', name, **place_of(branch), **facts)
+
+
+FIRST_LAUNCH = '01_first_launch'
+
+
+@rule(
+    'launch.command-in-one-word',
+    what="'{command}' is taken for the name of one program",
+    why='without a shell nobody takes the text apart, so no such program is found',
+    do='write each word by itself: cmd=[{words}], or add shell=True',
+    lesson=FIRST_LAUNCH,
+    level='error',
+)
+def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of an ExecuteProcess without a shell whose first word has spaces in it."""
+    for branch, item in _commands(rehearsal):
+        first = item['cmd'][0]
+        if len(first.split()) > 1 and not os.path.exists(first):
+            words = ', '.join(repr(part) for word in item['cmd'] for part in word.split())
+            yield found('command', first, **place_of(branch), words=words)
+
+
+@rule(
+    'launch.command-of-letters',
+    what="cmd is one text, '{command}', of which every letter is taken for a word",
+    why='cmd= wants a list: a text is a list of letters to Python',
+    do='write a list: cmd=[{words}]',
+    lesson=FIRST_LAUNCH,
+    level='error',
+)
+def command_of_letters(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """Of an ExecuteProcess."""
+    for branch, item in _commands(rehearsal):
+        if len(item['cmd']) > 2 and all(len(word) == 1 for word in item['cmd']):
+            text = ''.join(item['cmd'])
+            yield found('command', text, **place_of(branch), words=', '.join(map(repr, text.split())))
+
+
+def _commands(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
+    for branch in branches(rehearsal):
+        if branch.item is not None and branch.item['kind'] == 'process' and not branch.item['shell']:
+            yield branch, branch.item
+
+
+@rule(
+    'launch.no-package',
+    what="the Node has executable='{executable}' and no package, so it is looked for among the commands of this machine",
+    why='executables of ROS 2 packages are not on the PATH',
+    do="write package='{package}' beside it",
+    lesson=FIRST_LAUNCH,
+    level='error',
+)
+def no_package(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """When a package of ours has an executable of that name, and the PATH has none."""
+    from shutil import which
+
+    for branch, item in nodes(rehearsal):
+        name = item['executable']
+        if item['package'] is None and os.sep not in name and which(name) is None:
+            package = _package_with(name)
+            if package is not None:
+                yield found('executable', name, **place_of(branch), package=package)
+
+
+def _package_with(executable: str) -> str | None:
+    from edulaunch.packages import Index
+
+    index = Index()
+    return next((package for package in sorted(index.packages()) if executable in index.executables(package)), None)

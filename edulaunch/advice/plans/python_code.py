@@ -6,9 +6,8 @@ import ast
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.outlines import students_python
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal

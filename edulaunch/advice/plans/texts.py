@@ -1,4 +1,4 @@
-"""Texts that arrive other than they were meant."""
+"""Texts that arrive other than they were meant, and launch files that cannot be visited to their end."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.finding import Finding, found
 from edulaunch.advice.outlines import branches, name_of, nodes, place_of
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
@@ -98,3 +97,30 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return False
     return True
+
+
+@rule(
+    'launch.fails',
+    what='this launch file cannot be launched: {text}',
+    do=('{help}', 'look at this line, and at the one before it'),
+    level='error',
+)
+def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
+    """In the words of ROS 2; not told beside a rule that knows more."""
+    error = rehearsal.plan['error']
+    if error is not None:
+        file, _, line = (error.get('origin') or '').rpartition(':')
+        yield found(
+            'file',
+            rehearsal.plan['file'],
+            file=file or rehearsal.plan['file'],
+            line=int(line) if line.isdigit() else None,
+            text=_telling_line(error['text']),
+            help=error.get('help'),
+        )
+
+
+def _telling_line(text: str) -> str:
+    """ROS 2 puts what went wrong under a heading."""
+    lines = [line.strip(' -') for line in text.splitlines() if line.strip()]
+    return next((line for line in lines if not line.endswith(':')), text)

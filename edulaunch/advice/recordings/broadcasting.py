@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.broadcasts import Broadcasts, broadcasts, by_child
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import fact_place, node_of, node_place
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import Broadcasts, broadcasts, by_child, fact_place, node_of, node_place
 
 if TYPE_CHECKING:
     from edulaunch.recording import Recording

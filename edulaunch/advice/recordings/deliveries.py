@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import asking_place, fact_place, is_ros_own, names_of, node_place, own_nodes, programs, speaker
 from edulaunch.nearest import nearest
 

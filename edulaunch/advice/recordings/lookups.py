@@ -6,10 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.broadcasts import broadcasts, frame_names, root_of
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
-from edulaunch.advice.runs import fact_place, node_of
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import broadcasts, fact_place, frame_names, node_of, root_of
 from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.recording import Note, Recording

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import ends_by_name, node_place, own_nodes, speaker
 from edulaunch.nearest import nearest
 

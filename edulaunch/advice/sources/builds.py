@@ -1,14 +1,15 @@
-"""What was built of a package and is older than its sources."""
+"""What was built of a package and is older than its sources, and scripts of a CMake package, which are installed as programs."""
 
 from __future__ import annotations
 
+import ast
 import glob
 import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.workspace.sources import parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.advice.source_package import Source
@@ -62,3 +63,104 @@ def _is_equal(built: str, path: str) -> bool:
             return one.read() == other.read()
     except OSError:
         return False
+
+
+LESSON = '05_large_project'
+INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to CMakeLists.txt'
+
+
+@rule(
+    'packages.no-shebang',
+    what='the program {file} has no first line that says what runs it',
+    why='"ros2 run {package} {file}" fails with "Exec format error"',
+    do='make the first line: #!/usr/bin/env python3',
+    lesson=LESSON,
+    level='error',
+)
+def no_shebang(source: Source) -> Iterator[Finding]:
+    """Of what install(PROGRAMS) installs."""
+    programs = _programs(source)
+    for path, text in _scripts(source):
+        if os.path.realpath(path) in programs and _runs(text) and not text.startswith('#!'):
+            yield _of_file(source, path, 1)
+
+
+@rule(
+    'packages.program-not-installed',
+    what='no build installs the program {file}',
+    why='"ros2 run {package} {file}" does not find it',
+    do=INSTALL,
+    lesson=LESSON,
+    level='error',
+)
+def program_not_installed(source: Source) -> Iterator[Finding]:
+    """A script that starts rclpy and is no module of a Python package either."""
+    installed = source.installed
+    modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
+    for path, text in _scripts(source):
+        place = installed.get(os.path.realpath(path), '')
+        if 'rclpy.init' in text and not path.startswith(modules) and not place.startswith('lib/'):
+            yield _of_file(source, path)
+
+
+@rule(
+    'packages.program-not-executable',
+    what='{file} is installed as a plain file, which may not be executed',
+    why='"ros2 run {package} {file}" finds only files that may be executed',
+    do=INSTALL + ', instead of install(FILES ...)',
+    lesson=LESSON,
+    level='error',
+)
+def program_not_executable(source: Source) -> Iterator[Finding]:
+    """Installed below lib/, but with install(FILES)."""
+    installed, programs = source.installed, _programs(source)
+    modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
+    for path, text in _scripts(source):
+        real = os.path.realpath(path)
+        is_plain = installed.get(real, '').startswith('lib/') and real not in programs
+        if is_plain and 'rclpy.init' in text and not path.startswith(modules):
+            yield _of_file(source, path)
+
+
+@rule(
+    'packages.main-never-called',
+    what='the program {file} defines main() and never calls it',
+    why='"ros2 run {package} {file}" ends at once, without a word',
+    do="write at its end: if __name__ == '__main__': main()",
+    lesson=LESSON,
+    level='error',
+)
+def main_never_called(source: Source) -> Iterator[Finding]:
+    """Of what is installed as a program: no call stands at the top level, not even under `if`."""
+    programs = _programs(source)
+    for path, text in _scripts(source):
+        tree = parsed(path) if os.path.realpath(path) in programs and 'def main' in text else None
+        if tree is not None and not any(map(_calls, tree.body)):
+            yield _of_file(source, path, next((one.lineno for one in tree.body if getattr(one, 'name', '') == 'main'), None))
+
+
+def _calls(statement: ast.stmt) -> bool:
+    """Whether a statement of a module calls something when the module runs."""
+    if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign)):
+        return False
+    return any(isinstance(node, ast.Call) for node in ast.walk(statement))
+
+
+def _scripts(source: Source) -> Iterator[tuple[str, str]]:
+    """(file, text) of the Python files of a CMake package that can be read."""
+    if source.is_readable and not source.package.is_python:
+        yield from ((path, read_text(path)) for path in source.package.python_files)
+
+
+def _programs(source: Source) -> set[str]:
+    contents = source.package.contents
+    return {os.path.realpath(contents.files[name]) for name in contents.programs}
+
+
+def _runs(text: str) -> bool:
+    return '\nif __name__' in text or 'rclpy.init' in text
+
+
+def _of_file(source: Source, path: str, line: int | None = None) -> Finding:
+    written = source.package.relative(path)
+    return found('file', os.path.basename(path), file=path, line=line, package=source.package.name, written=written)

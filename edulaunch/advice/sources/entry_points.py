@@ -7,8 +7,7 @@ import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.finding import Finding, found
-from edulaunch.advice.rule import rule
+from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.nearest import nearest
 from edulaunch.workspace.sources import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 

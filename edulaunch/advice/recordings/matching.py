@@ -1,0 +1,225 @@
+"""Ends of one topic or service that cannot talk to each other, remappings that change nothing, and two nodes of one name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import NOWHERE, asking_place, ends_by_name, is_ros_own, node_place, speaker
+from edulaunch.graph.names import RemapRule, expand_name
+from edulaunch.graph.ros_arguments import remap_rule
+from edulaunch.graph.rule_reader import RuleError
+from edulaunch.nearest import nearest
+
+if TYPE_CHECKING:
+    from edulaunch.recording import Recording
+    from edulaunch.recording.records import NodeRecord, ProcessRecord
+
+LESSON = '09_broadcaster_and_listener'
+
+
+def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
+    """Pairs that one of the policies keeps apart."""
+    for misfit in recording.misfits:
+        if misfit.why in policies:
+            file, line = node_place(recording, misfit.subscriber)
+            pair = {
+                'node': speaker(recording, misfit.publisher),
+                'other': speaker(recording, misfit.subscriber),
+                'policy': misfit.why,
+            }
+            yield found('topic', misfit.topic, file=file, line=line, time_s=misfit.note.time_s, **pair)
+
+
+@rule(
+    'messages.best-effort',
+    what='{node} publishes on {topic} as best effort, but {other} wants it reliable: it hears nothing',
+    why='a subscription may ask for no more than its publisher offers; the two are never joined',
+    do='let {other} take best effort: create_subscription(..., qos_profile_sensor_data), or publish reliably',
+    lesson=LESSON,
+    level='error',
+)
+def best_effort(recording: Recording) -> Iterator[Finding]:
+    """Told at the end, too, although it happened when the two met."""
+    return _unfit(recording, 'RELIABILITY')
+
+
+@rule(
+    'messages.not-kept',
+    what='{other} wants the last messages of {topic} kept for it (transient local), but {node} keeps none: it hears nothing',
+    why='a subscription may ask for no more than its publisher offers; the two are never joined',
+    do=(
+        'publish with QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL) in {node}, or leave the durability of the '
+        'subscription at VOLATILE'
+    ),
+    lesson=LESSON,
+    level='error',
+)
+def not_kept(recording: Recording) -> Iterator[Finding]:
+    """A volatile publisher and a transient-local subscription."""
+    return _unfit(recording, 'DURABILITY')
+
+
+@rule(
+    'messages.qos',
+    what='{node} publishes on {topic}, but {other} hears nothing: their quality of service differs in {policy}',
+    why='a subscription may ask for no more than its publisher offers; the two are never joined',
+    do='give both ends the same QoSProfile; compare them with: ros2 topic info {topic} --verbose',
+    lesson=LESSON,
+    level='error',
+)
+def quality(recording: Recording) -> Iterator[Finding]:
+    """Deadlines and liveliness."""
+    return _unfit(recording, 'DEADLINE', 'LIVELINESS')
+
+
+@rule(
+    'messages.types',
+    what='{node} publishes {sent} on {topic}, but {other} expects {heard}: they do not hear each other',
+    why='a topic carries messages of one type; ends of two types are never joined, and ROS 2 says nothing',
+    do='use one message type on both sides, or two topics',
+    lesson=LESSON,
+    level='error',
+)
+def different_types(recording: Recording) -> Iterator[Finding]:
+    """A pair of ends that is joined by neither type, while each of them has nobody else to talk to on that topic."""
+    ends = ends_by_name(recording)
+    for misfit in recording.misfits:
+        if misfit.why != 'TYPE':
+            continue
+        publishers, subscriptions = ends['publisher', misfit.topic], ends['subscription', misfit.topic]
+        sent = {end.type for end in publishers}
+        heard = {end.type for end in subscriptions if end.node == misfit.subscriber}
+        offered = {end.type for end in publishers if end.node == misfit.publisher}
+        wanted = {end.type for end in subscriptions}
+        if not heard & sent or not offered & wanted:
+            file, line = node_place(recording, misfit.publisher)
+            pair = {'node': speaker(recording, misfit.publisher), 'other': speaker(recording, misfit.subscriber)}
+            types = {'sent': sorted(offered), 'heard': sorted(heard)}
+            yield found('topic', misfit.topic, file=file, line=line, time_s=misfit.note.time_s, **pair, **types)
+
+
+@rule(
+    'messages.service-type',
+    what='{node} asks the service {service} as {asked}, but it is a {served}',
+    why='a client and a server of two types never meet; the client waits for ever',
+    do='import and use {served} in the client',
+    lesson=LESSON,
+    level='error',
+)
+def service_type(recording: Recording) -> Iterator[Finding]:
+    """A client for whose type there is no server of that name, though there is one of another type."""
+    ends = ends_by_name(recording)
+    for (kind, name), clients in ends.items():
+        servers = ends.get(('service', name))
+        if kind != 'client' or not servers:
+            continue
+        served = {end.type for end in servers}
+        for end in clients:
+            if end.type not in served:
+                file, line = asking_place(recording, end.node, name)
+                types = {'asked': end.type, 'served': servers[0].type}
+                yield found('service', name, file=file, line=line, time_s=end.made_s, node=speaker(recording, end.node), **types)
+
+
+SOON_S = 0.5
+
+
+@rule(
+    'launch.remapping-unused',
+    what="the remapping of '{old}' to '{new}' changes nothing: {node} has no topic or service '{old}'",
+    why='the first name of a remapping is the one that the node itself uses',
+    do=(
+        "write '{near}' as the first of the two",
+        'use one of the names of {node}: {names}',
+        'look for the names of {node} with: ros2 node info {node}',
+    ),
+    lesson='01_first_launch',
+    level='error',
+    hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
+)
+def unused(recording: Recording) -> Iterator[Finding]:
+    """No node of the program ever had an end of the new name; programs that ended at once are left out, and remappings of a
+    whole group of programs of which one uses it.
+    """
+    used = _used(recording)
+    for process in recording.processes:
+        nodes = [node for node in recording.nodes if node.process == process.name]
+        if not nodes or (process.ended_s is not None and process.ended_s - process.started_s < SOON_S):
+            continue
+        node, (file, line) = nodes[0], process.origin or NOWHERE
+        names = [name for name in _names(node) if not is_ros_own(name, (f'{node.name}/',))]
+        for one in _rules(process):
+            if one.match.lstrip('/') not in ('tf', 'tf_static') and one.match not in used:
+                facts = {'old': one.match, 'new': one.replacement, 'near': _near(node, one, names), 'names': names[:8]}
+                yield found('node', node.name, file=file, line=line, time_s=node.started_s, **facts)
+
+
+def _used(recording: Recording) -> set[str]:
+    """The first names of all remappings that some node of their program has used."""
+    nodes: dict[str, list[NodeRecord]] = {}
+    for node in recording.nodes:
+        nodes.setdefault(node.process, []).append(node)
+    return {
+        one.match
+        for process in recording.processes
+        for one in _rules(process)
+        if any(_has(node, one) for node in nodes.get(process.name, ()))
+    }
+
+
+def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
+    namespace, _, name = node.name.rpartition('/')
+    old = expand_name(rule.match, name, namespace or '/')
+    near = nearest(old, names)
+    tail = old.rpartition('/')[2]
+    return near or next((name for name in names if name.rpartition('/')[2] == tail), None)
+
+
+def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
+    """Those of its command line that are for topics and services."""
+    for flag, text in zip(process.argv, process.argv[1:], strict=False):
+        if flag in ('-r', '--remap'):
+            try:
+                rule = remap_rule(text)
+            except RuleError:
+                continue
+            if rule.kind not in ('node', 'namespace'):
+                yield rule
+
+
+def _has(node: NodeRecord, rule: RemapRule) -> bool:
+    """Whether the node has an end of the rule's new name, or the rule is for another node."""
+    namespace, _, name = node.name.rpartition('/')
+    if rule.node_name not in (None, name):
+        return False
+    new = expand_name(rule.replacement, name, namespace or '/')
+    return any(one == new or one.startswith(f'{new}/_action/') for one in _names(node))
+
+
+def _names(node: NodeRecord) -> list[str]:
+    ends = (*node.publishers, *node.subscriptions, *node.services, *node.clients)
+    return list(dict.fromkeys(name for name, _ in ends))
+
+
+@rule(
+    'programs.same-name',
+    what='two nodes are called {node}: one of {first}, one of {second}',
+    why='whoever asks {node} for a parameter or a service reaches only one of them, and you cannot say which',
+    do="give one of them another name, for instance name='{other}' in the launch file, or another namespace",
+    lesson='01_first_launch',
+)
+def same_name(recording: Recording) -> Iterator[Finding]:
+    """Alive at the same time; a node that was started again after its end is no second one, nor are those of `ros2` commands."""
+    origins = {process.name: process.origin for process in recording.processes}
+    alive: dict[str, tuple[str, float | None]] = {}
+    for node in recording.nodes:
+        before = alive.get(node.name)
+        if before is not None and '/_' not in node.name and (before[1] is None or before[1] > node.started_s):
+            file, line = origins.get(node.process) or (None, None)
+            other = f'{node.name.rpartition("/")[2]}_2'
+            yield found(
+                'node', node.name, file=file, line=line, time_s=node.started_s, first=before[0], second=node.process, other=other
+            )
+        alive[node.name] = (node.process, node.ended_s)

@@ -1,0 +1,180 @@
+"""Files of a package: what no build installs, and what Python cannot read; what the code needs at run time and package.xml
+does not name; and the name of a package, which stands in several files and must be the same in all.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.workspace.sources import DATA_FOLDERS, RUNTIME_TAGS, SourcePackage, install_facts, parsed, read_text
+
+if TYPE_CHECKING:
+    from edulaunch.advice.source_package import Source
+
+INSTALL = (
+    'move it into the folder {beside}/, as the files that are installed',
+    "move it to {move}/, and add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
+    "add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
+    'move it to {move}/, and add install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
+    'add install(DIRECTORY {top} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
+)
+
+
+@rule(
+    'packages.launch-file-not-installed',
+    what='no build installs the launch file {file}',
+    why='"ros2 launch {package} {file}" looks only at what is installed, and does not find it',
+    do=INSTALL,
+    lesson='05_large_project',
+    level='error',
+)
+def launch_file_not_installed(source: Source) -> Iterator[Finding]:
+    """A launch file by its name or its folder; descriptions of launch tests need not be installed."""
+    package = source.package
+    for path in _not_installed(source):
+        if package.is_launch_file(path):
+            yield _of_file(package.name, path, install_facts(package, path))
+
+
+@rule(
+    'packages.data-not-installed',
+    what='no build installs {file}, so it is not in the share folder of {package}',
+    why='a launch file that asks for it by get_package_share_directory() does not find it',
+    do=INSTALL,
+    lesson='05_large_project',
+)
+def data_not_installed(source: Source) -> Iterator[Finding]:
+    """Files of the folders in which packages keep parameters, robots and worlds."""
+    package = source.package
+    for path in _not_installed(source):
+        relative = package.relative(path)
+        top = relative.split(os.sep)[0]
+        is_module = os.path.isfile(os.path.join(path.removesuffix(relative), top, '__init__.py'))  # a package called `maps`
+        if (
+            top in DATA_FOLDERS
+            and not is_module
+            and not os.path.basename(path).startswith('.')
+            and not package.is_launch_file(path)
+        ):
+            yield _of_file(package.name, path, install_facts(package, path))
+
+
+def _not_installed(source: Source) -> Iterator[str]:
+    if source.is_readable:
+        installed = source.installed
+        yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
+
+
+def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
+    return found('file', os.path.basename(path), file=path, package=package, **facts)
+
+
+@rule(
+    'packages.not-python',
+    what='Python cannot read {file}: {said}',
+    do=(
+        'indent every line of {tabs} with spaces, four for each level',
+        'save {encoding} as UTF-8',
+        'correct the line, or one above it',
+    ),
+    level='error',
+)
+def not_python(source: Source) -> Iterator[Finding]:
+    """Wrong syntax, tabs mixed with spaces, another encoding than UTF-8."""
+    for path in source.package.python_files:
+        name = os.path.basename(path)
+        try:
+            with open(path, 'rb') as file:
+                compile(file.read(), path, 'exec', dont_inherit=True)
+        except SyntaxError as error:
+            tabs = name if isinstance(error, TabError) else None
+            encoding = name if 'utf-8' in (error.msg or '').lower() else None
+            yield found('file', name, file=path, line=error.lineno or None, said=error.msg, tabs=tabs, encoding=encoding)
+        except ValueError as error:
+            yield found('file', name, file=path, said=str(error), encoding=name)
+
+
+FROM_OTHERS = {
+    'launch_xml': 'launch',
+    'launch_yaml': 'launch',
+    'action_msgs': 'rclpy',
+    'builtin_interfaces': 'rclpy',
+    'unique_identifier_msgs': 'rclpy',
+    'rcl_interfaces': 'rclpy',
+    'ros2launch': 'launch',
+}
+"""Packages that come with another one, so that nobody misses them in a package.xml."""
+SAME = {'tf2_ros': ('tf2_ros', 'tf2_ros_py'), 'tf_transformations': ('tf_transformations', 'python3-transforms3d')}
+_LAUNCHED = re.compile(r"""package\s*=\s*["'](\w+)["']""")
+_XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
+
+
+@rule(
+    'packages.dependency-missing',
+    what=(
+        '{dependency} is {how} here, but package.xml names it only as {tags}',
+        '{dependency} is {how} here, but package.xml does not name it',
+    ),
+    why='rosdep installs what package.xml names: on another machine it is missing',
+    do='add <exec_depend>{dependency}</exec_depend> to package.xml',
+    lesson='05_large_project',
+)
+def dependency_missing(source: Source) -> Iterator[Finding]:
+    """Packages that are imported or launched; each once, where it is first used."""
+    package = source.package
+    declared = {dependency.name for dependency in package.dependencies if dependency.tag in RUNTIME_TAGS}
+    known = source.around.packages()
+    told: set[str] = {package.name}
+    for name, file, line, how in _uses(package):
+        if name in told or name not in known or declared & {name, *SAME.get(name, ())} or FROM_OTHERS.get(name) in declared:
+            continue
+        told.add(name)
+        tags = [f'<{one.tag}>' for one in package.dependencies if one.name == name]
+        yield found('dependency', name, file=file, line=line, how=how, tags=tags)
+
+
+def _uses(package: SourcePackage) -> Iterator[tuple[str, str, int, str]]:
+    """(package, file, line, 'imported' or 'launched') in order of files and lines."""
+    for path in package.python_files:
+        tree = parsed(path)
+        if tree is None:
+            continue
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Import):
+                yield from ((alias.name.partition('.')[0], path, node.lineno, 'imported') for alias in node.names)
+            elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+                yield node.module.partition('.')[0], path, node.lineno, 'imported'
+    for path in package.files():
+        if package.is_launch_file(path):
+            pattern = _LAUNCHED if path.endswith('.py') else _XML_LAUNCHED
+            with open(path, encoding='utf-8', errors='replace') as file:
+                for number, text in enumerate(file, 1):
+                    yield from ((name, path, number, 'launched') for name in pattern.findall(text))
+
+
+_SETUP_NAME = re.compile(r"""^\s*(?:package_name|name)\s*=\s*['"]([\w.-]+)['"]""", re.MULTILINE)
+_PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNORECASE)
+
+
+@rule(
+    'packages.name-differs',
+    what="package.xml calls the package '{package}', {written} calls it '{other}'",
+    why='what is built under one name is looked for under the other',
+    do="write '{package}' in both",
+    lesson='05_large_project',
+    level='error',
+)
+def name_differs(source: Source) -> Iterator[Finding]:
+    """By `package_name =` or `name=` in setup.py, or project() in CMakeLists.txt."""
+    package = source.package
+    build = package.build_file()
+    pattern = _SETUP_NAME if package.is_python else _PROJECT
+    named = pattern.search(read_text(build))
+    if named is not None and named[1] not in (package.name, package.name.replace('_', '-')):
+        line = read_text(build).count('\n', 0, named.start(1)) + 1
+        yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build))
