@@ -16,9 +16,8 @@ from functools import cache
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
-from edulaunch.advice.diagnosis import diagnosis
 from edulaunch.advice.reader import Reader, reader_of
-from edulaunch.advice.wording import said_at_the_end
+from edulaunch.advice.wording import diagnosis, said_at_the_end
 from edulaunch.machine import wire
 from edulaunch.machine.connection import RemoteInput
 from edulaunch.packages.discovery import find_workspaces

@@ -189,7 +189,7 @@ def run_child(process: Process, spec: ProcessSpec) -> int:
 
 
 def _not_found(index: Index, package: str, executable: str) -> str:
-    from edulaunch.advice.below import help_of_facts
+    from edulaunch.advice.wording import help_of_facts
     from edulaunch.workspace.missing import missing_executable, missing_package
 
     if package not in index.packages():
