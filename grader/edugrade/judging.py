@@ -11,7 +11,7 @@ from dataclasses import asdict, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.finding import Finding
+from edulaunch.advice.rule import Finding
 
 from .evidence import Evidence, Failure, Outcome
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
@@ -21,7 +21,7 @@ from .verdicts import REPORT_IT
 from .worker import TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
-    from edulaunch.advice.finding import Finding
+    from edulaunch.advice.rule import Finding
 
 LONGEST_CHECK_S = 5.0  # usual: a thousandth of it
 LAUNCHES_SENTENCE = 'The launch file can be launched and runs to the end'
@@ -221,7 +221,7 @@ def _names(finding: Finding) -> Iterator[str]:
 
 
 def _with_worst(results: Sequence[CheckResult], findings: Sequence[Finding]) -> list[CheckResult]:
-    from edulaunch.advice.registry import rule_named
+    from edulaunch.advice.rule import rule_named
 
     worst = next((finding for finding in findings if rule_named(finding.rule).level == 'error'), None)
     weightiest = max((result for result in results if result.status == FAILED), key=lambda result: result.points)

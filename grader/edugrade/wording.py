@@ -2,7 +2,7 @@
 
 A rubric's author may give the steps of an advice (``try: [first, second, third]``). Of a single piece of advice the steps before
 it are made here: the kind of thing that it speaks of, and the advice itself without what stands in brackets. Reports are made in
-English, and retold (`edulaunch.advice.retelling`).
+English, and retold (`edulaunch.advice.reader`).
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
 
 def _has_ended(result: CheckResult) -> bool:
     """Whether a program could not go on: what Python or ROS 2 said of it is no answer, and nobody finds it without."""
-    from edulaunch.advice.registry import rule_named
+    from edulaunch.advice.rule import rule_named
 
     cause = result.cause
     return cause is not None and cause.kind == 'process' and rule_named(cause.rule).level == 'error'
