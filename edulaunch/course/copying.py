@@ -151,9 +151,9 @@ def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False)
         )
     written = [name for name in wanted if name not in changed]
     for name in written:
-        _write(target, name, files[name])
+        write_file(target, name, files[name])
     digests = {name: _digest(files[name]) for name in files if name not in changed}
-    _write(target, RECORD, (json.dumps({**known, **digests}, indent=1, sort_keys=True) + '\n').encode())
+    write_file(target, RECORD, (json.dumps({**known, **digests}, indent=1, sort_keys=True) + '\n').encode())
     return Copied(written, changed)
 
 
@@ -202,11 +202,16 @@ def _read(target: str, name: str) -> bytes | None:
         raise UnusableInput(f'{os.path.join(target, name)} cannot be read: {error.strerror}') from None
 
 
-def _write(target: str, name: str, data: bytes) -> None:
+def write_file(target: str, name: str, data: bytes | str) -> None:
+    """Write a file into a folder, with the folders between.
+
+    :param name: its path there, with slashes.
+    :raises UnusableInput: when it cannot be written.
+    """
     path = os.path.join(target, *name.split('/'))
     try:
         os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
         with open(path, 'wb') as file:
-            file.write(data)
+            file.write(data.encode() if isinstance(data, str) else data)
     except OSError as error:
         raise UnusableInput(f'{path} cannot be written: {error.strerror}') from None

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from edugrade.course import MANIFEST, Exercise, here_and_above, read_course
@@ -75,6 +76,18 @@ def lessons_folder() -> str | None:
 def read_lessons(folder: str) -> list[Lesson]:
     """The lessons of a folder in their order. A notebook that cannot be read counts by its name alone."""
     return [_lesson(folder, name) for name in sorted(filter(_is_lesson, os.listdir(folder)))]
+
+
+def the_one(given: str, known: Iterable[str], refusal: str) -> str:
+    """The name of the lesson that is meant: a number or the beginning of it is enough.
+
+    :raises UnusableInput: with the refusal, when it is none of those known, or several.
+    """
+    fitting = [name for name in known if name.startswith(os.path.basename(given).removesuffix('.ipynb').zfill(2))]
+    if len(fitting) == 1:
+        return fitting[0]
+    near = nearest(given, known)
+    raise UnusableInput(refusal, help=f'did you mean {near}?' if near else f'There are: {", ".join(known)}')
 
 
 def _is_lesson(name: str) -> bool:
@@ -149,12 +162,9 @@ def notes_of(course: str, name: str) -> str:
     :raises UnusableInput: when there are none.
     """
     known = read_notes(course)
-    fitting = [lesson for lesson in known if lesson.startswith(name.removesuffix('.ipynb').zfill(2))]
-    if len(fitting) == 1:
-        return known[fitting[0]]
-    near = nearest(name, known)
-    there = f'did you mean {near}?' if near else f'There are: {", ".join(known)}'
-    raise UnusableInput(f'there are no notes on {name}', help=there if known else _NONE)
+    if not known:
+        raise UnusableInput(f'there are no notes on {name}', help=_NONE)
+    return known[the_one(name, known, f'there are no notes on {name}')]
 
 
 def list_of_notes(course: str) -> str:

@@ -18,7 +18,7 @@ from edugrade.course import read_toml
 
 from edulaunch.errors import UnusableInput
 
-from .copying import copy_files, student_files
+from .copying import copy_files, student_files, write_file
 from .lesson_parts import FOLDER, Part, environment, heading_id, lesson_parts, markdown
 from .lessons import LESSONS, manifest, read_lessons, read_notes
 from .quiz import FILE, read_questions
@@ -72,15 +72,15 @@ def write_reader(
             'before': pages[number - 1] if number else None,
             'after': pages[number + 1] if number + 1 < len(pages) else None,
         }
-        _write(target, f'{found.name}.html', page.render(title=found.title, page=found, options=options, **around, **about))
+        write_file(target, f'{found.name}.html', page.render(title=found.title, page=found, options=options, **around, **about))
     flat = [{'prefix': f'{found.name}-', 'lower': 1, 'teacher': teacher, 'flat': True, 'replays': {}} for found in pages]
-    _write(
+    write_file(
         target,
         'course.html',
         page.render(title=f'{about["course"]}, all lessons', whole=True, pages=pages, options=flat, **about),
     )
     problem = write_pdf(os.path.join(target, 'course.html'), os.path.join(target, 'course.pdf')) if pdf else ''
-    _write(target, 'index.html', page.render(title=about['course'], pages=pages, pdf=pdf and not problem, **about))
+    write_file(target, 'index.html', page.render(title=about['course'], pages=pages, pdf=pdf and not problem, **about))
     return ['index.html', 'course.html', *(f'{found.name}.html' for found in pages)], problem
 
 
@@ -134,8 +134,7 @@ def _write_replays(target: str, page: Page) -> dict[str, str]:
     places: dict[str, str] = {}
     for output in (output for part in page.parts for output in part.outputs if output.kind == 'replay' and output.page):
         places[output.text] = f'{REPLAYS}/{page.name}-{len(places) + 1}.html'
-        os.makedirs(os.path.join(target, REPLAYS), exist_ok=True)
-        _write(target, places[output.text], output.page)
+        write_file(target, places[output.text], output.page)
     return places
 
 
@@ -149,11 +148,6 @@ def _make_room(target: str) -> None:
                 os.remove(os.path.join(target, name))
         shutil.rmtree(os.path.join(target, REPLAYS), ignore_errors=True)
     os.makedirs(target, exist_ok=True)
-
-
-def _write(target: str, name: str, text: str) -> None:
-    with open(os.path.join(target, name), 'w', encoding='utf-8') as file:
-        file.write(text)
 
 
 BROWSERS = ('chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'msedge')

@@ -11,11 +11,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from edulaunch.errors import UnusableInput
-from edulaunch.nearest import nearest
-
 from .lesson_parts import FOLDER, Part, environment
-from .lessons import LESSONS, read_lessons
+from .lessons import LESSONS, read_lessons, the_one
 from .reader import read_pages
 
 FULL = 16
@@ -45,7 +42,8 @@ def write_slides(course: str, lesson: str, out: str | None = None, *, kept: bool
     :param kept: take the outputs that are kept, which have no pictures; else the lessons up to it are run.
     :raises UnusableInput: when there is no such lesson, or it cannot be run.
     """
-    name = _name(course, lesson)
+    names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]
+    name = the_one(lesson, names, f'there is no lesson {lesson}')
     templates = environment()
     page = next(read_pages(course, teacher=True, kept=kept, only=name))
     slides = list(split(page.parts))
@@ -58,17 +56,6 @@ def write_slides(course: str, lesson: str, out: str | None = None, *, kept: bool
     with open(target, 'w', encoding='utf-8') as file:
         file.write(templates.get_template('slides.html.j2').render(title=page.title, slides=slides, options=options, **files))
     return target, len(slides)
-
-
-def _name(course: str, lesson: str) -> str:
-    names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]
-    fitting = [name for name in names if name.startswith(os.path.basename(lesson).removesuffix('.ipynb').zfill(2))]
-    if len(fitting) == 1:
-        return fitting[0]
-    near = nearest(lesson, names)
-    raise UnusableInput(
-        f'there is no lesson {lesson}', help=f'did you mean {near}?' if near else f'There are: {", ".join(names)}'
-    )
 
 
 def split(parts: tuple[Part, ...]) -> Iterator[Slide]:

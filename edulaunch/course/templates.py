@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from edugrade.course import read_course
 from edugrade.files import files_below
@@ -14,6 +15,7 @@ from edulaunch.errors import UnusableInput
 from edulaunch.nearest import did_you_mean
 from edulaunch.version import __version__
 
+from .copying import write_file
 from .lessons import EXERCISES, given_course, manifest
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'template')
@@ -45,15 +47,12 @@ def write_template(name: str, course: str) -> list[str]:
     files = {name: text for part in (*WITH.get(name, ()), name) for name, text in _files(part, course).items()}
     for path, data in files.items():
         there = os.path.join(course, path)
-        if os.path.exists(there) and _content(there) != data:
+        if os.path.exists(there) and Path(there).read_bytes() != data:
             raise UnusableInput(f'{there} is there already, and says something else', help='move it away; nothing was written')
     for path, data in files.items():
-        there = os.path.join(course, path)
-        os.makedirs(os.path.dirname(there) or '.', exist_ok=True)
-        with open(there, 'wb') as file:
-            file.write(data)
+        write_file(course, path, data)
         if os.path.basename(path) in EXECUTABLE:
-            os.chmod(there, 0o755)
+            os.chmod(os.path.join(course, path), 0o755)
     return sorted(files)
 
 
@@ -67,7 +66,7 @@ def _files(name: str, course: str) -> dict[str, bytes]:
     folder = os.path.join(FOLDER, name)
     title = re.sub(r'[^a-z0-9]+', '-', os.path.basename(os.path.abspath(course)).lower()).strip('-') or 'course'
     for path in files_below(folder, lambda name, inside: not name.endswith('.pyc')):
-        text = _content(os.path.join(folder, path)).decode()
+        text = Path(folder, path).read_text('utf-8')
         found[path] = text.replace('@COURSE@', title).replace('@REQUIREMENTS@\n', requirements).encode()
     return found
 
@@ -96,7 +95,7 @@ def _gradescope(requirements: str) -> dict[str, bytes]:
         for name, _ in _exercises():
             path = os.path.join(folder, f'{name}.zip')
             build(name, path)
-            files[f'gradescope/{name}.zip'] = _content(path)
+            files[f'gradescope/{name}.zip'] = Path(path).read_bytes()
     return files
 
 
@@ -112,12 +111,7 @@ def _exercises() -> list[tuple[str, str]]:
 def _requirements(course: str) -> str:
     """What the course says that it needs; else this edulaunch, with a notebook."""
     path = os.path.join(course, REQUIREMENTS)
-    return _content(path).decode() if os.path.exists(path) else f'edulaunch[notebook]=={__version__}\n'
-
-
-def _content(path: str) -> bytes:
-    with open(path, 'rb') as file:
-        return file.read()
+    return Path(path).read_text('utf-8') if os.path.exists(path) else f'edulaunch[notebook]=={__version__}\n'
 
 
 @contextmanager

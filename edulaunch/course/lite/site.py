@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+from pathlib import Path
 from typing import Any
 
 from edulaunch.course.copying import student_files, write_zip
@@ -71,13 +72,8 @@ def _engine() -> dict[str, bytes]:
 
     grader, parser = (os.path.dirname(os.path.abspath(str(module.__file__))) for module in (edugrade, yaml))
     places = [(engine_folder(), 'edulaunch'), (grader, 'edugrade'), (rubrics_folder(), 'edugrade/checks'), (parser, 'yaml')]
-    files = {'greenlet.py': _content(os.path.join(PAGE, 'greenlet.py'))}
+    files = {'greenlet.py': Path(PAGE, 'greenlet.py').read_bytes()}
     for folder, name in places:
         inner = files_below(folder, lambda each, inside: each not in LEFT_OUT and not each.endswith(BINARY))
-        files |= {f'{name}/{each}': _content(os.path.join(folder, *each.split('/'))) for each in inner}
+        files |= {f'{name}/{each}': Path(folder, each).read_bytes() for each in inner}
     return files
-
-
-def _content(path: str) -> bytes:
-    with open(path, 'rb') as file:
-        return file.read()
