@@ -1,4 +1,7 @@
-"""Personal variants: the same for a student on every machine, seen in the task, asked for by the rubric, known from another's."""
+"""Personal variants: the same for a student on every machine, seen in the task, asked for by the rubric, known from another's.
+
+Runs that a secret chooses: the same for the same student and text, others for all others.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,12 @@ from pathlib import Path
 import pytest
 from edugrade.cli import main
 from edugrade.course import read_course
+from edugrade.grading import plan_work
+from edugrade.submission import Submission
 from edugrade.variant import CourseSecret, Variant, personal, variant_for, write_variants
 
 from edulaunch.cli.main import main as edulaunch
+from edulaunch.errors import UnusableInput
 
 ROOT = Path(__file__).resolve().parents[2]
 COURSE = {item.name: item for item in read_course(str(ROOT / 'exercises' / 'course.toml'))}
@@ -110,3 +116,40 @@ def test_nothing_is_read_from_what_is_handed_in(tmp_path: Path, monkeypatch: pyt
 def test_a_copy_without_a_secret_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert edulaunch(['course', 'copy', str(tmp_path / 'ada'), '--student', 'ada']) == 2
     assert '--course-secret-file FILE' in capsys.readouterr().err and not (tmp_path / 'ada').exists()
+
+
+CIRCLE = Path(__file__).parents[2] / 'solutions' / 'circle.launch.py'
+
+
+@pytest.fixture
+def chosen_by(tmp_path: Path) -> CourseSecret:
+    (tmp_path / 'secret').write_text('0123456789abcdef\n')
+    return CourseSecret(str(tmp_path / 'secret'))
+
+
+def test_student_text_exercise_and_secret_choose(chosen_by: CourseSecret, tmp_path: Path) -> None:
+    (tmp_path / 'other').write_text('0123456789abcdeX')
+    seeds = [
+        chosen_by.seed('circle', 'anna', 'f00d'),
+        chosen_by.seed('circle', 'bert', 'f00d'),
+        chosen_by.seed('circle', 'anna', 'beef'),
+        chosen_by.seed('follow', 'anna', 'f00d'),
+        CourseSecret(str(tmp_path / 'other')).seed('circle', 'anna', 'f00d'),
+    ]
+    assert len(set(seeds)) == 5
+    assert chosen_by.seed('circle', 'anna', 'f00d') == seeds[0]
+
+
+def test_the_runs_follow(chosen_by: CourseSecret) -> None:
+    anna, bert = (plan_work(Submission(str(CIRCLE)), secret=chosen_by, student=name) for name in ('anna', 'bert'))
+    assert anna.secret == chosen_by.name and '0123' not in chosen_by.name
+    assert [run.arguments for run in anna.scenarios] != [run.arguments for run in bert.scenarios]
+    assert len({run.seed for run in (*anna.scenarios, *bert.scenarios)}) == 4
+
+
+@pytest.mark.parametrize('text', ['', 'short', None])
+def test_what_is_no_secret_is_an_error(tmp_path: Path, text: str | None) -> None:
+    if text is not None:
+        (tmp_path / 'secret').write_text(text)
+    with pytest.raises(UnusableInput, match='course secret'):
+        CourseSecret(str(tmp_path / 'secret'))
