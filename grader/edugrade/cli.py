@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .results import Refusal, Report
 
 
+SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
 VERBS = {
     'batch': '.batch.command',
     'classroom': '.export.classroom',
@@ -30,7 +31,7 @@ VERBS = {
     'doctor': '.doctor',
     'export': '.export.platforms',
     'gradescope': '.export.gradescope',
-    'schema': '.document:schema_command',
+    'schema': '.cli:schema_command',
     'similar': '.similar',
     'sign': '.verify:sign_command',
     'verify': '.verify',
@@ -75,6 +76,14 @@ def _command(words: list[str]) -> int:
         return exit_code
     options = read_options(words)
     return _hints(options) if options.hint else _grade(options)
+
+
+def schema_command(words: Sequence[str]) -> int:
+    """The command ``edugrade schema``."""
+    argparse.ArgumentParser(prog='edugrade schema', description='Print the JSON schema of reports and results.').parse_args(words)
+    with open(SCHEMA, encoding='utf-8') as file:
+        print(file.read(), end='')
+    return 0
 
 
 def _hints(options: argparse.Namespace) -> int:

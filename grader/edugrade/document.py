@@ -1,4 +1,4 @@
-"""The JSON report and its schema. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
+"""The JSON report. docs/grading.md describes it; FORMAT grows when a reader of the old one could err."""
 
 from __future__ import annotations
 
@@ -191,16 +191,3 @@ def _check(result: CheckResult, paths: ShortPaths) -> dict[str, Any]:
         'root_cause': result.root_cause,
         'cause': None if result.cause is None else _cause(result.cause, paths),
     }
-
-
-SCHEMA = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'report.schema.json')
-
-
-def schema_command(words: Sequence[str]) -> int:
-    """The command ``edugrade schema``."""
-    import argparse
-
-    argparse.ArgumentParser(prog='edugrade schema', description='Print the JSON schema of reports and results.').parse_args(words)
-    with open(SCHEMA, encoding='utf-8') as file:
-        print(file.read(), end='')
-    return 0

@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 from edugrade import Scenario
-from edugrade.cli import main
-from edugrade.document import SCHEMA, document, document_of_all, json_text
+from edugrade.cli import SCHEMA, main
+from edugrade.document import document, document_of_all, json_text
 from edugrade.evidence import Outcome
 from edugrade.results import Refusal
 from edugrade.source import Gap
