@@ -199,11 +199,6 @@ class FrameTracks:
                 frame = Frame(parent, (x, y, z), (qx, qy, qz, qw), is_static, published_s)
                 self._rows.setdefault(child, []).append((published_s, frame))
 
-    @property
-    def names(self) -> list[str]:
-        """All child frames, in order of first appearance."""
-        return list(self._rows)
-
     def frames_at(self, time_s: float) -> dict[str, Frame]:
         """The newest transform of each child frame at a time."""
         found = {}

@@ -6,7 +6,6 @@ is not finite. A text column repeats a text as `null`.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import Any
 
@@ -52,20 +51,6 @@ def _still(steps: list[Any], count: int) -> None:
         steps.append([count])
     else:
         steps.extend([0] * count)
-
-
-def numbers(steps: Iterable[Any], scale: int, before: int = 0) -> list[float]:
-    """The values that :func:`number_steps` was given, to the scale: the page's own reading, for tests."""
-    found: list[float] = []
-    for step in steps:
-        if step is None:
-            found.append(math.nan)
-        elif isinstance(step, list):
-            found += [before / scale] * step[0]
-        else:
-            before += step
-            found.append(before / scale)
-    return found
 
 
 def text_steps(values: Iterable[str], before: str | None = None) -> tuple[list[str | None], str | None]:

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.view.columns import FINE, number_steps, numbers, text_steps
+from edulaunch.view.columns import FINE, number_steps, text_steps
+from tests.view.conftest import numbers
 
 VALUES = st.lists(st.floats(-1e6, 1e6) | st.just(0.0) | st.sampled_from([math.nan, math.inf, -math.inf, 1e300]))
 

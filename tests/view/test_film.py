@@ -12,10 +12,11 @@ import edulaunch
 from edulaunch.attached import PLACES
 from edulaunch.recording import Recording
 from edulaunch.session import Session
-from edulaunch.view.columns import FINE, numbers
+from edulaunch.view.columns import FINE
 from edulaunch.view.film import SCAN_TYPE, Film, Mark
 from edulaunch.view.page import packed
 from edulaunch.view.replay import OfRecorder, OfRecording, film_of
+from tests.view.conftest import numbers
 
 
 @pytest.fixture(scope='module')
