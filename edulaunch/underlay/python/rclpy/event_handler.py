@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from edulaunch.graph.qos import incompatible_policy
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
 from rclpy.impl.passed_on import passed_on
-from rclpy.impl.qos_watch import LivelinessWatch, Missed, watch_deadline, watch_lease
+from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -114,28 +114,6 @@ class EventHandler(Waitable):
 QoSEventHandler = EventHandler
 
 
-class _IncompatibleCount:
-    """Counts incompatible partners between two calls of the callback."""
-
-    def __init__(self) -> None:
-        self.total = self.change = 0
-        self.policy = 'INVALID'
-
-    def add(self, policy: str) -> None:
-        self.total += 1
-        self.change += 1
-        self.policy = policy
-
-    def take(self) -> Any:
-        if not self.change:
-            return None
-        from rclpy.qos_compatibility import PolicyKindOfEvent
-
-        info = IncompatibleInfo(self.total, self.change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{self.policy}'])
-        self.change = 0
-        return info
-
-
 class _MatchCount:
     """Counts matches between two calls of the callback."""
 
@@ -189,7 +167,7 @@ class _EventCallbacks:
         if self.matched is not None:
             self._watch_matched(node, entity, impl, group, self.matched)
         if self.deadline is not None:
-            watch_deadline(impl, _missed(node, entity, group, self.deadline).add)
+            watch_deadline(impl, _counted(node, entity, group, self.deadline, CountInfo).add)
         if self.liveliness is not None:
             self._watch_liveliness(node, entity, impl, group, self.liveliness)
 
@@ -209,14 +187,7 @@ class _EventCallbacks:
         raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        count = _IncompatibleCount()
-        handler = _added(node, entity, EventHandler(group, callback, count.take))
-
-        def on_incompatible(policy: str) -> None:
-            count.add(policy)
-            handler.ready_changed()
-
-        impl.on_incompatible = on_incompatible
+        on_incompatible = impl.on_incompatible = _counted(node, entity, group, callback, _incompatible_info).add
         for policy in _incompatible_partners(impl):
             on_incompatible(policy)
 
@@ -237,11 +208,17 @@ def _never_called(info: Any) -> None:
     """The default callback for another type on the topic, of which Fast DDS does not tell."""
 
 
-def _missed(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback) -> Missed:
+def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
     """A count whose changes are told to the callback, on the executor's turn."""
-    count = Missed(CountInfo, lambda: handler.ready_changed())
+    count = Count(make_info, lambda: handler.ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
+
+
+def _incompatible_info(total: int, change: int, policy: str) -> IncompatibleInfo:
+    from rclpy.qos_compatibility import PolicyKindOfEvent
+
+    return IncompatibleInfo(total, change, PolicyKindOfEvent[f'RMW_QOS_POLICY_{policy}'])
 
 
 def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
@@ -279,7 +256,7 @@ class PublisherEventCallbacks(_EventCallbacks):
     )
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        watch_lease(impl, _missed(node, entity, group, callback).add)
+        watch_lease(impl, _counted(node, entity, group, callback, CountInfo).add)
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):

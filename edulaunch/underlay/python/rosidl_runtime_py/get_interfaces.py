@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from edulaunch.errors import InterfaceError
-from rosidl_runtime_py.registry import current_registry
+from edulaunch.interfaces import current_registry
 
 
 def get_interface_packages() -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
-from rosidl_runtime_py.registry import current_registry
+from edulaunch.interfaces import current_registry
 
 if TYPE_CHECKING:
     from rosidl_parser.definition import NamespacedType

@@ -42,23 +42,29 @@ class Countdown:
             self.seen()
 
 
-class Missed:
-    """Counts what was missed between two calls of the callback."""
+class Count:
+    """Counts what happens between two calls of the callback.
 
-    def __init__(self, info_class: Any, tell: Callable[[], object]) -> None:
-        self._info_class = info_class
+    :param make_info: makes what the callback is told of the total, what is new, and what the last `add` was given.
+    :param tell: called at each change.
+    """
+
+    def __init__(self, make_info: Callable[..., Any], tell: Callable[[], object]) -> None:
+        self._make_info = make_info
         self._tell = tell
         self._total = self._change = 0
+        self._last: tuple[Any, ...] = ()
 
-    def add(self) -> None:
+    def add(self, *last: Any) -> None:
         """Once more."""
         self._total += 1
         self._change += 1
+        self._last = last
         self._tell()
 
     def take(self) -> Any:
-        """The counts, or None when the callback knows them already."""
-        info = self._info_class(self._total, self._change) if self._change else None
+        """The info, or None when the callback knows it already."""
+        info = self._make_info(self._total, self._change, *self._last) if self._change else None
         self._change = 0
         return info
 
