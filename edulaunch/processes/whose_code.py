@@ -5,6 +5,7 @@ in its student's own.
 from __future__ import annotations
 
 import os
+import re
 import site
 import sys
 import sysconfig
@@ -42,7 +43,8 @@ def is_own(filename: str) -> bool:
 
 def student_line(frame: FrameType | None = None) -> dict[str, Any]:
     """The innermost line of the student on the way to a frame (default: the caller's), for a fact: `file`, `line`, the
-    `function` it is in, and what it `calls` ('timer.sleep': file and function); empty when no code of a student is on the way.
+    `function` it is in, and what it `calls` ('timer.sleep': file and function; of a view, the module that it stands for); empty
+    when no code of a student is on the way.
     """
     inner: FrameType | None = None
     here = frame if frame is not None else sys._getframe(1)
@@ -54,7 +56,7 @@ def student_line(frame: FrameType | None = None) -> dict[str, Any]:
     line: dict[str, Any] = {'file': at.f_code.co_filename, 'line': at.f_lineno, 'function': at.f_code.co_name}
     if inner is not None:
         stem = os.path.splitext(os.path.basename(inner.f_code.co_filename))[0]
-        line['calls'] = f'{stem}.{inner.f_code.co_name}'
+        line['calls'] = f'{re.sub("_views?$", "", stem)}.{inner.f_code.co_name}'
     return line
 
 

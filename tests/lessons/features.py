@@ -111,7 +111,7 @@ FEATURES = [
         ('tests/advice/test_examples.py', 'tests/lessons/test_mistakes.py'),
         17,
     ),
-    Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/test_hints.py', 'tests/grader/test_steps.py'), 18),
+    Feature('hints in three steps', _text(r'Hint 3'), ('tests/grader/test_wording.py',), 18),
     Feature(
         'time can be stopped, stepped and taken back',
         _code(r'%ros2 view|\.replay\(|interact\('),

@@ -18,6 +18,7 @@ from edugrade.cli import main
 
 pytest.importorskip('distributed', reason='the extra "dask"')
 pytestmark = [
+    pytest.mark.processes,
     pytest.mark.filterwarnings('ignore::DeprecationWarning'),
     pytest.mark.filterwarnings('ignore::ResourceWarning'),
     pytest.mark.filterwarnings('ignore::pytest.PytestUnraisableExceptionWarning'),
