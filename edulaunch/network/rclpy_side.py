@@ -146,12 +146,12 @@ class Side:
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
         def heard(data: bytes, info: Any) -> None:
             """Hand on a message, and what has come behind it: each turn of the executor takes longer than all of that."""
-            taken = data, info
+            self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
             for _ in range(AT_ONCE):
-                self.say(wire.MESSAGE, handle, taken[1]['source_timestamp'], taken[0])
                 taken = made.handle.take_message(cls, True)
                 if taken is None:
                     return
+                self.say(wire.MESSAGE, handle, taken[1]['source_timestamp'], taken[0])
 
         silent = SubscriptionEventCallbacks(use_default_callbacks=False)
         qos.depth = max(qos.depth, WAITING)

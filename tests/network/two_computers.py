@@ -1,6 +1,6 @@
 """Two computers on one, run by `unshare -rn`: two namespaces of the network with a cable between them. Prints a line of JSON.
 
-The arguments: a discovery range, how many of 1000 packets are lost, and how long each takes in ms (that wants a kernel with netem).
+The arguments: the link, a discovery range, how many of 1000 packets are lost, and how long each takes in ms.
 """
 
 from __future__ import annotations
@@ -8,59 +8,55 @@ from __future__ import annotations
 import json
 import os
 import select
+import socket
 import subprocess
 import sys
 import time
 from typing import Any
 
-import edulaunch.network.dds.domain as domain
 from edulaunch.graph.qos import BEST_EFFORT, QoS
-from edulaunch.interfaces.cdr import encode
+from edulaunch.interfaces.cdr import deserialize, encode, serialize
 from edulaunch.interfaces.registry import underlay_registry
-from edulaunch.network.dds.link import CycloneLink
-from edulaunch.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION, Interface, Message, Request, Response
+from edulaunch.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION, Interface, Link, Message, Request, Response
+from edulaunch.network.links import make_link
 from edulaunch.network.settings import settings_of
+from tests.network.cable import Cable, card
 from tests.network.places import STRING, TRIGGER, cls_of, text, words_in
 
 ADDRESSES = ('10.99.0.1', '10.99.0.2')
 COUNT = 500
-NETEM = ('tc', 'qdisc', 'add')
+TF = 'tf2_msgs/msg/TFMessage'
 LIMIT_S = 120.0
 
 
-def ip(*words: str) -> None:
-    subprocess.run(['ip', *words], check=True)
-
-
-def plug(name: str, address: str) -> None:
-    """Switch the end of the cable on."""
-    ip('link', 'set', 'lo', 'up')
-    ip('address', 'add', f'{address}/24', 'dev', name)
-    ip('link', 'set', name, 'up')
-    ip('route', 'add', 'default', 'dev', name)
-
-
-def joined(wide: str, lost: int, peer: str) -> CycloneLink:
-    """On the network, which loses packets."""
-    usual = domain.configuration
-    loss = f'<Internal><Test><XmitLossiness>{lost}</XmitLossiness></Test></Internal></Domain>'
-    domain.configuration = lambda settings: usual(settings).replace('</Domain>', loss)
-    env = {'ROS_AUTOMATIC_DISCOVERY_RANGE': wide, 'ROS_STATIC_PEERS': peer if wide == 'LOCALHOST' else ''}
-    link = CycloneLink()
-    link.open(settings_of(env))
+def joined(link_name: str, wide: str, peer: str) -> Link:
+    """On the network."""
+    link = make_link(link_name)
+    link.open(settings_of({'ROS_AUTOMATIC_DISCOVERY_RANGE': wide, 'ROS_STATIC_PEERS': peer if wide == 'LOCALHOST' else ''}))
     return link
 
 
-def talk(link: CycloneLink) -> None:
-    """The one computer: talks, and serves."""
+def interface(name: str) -> Interface:
+    return Interface(name, underlay_registry())
+
+
+def transform(stamp_ns: int) -> bytes:
+    """Where the talker is at a time."""
+    message = cls_of('geometry_msgs/msg/TransformStamped')(child_frame_id='talker')
+    message.header.frame_id = 'world'
+    message.header.stamp.sec, message.header.stamp.nanosec = divmod(stamp_ns, 10**9)
+    return serialize(cls_of(TF)(transforms=[message]))
+
+
+def talk(link: Link) -> None:
+    """The one computer: talks, tells where it is, and serves."""
     node = link.add_node('/', 'talker')
-    interface = Interface(STRING, underlay_registry())
     mouths = {
-        name: link.add(node, PUBLISHER, f'/{name}', interface, QoS(depth=COUNT, reliability=name))
+        name: link.add(node, PUBLISHER, f'/{name}', interface(STRING), QoS(depth=COUNT, reliability=name))
         for name in ('reliable', BEST_EFFORT)
     }
-    link.add(node, SERVICE, '/done', Interface(TRIGGER, underlay_registry()), QoS())
-    ears: set[str] = set()
+    tf = link.add(node, PUBLISHER, '/tf', interface(TF), QoS(depth=100))
+    link.add(node, SERVICE, '/done', interface(TRIGGER), QoS())
     sent, done_s = 0, None
     while done_s is None or time.monotonic() < done_s:
         link.flush()
@@ -70,31 +66,37 @@ def talk(link: CycloneLink) -> None:
                 link.reply(event.handle, event.who, encode(cls_of(TRIGGER).Response, (True, str(sent))))
                 done_s = done_s or time.monotonic() + 3.0
         ears = {end.name for end in link.graph().endpoints if end.kind == SUBSCRIPTION}
-        if sent < COUNT and len(ears) == 2:
+        if sent < COUNT and ears >= {'/reliable', f'/{BEST_EFFORT}', '/tf'}:
             sent += 1
             for mouth in mouths.values():
                 link.publish(mouth, text(str(sent)))
+            link.publish(tf, transform(time.time_ns()))
 
 
-def hear(link: CycloneLink) -> dict[str, Any]:
+def hear(link: Link) -> dict[str, Any]:
     """The other computer: listens, and asks at the end."""
     node = link.add_node('/', 'listener')
-    interface = Interface(STRING, underlay_registry())
     names = {
-        link.add(node, SUBSCRIPTION, f'/{name}', interface, QoS(depth=COUNT, reliability=name)): name
+        link.add(node, SUBSCRIPTION, f'/{name}', interface(STRING), QoS(depth=COUNT, reliability=name)): name
         for name in ('reliable', BEST_EFFORT)
     }
-    client = link.add(node, CLIENT, '/done', Interface(TRIGGER, underlay_registry()), QoS())
+    tf = link.add(node, SUBSCRIPTION, '/tf', interface(TF), QoS(depth=100))
+    client = link.add(node, CLIENT, '/done', interface(TRIGGER), QoS())
     heard: dict[str, list[str]] = {name: [] for name in names.values()}
+    stamps_ns, late_ns = [], []
     end_s, asked_s, number, answered = time.monotonic() + LIMIT_S, 0.0, 0, False
     while not answered and time.monotonic() < end_s:
         link.flush()
         select.select([link], [], [], 0.05)
         for event in link.take():
-            if isinstance(event, Message):
+            if isinstance(event, Message) and event.handle == tf:
+                stamp = deserialize(event.cdr, cls_of(TF)).transforms[0].header.stamp
+                stamps_ns.append(stamp.sec * 10**9 + stamp.nanosec)
+                late_ns.append(time.time_ns() - stamps_ns[-1])
+            elif isinstance(event, Message):
                 heard[names[event.handle]].append(words_in(event.cdr))
             answered |= isinstance(event, Response)
-        is_served = any(end.kind == SERVICE for end in link.graph().endpoints)
+        is_served = any(end.kind == SERVICE and end.name == '/done' for end in link.graph().endpoints)
         if heard['reliable'][-1:] == [str(COUNT)] and is_served and time.monotonic() > asked_s + 0.5:
             asked_s, number = time.monotonic(), number + 1
             link.request(client, number, encode(cls_of(TRIGGER).Request, ()))
@@ -105,32 +107,41 @@ def hear(link: CycloneLink) -> dict[str, Any]:
         'best_effort': len(heard[BEST_EFFORT]),
         'answered': answered,
         'nodes': [node.name for node in link.graph().nodes],
+        'tf': len(stamps_ns),
+        'tf_in_order': stamps_ns == sorted(stamps_ns),
+        'tf_late_ms': [round(late / 1e6, 1) for late in (min(late_ns, default=0), max(late_ns, default=0))],
     }
 
 
-def main(wide: str, lost: int, delay_ms: int) -> None:
+def far(link_name: str, wide: str) -> None:
+    """What the other program does: hands over its end of the cable, and talks when that is plugged in."""
+    with socket.socket(fileno=0) as near:
+        socket.send_fds(near, [b'.'], [card('far', ADDRESSES[1])])
+        near.recv(1)
+        talk(joined(link_name, wide, ADDRESSES[0]))
+
+
+def main(link_name: str, wide: str, lost: int, delay_ms: int) -> None:
     if os.environ.get('FAR'):
-        sys.stdin.readline()
-        plug('far', ADDRESSES[1])
-        talk(joined(wide, lost, ADDRESSES[0]))
+        far(link_name, wide)
         return
-    command = ['unshare', '-n', sys.executable, '-m', 'tests.network.two_computers', wide, str(lost), str(delay_ms)]
-    far = subprocess.Popen(command, env={**os.environ, 'FAR': '1'}, stdin=subprocess.PIPE, text=True)
+    ours, theirs = socket.socketpair()
+    words = ['unshare', '-n', sys.executable, '-m', 'tests.network.two_computers', *sys.argv[1:]]
+    other = subprocess.Popen(words, env={**os.environ, 'FAR': '1'}, stdin=theirs)
+    theirs.close()
     try:
-        while os.readlink(f'/proc/{far.pid}/ns/net') == os.readlink('/proc/self/ns/net'):
-            time.sleep(0.01)
-        ip('link', 'add', 'near', 'type', 'veth', 'peer', 'name', 'far', 'netns', str(far.pid))
-        plug('near', ADDRESSES[0])
-        if delay_ms:
-            subprocess.run([*NETEM, 'dev', 'near', 'root', 'netem', 'delay', f'{delay_ms}ms'], check=True)
-        assert far.stdin is not None
-        far.stdin.write('go\n')
-        far.stdin.flush()
-        print(json.dumps(hear(joined(wide, lost, ADDRESSES[1]))))
+        _, [far_end], _, _ = socket.recv_fds(ours, 1, 1)
+        cable = Cable((card('near', ADDRESSES[0]), far_end), lost, delay_ms)
+        cable.start()
+        ours.send(b'.')
+        link = joined(link_name, wide, ADDRESSES[1])
+        found = hear(link)
+        link.close()
+        print(json.dumps({**found, 'dropped': cable.dropped}))
     finally:
-        far.kill()
-        far.wait()
+        other.kill()
+        other.wait()
 
 
 if __name__ == '__main__':
-    main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))
+    main(sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))
