@@ -10,7 +10,7 @@ from types import FrameType
 from typing import TextIO
 
 from edulaunch.advice.wording import said_at_the_end
-from edulaunch.cli.ros2.launch import add_launch_arguments, prefix_arguments
+from edulaunch.cli.ros2.launch import add_launch_arguments, add_network, prefix_arguments, wants_network
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.launching import find_launch_file
 from edulaunch.packages.discovery import workspaces_of_command
@@ -23,6 +23,7 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
     parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
     add_launch_arguments(parser)
+    add_network(parser)
     parser.add_argument('--for', dest='seconds', type=_seconds, metavar='SECONDS', help='simulated seconds until Ctrl-C')
     parser.add_argument(
         '--stdin',
@@ -66,6 +67,9 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
             raise UnusableInput(f'workspace {folder!r} is not a directory.', help='--workspace takes a folder with packages')
+    if wants_network(arguments):
+        why = 'a launch with a machine of its own joins no real network: only the machine of the terminals does'
+        raise UnusableInput(why, help='type: ros2 launch --network ... (or --real: each node a real process)')
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None

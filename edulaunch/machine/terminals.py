@@ -119,7 +119,7 @@ class Terminals(Living):
         self.time = time
         self.network: Switch | None = None
         self._selector = selector
-        session.host.join_network = self._join_network
+        session.host.join_network, session.host.where_on_network = self._join_network, self._where_on_network
         self.open_ones: list[Terminal] = []
         self.is_asked_to_end = False
         self.said: set[str] = set()
@@ -139,10 +139,15 @@ class Terminals(Living):
         for terminal in self.open_ones:
             terminal.show('stderr', f'warning: {text}\n')
 
-    def _join_network(self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str]) -> Callable[[], object]:
+    def _join_network(
+        self, env: Mapping[str, str], link: str, clock: bool, topics: Sequence[str], say: Callable[[str], object]
+    ) -> Callable[[], object]:
         from edulaunch.network.switch import Wish
 
-        return self.switch().join(env, Wish(link, clock, topics), self.tell)
+        return self.switch().join(env, Wish(link, clock, topics), self.tell, say)
+
+    def _where_on_network(self) -> str | None:
+        return self.network.where() if self.network is not None and self.network.bridge is not None else None
 
     @property
     def is_on_network(self) -> bool | None:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from edulaunch.graph.qos import QoS
     from edulaunch.interfaces.registry import Registry
 
+MARK = '_edulaunch_link'
+"""A node by which machines know each other: hidden, as all names with _ in front, and shown by none of them."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
 """The kinds of endpoints; the words of `graph` for the same."""
 
@@ -54,11 +56,13 @@ class FarNode(NamedTuple):
     """A node of the network that is not ours.
 
     :ivar participant: the gid of its participant.
+    :ivar is_simulated: whether it is known to be one of another machine like this.
     """
 
     participant: bytes
     namespace: str
     name: str
+    is_simulated: bool = False
 
 
 class FarEndpoint(NamedTuple):

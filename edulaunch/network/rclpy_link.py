@@ -15,6 +15,7 @@ from edulaunch.native.command import command, interface_layers
 from edulaunch.native.environment import needed
 from edulaunch.network import rclpy_wire as wire
 from edulaunch.network.link import (
+    MARK,
     Event,
     FarEndpoint,
     FarGraph,
@@ -36,6 +37,8 @@ MOST_WAITING = 32 << 20
 """Bytes that wait for a side process which does not read; messages beyond that are dropped."""
 AT_ONCE = 1 << 20
 """Bytes that are taken in one turn of the machine."""
+AGAIN = '\n  help: edulaunch network off, then on again'
+RENEW = 'what it complains of is in the log of the machine; edulaunch network install makes its environment anew'
 _PROFILE = os.path.join(os.path.dirname(__file__), 'rclpy_side.xml')
 """Fast DDS's settings of the side process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.network.rclpy_side', function='main')
@@ -90,7 +93,7 @@ class RclpyLink:
         kinds = [self._hear(*frame) for frame in self._frames.feed(data)]
         if wire.READY not in kinds:
             self.close()
-            raise LinkError('the side process with the real rclpy did not start.')
+            raise LinkError('the side process with the real rclpy did not start.', help=RENEW)
 
     def _say(self, kind: int, handle: int, number: int = 0, data: bytes = b'') -> None:
         if len(self._out) > MOST_WAITING and kind == wire.PUBLISH:
@@ -175,7 +178,7 @@ class RclpyLink:
         self._far, self._known = FarGraph((), ()), {}
         self._waiting += (
             GraphChanged(),
-            Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more'),
+            Trouble('died', 'the side process with the real rclpy has died: nothing crosses any more' + AGAIN),
         )
         silent, bell = socket.socketpair()
         silent.setblocking(False)  # which goes with it to the other number
@@ -201,10 +204,16 @@ class RclpyLink:
 
     def _see(self, told: list[list[list[object]]]) -> None:
         """A new picture of who is there; an endpoint that was there before is the same object."""
-        nodes = {(space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name)) for gid, space, name in told[0]}
+        machines = {gid for gid, _, name in told[0] if name == MARK and gid}
+        nodes = {
+            (space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name), gid in machines)
+            for gid, space, name in told[0]
+            if name != MARK
+        }
         before, self._known = self._known, {}
-        for row in told[1]:
-            gid, kind, name, type_name, type_hash, qos, space, node = row
+        for gid, kind, name, type_name, type_hash, qos, space, node in told[1]:
+            if node == MARK:
+                continue
             key = (gid, kind, name, type_name, type_hash, tuple(qos) if isinstance(qos, list) else None, nodes.get((space, node)))
             policies = QoS(*qos) if isinstance(qos, list) else QoS()
             texts = (str(kind), str(name), str(type_name), str(type_hash))

@@ -29,6 +29,7 @@ from rclpy.serialization import deserialize_message, serialize_message
 
 from edulaunch.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.network import rclpy_wire as wire
+from edulaunch.network.link import MARK
 
 LOOK_EVERY_S = 0.1
 """How often the names of nodes and topics are looked at."""
@@ -43,7 +44,6 @@ AT_ONCE = 100
 FOREVER_NS = 2**62
 """Infinite, as rclpy says it, is more."""
 _NOT_YET = object()
-_HELPER = '_edulaunch_link'
 
 
 class Side:
@@ -52,7 +52,7 @@ class Side:
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
         self.executor = SingleThreadedExecutor()
-        self.helper = _node(_HELPER, '/')
+        self.helper = _node(MARK, '/')
         self.executor.add_node(self.helper)
         self.inbox: deque[tuple[int, int, int, bytes]] = deque()
         self.lock, self.mouth = threading.Lock(), threading.Lock()
@@ -72,7 +72,7 @@ class Side:
         """How the gids of our own participant begin."""
         while True:
             for info in self.helper.get_publishers_info_by_topic('/parameter_events'):
-                if info.node_name == _HELPER:
+                if info.node_name == MARK:
                     return bytes(info.endpoint_gid)[:12]
             time.sleep(0.01)
 

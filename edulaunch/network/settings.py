@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from edulaunch.nearest import did_you_mean
 from edulaunch.network.link import LinkError, Settings
 
+LAST_DOMAIN = 232
 RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')
 
 
@@ -20,6 +21,8 @@ def settings_of(env: Mapping[str, str]) -> Settings:
     domain = env.get('ROS_DOMAIN_ID', '').strip() or '0'
     if not domain.isdigit():
         raise LinkError(f'ROS_DOMAIN_ID is {domain!r}, not a number')
+    if int(domain) > LAST_DOMAIN:
+        raise LinkError(f'ROS_DOMAIN_ID {domain} is not a domain: they go from 0 to {LAST_DOMAIN}')
     wide = env.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').strip() or 'LOCALHOST'
     if wide not in RANGES:
         text = f'ROS_AUTOMATIC_DISCOVERY_RANGE is {wide!r}: LOCALHOST, SUBNET, OFF and SYSTEM_DEFAULT are known'

@@ -108,38 +108,59 @@ class Switch:
         self._time.is_wall = False
         return True
 
-    def join(self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object]) -> Callable[[], object]:
+    def join(
+        self, env: Mapping[str, str], wish: Wish, tell: Callable[[str], object], say: Callable[[str], object]
+    ) -> Callable[[], object]:
         """Join for as long as a program runs; returns what to call at its end. Who has joined already stays as it is.
 
+        :param say: told where it has joined, and that it has left.
         :raises EdulaunchError: when that cannot be.
         """
         if self.bridge is not None:
+            is_same = (settings_of(env), wish) == (self._settings, self._wish)
+            other = '' if is_same else ', with other settings than asked for here (edulaunch network off, and launch again)'
+            say(f'this machine is on the real ROS 2 network already{other}: {self.where()}')
             return lambda: None
         self.on(env, wish, tell)
         joined = self.bridge
-        return lambda: self.off() if self.bridge is joined else None
+        say(f'joined the real ROS 2 network: {self.where()}')
+
+        def leave() -> None:
+            if self.bridge is joined:
+                self.off()
+                say('left the real ROS 2 network')
+
+        return leave
 
     def after_turn(self) -> None:
         """Called after each turn of the machine."""
         if self.bridge is not None:
             self._safely(self.bridge.after_turn)
 
+    def where(self) -> str:
+        """Which network it is on, and by what."""
+        assert self.bridge is not None
+        settings = self._settings
+        peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
+        return f'domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {self.bridge.link.title}'
+
     def status(self) -> str:
         """What crosses, in words."""
         bridge = self.bridge
         if bridge is None:
             return 'the network is off\n'
-        settings, far = self._settings, bridge.link.graph()
-        peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
+        far = bridge.link.graph()
+        simulated = sum(node.is_simulated for node in far.nodes)
+        others = f' and {simulated} simulated by other machines' if simulated else ''
         lines = [
-            f'network: domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {bridge.link.title}',
+            f'network: {self.where()}',
             f'crossing: {" ".join(self._wish.topics) or "all topics"}; {bridge.sent} messages sent, {bridge.heard} heard',
-            f'real nodes: {len(far.nodes)}, with {len(far.endpoints)} endpoints',
-            *(f'  {"" if node.namespace == "/" else node.namespace}/{node.name}' for node in far.nodes),
+            f'real nodes: {len(far.nodes) - simulated}{others}, with {len(far.endpoints)} endpoints',
+            *(f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}' for node in far.nodes),
             *(f'warning: {line}' for line in bridge.troubles.lines()),
         ]
         if not far.nodes and self._session.sim.now_ns > self._joined_ns + SETTLED_NS:
-            lines.append(f'help: {nobody_found(settings)}')
+            lines.append(f'help: {nobody_found(self._settings)}')
         return '\n'.join(lines) + '\n'
 
 

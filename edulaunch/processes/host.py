@@ -90,7 +90,8 @@ class Host:
         of (simulated seconds, text), or an open text file; others read an empty input, programs of a launch a silent pipe.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar join_network: joins a real ROS 2 network, with an environment, the name of a link, whether time goes there on /clock,
-        and the topics that cross; returns what leaves it. None where that cannot be.
+        the topics that cross, and who is told that it has joined and left; returns what leaves it. None where that cannot be.
+    :ivar where_on_network: says which real network it is on and by what; None for none.
     :ivar unread_stdin: those names of `stdin` for which no program was started yet.
     """
 
@@ -118,7 +119,10 @@ class Host:
         self.asides = Asides()
         self.watchdog: Watchdog | None = None
         self.is_paced = False
-        self.join_network: Callable[[Mapping[str, str], str, bool, Sequence[str]], Callable[[], object]] | None = None
+        self.join_network: (
+            Callable[[Mapping[str, str], str, bool, Sequence[str], Callable[[str], object]], Callable[[], object]] | None
+        ) = None
+        self.where_on_network: Callable[[], str | None] = lambda: None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
         """By path: what launch made for programs to read, which is on the disk only for real programs."""

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.network.link import LinkError, Settings
+from edulaunch.network.link import FarNode, LinkError, Settings
 from edulaunch.network.switch import MOST_MISTAKES, Switch, Wish, run_network
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
@@ -104,6 +104,35 @@ def test_who_finds_nobody_is_told_what_to_look_at_but_not_in_the_first_moment(ma
     other.open(Settings())
     other.add_node('/', 'real')
     assert 'help: ' not in here.switch.status()
+
+
+def test_who_launches_with_the_network_is_told_that_it_has_joined_and_left(machine: Any) -> None:
+    here = machine()
+    leave = here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(), here.said.append, here.said.append)
+    where = 'domain 7 of this computer alone, by memory'
+    assert here.said.pop() == f'joined the real ROS 2 network: {where}'
+    again = here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(), here.said.append, here.said.append)
+    assert here.said.pop() == f'this machine is on the real ROS 2 network already: {where}'
+    here.switch.join({'ROS_DOMAIN_ID': '7'}, Wish(topics=['/tf']), here.said.append, here.said.append)
+    assert 'already, with other settings than asked for here (edulaunch network off, and launch again): ' in here.said.pop()
+    again()
+    assert here.said == [] and here.switch.bridge is not None
+    leave()
+    assert here.said == ['left the real ROS 2 network'] and here.switch.bridge is None
+    leave()
+    assert len(here.said) == 1
+
+
+def test_simulated_nodes_of_other_machines_are_told_from_real_ones(machine: Any) -> None:
+    here = machine()
+    here.switch.on({}, Wish(), here.said.append)
+    other = MemoryLink(here.link.air)
+    other.open(Settings())
+    other.add_node('/', 'real')
+    other.nodes[other.add_node('/', 'turtlesim')] = FarNode(other.gid, '/', 'turtlesim', True)
+    here.heard()
+    status = here.switch.status()
+    assert 'real nodes: 1 and 1 simulated by other machines, with 0 endpoints\n  /real\n  /turtlesim (simulated)\n' in status
 
 
 def test_the_time_goes_on_clock_when_asked_for(machine: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import selectors
 import subprocess
@@ -13,11 +14,14 @@ from typing import Any
 
 import pytest
 
+from edulaunch.cli.launch import launch_arguments, launch_verb
+from edulaunch.errors import UnusableInput
 from edulaunch.graph.qos import QoS
 from edulaunch.interfaces.cdr import encode
 from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.machine.terminals import Terminals
 from edulaunch.network.link import Interface
+from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
 from edulaunch.sim.pacing import RealTime
 from tests.machine.shells import Desk
@@ -88,9 +92,11 @@ def test_the_network_leaves_with_the_launch_that_joined_it(desk: Desk, wire: Any
     other = desk.ros2('run demo_nodes_py listener')
     launch = desk.ros2('launch turtlesim multisim.launch.py --network-topics /turtlesim1')
     launch.until('Spawning turtle')
+    assert 'joined the real ROS 2 network: domain ' in launch.output
     assert 'crossing: /turtlesim1;' in edulaunch(desk, 'network')
     launch.type('\x03')
     launch.end()
+    assert 'left the real ROS 2 network' in launch.output
     assert edulaunch(desk, 'network').endswith('the network is off\n')
     assert not other.gone()
 
@@ -118,6 +124,38 @@ def test_a_launch_without_a_machine_cannot_join(tmp_path: Path) -> None:
         [sys.executable, '-c', code], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=True, env=dict(os.environ)
     )
     assert '--network needs a machine that runs in real time' in done.stdout
+
+
+def test_a_launch_with_a_machine_of_its_own_says_which_command_joins() -> None:
+    for option in ('--network', '--network-link=rclpy', '--network-topics=/tf', '--network-clock'):
+        with pytest.raises(UnusableInput, match='help: type: ros2 launch --network'):
+            launch_verb(_parsed(option))
+
+
+def _parsed(option: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    launch_arguments(parser)
+    return parser.parse_args([option, 'turtlesim', 'multisim.launch.py'])
+
+
+def test_the_doctor_reports_the_real_network_while_it_is_on(monkeypatch: pytest.MonkeyPatch, domain: int) -> None:
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(domain))
+    with selectors.DefaultSelector() as selector, Session(start_ns=time.time_ns() - 10**11) as session:
+        terminals = Terminals(session, RealTime(session.sim), selector)
+
+        def report() -> str:
+            said: list[str] = []
+            spec = ProcessSpec(argv=('ros2', 'doctor', '--report', '-ep'), name='ros2', env=dict(session.host.env))
+            session.host.start(spec, lambda stream, text: said.append(text))
+            session.sim.run(session.sim.now_ns + 10**10)
+            return ''.join(said)
+
+        assert 'middleware name    : edulaunch (simulated)' in report()
+        terminals.join_network(True)
+        assert 'middleware name    : cyclonedds ' in (told := report())
+        assert f'real ROS 2 network                  : domain {domain} of this computer alone, by cyclonedds' in told
+        terminals.join_network(False)
+        assert 'middleware name    : edulaunch (simulated)' in report()
 
 
 def test_what_the_button_of_a_page_says(monkeypatch: pytest.MonkeyPatch, domain: int) -> None:

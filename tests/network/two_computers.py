@@ -106,7 +106,7 @@ def hear(link: Link) -> dict[str, Any]:
         'first': first,
         'best_effort': len(heard[BEST_EFFORT]),
         'answered': answered,
-        'nodes': [node.name for node in link.graph().nodes],
+        'nodes': [(node.name, node.is_simulated) for node in link.graph().nodes],
         'tf': len(stamps_ns),
         'tf_in_order': stamps_ns == sorted(stamps_ns),
         'tf_late_ms': [round(late / 1e6, 1) for late in (min(late_ns, default=0), max(late_ns, default=0))],

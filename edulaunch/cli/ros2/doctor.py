@@ -142,6 +142,9 @@ def say_report(node: Node, names: Iterable[str], exclude_packages: bool) -> None
 
 
 def _network(node: Node) -> Rows:
+    real = current_process().host.where_on_network()
+    if real is not None:
+        return [('real ROS 2 network', real), ('simulated nodes among each other', 'in memory')]
     return [('inet', '127.0.0.1'), ('inet4', "['127.0.0.1']"), ('name', 'lo'), ('flags', 'simulated')]
 
 
@@ -171,7 +174,8 @@ def _compatibility_rows(node: Node) -> Rows:
 
 
 def _middleware(node: Node) -> Rows:
-    return [('middleware name', 'edulaunch (simulated)')]
+    real = current_process().host.where_on_network()
+    return [('middleware name', 'edulaunch (simulated)' if real is None else real.rpartition(', by ')[2])]
 
 
 def _distribution(node: Node) -> Rows:

@@ -62,7 +62,12 @@ def add_network(parser: argparse.ArgumentParser) -> None:
         help='topics and namespaces that cross, with commas; all',
     )
     parser.add_argument('--network-clock', action='store_true', help="publish the machine's time on /clock")
-    parser.add_argument('--network-link', default='cyclonedds', metavar='LINK', help='what carries them: cyclonedds or rclpy')
+    parser.add_argument('--network-link', metavar='LINK', help='what carries them: cyclonedds (default) or rclpy')
+
+
+def wants_network(arguments: argparse.Namespace) -> bool:
+    """Whether any of those options was given."""
+    return bool(arguments.network or arguments.network_topics or arguments.network_clock or arguments.network_link)
 
 
 def join_network(arguments: argparse.Namespace, process: Process) -> None:
@@ -70,12 +75,13 @@ def join_network(arguments: argparse.Namespace, process: Process) -> None:
 
     :raises EdulaunchError: when that cannot be.
     """
-    if not (arguments.network or arguments.network_topics or arguments.network_clock):
+    if not wants_network(arguments):
         return
     if process.host.join_network is None:
         raise UnusableInput('--network needs a machine that runs in real time', help='ros2 launch ... in a terminal')
     names = [name for names in arguments.network_topics for name in names.split(',') if name]
-    process.at_exit.append(process.host.join_network(process.env, arguments.network_link, arguments.network_clock, names))
+    link, clock = arguments.network_link or 'cyclonedds', arguments.network_clock
+    process.at_exit.append(process.host.join_network(process.env, link, clock, names, say))
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:

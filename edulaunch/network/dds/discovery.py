@@ -25,7 +25,7 @@ from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.dds.mangling import far_name
 from edulaunch.network.dds.qos import PLAIN, from_dds
 from edulaunch.network.dds.types import idl_class
-from edulaunch.network.link import FarEndpoint, FarGraph, FarNode, Trouble
+from edulaunch.network.link import MARK, FarEndpoint, FarGraph, FarNode, Trouble
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
@@ -144,8 +144,11 @@ class Discovery:
             )
             return
         claimed: dict[FarNode, Sequence[bytes]] = {}
+        is_simulated = any(name == MARK for _, name, *_ in nodes)
         for namespace, name, readers, writers in nodes[:MOST_NODES]:
-            node = FarNode(participant, namespace, name)
+            if name == MARK:
+                continue
+            node = FarNode(participant, namespace, name, is_simulated)
             claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
         if len(nodes) > MOST_NODES:
             self.troubles.append(Trouble('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown'))

@@ -9,7 +9,6 @@ from cyclonedds.domain import Domain
 
 from edulaunch.network.link import LinkError, Settings
 
-LAST_DOMAIN = 232
 MOST_PARTICIPANTS = 32
 """How many participants on one computer find each other without multicast, as in ROS 2's own configuration of Cyclone DDS."""
 LOCALHOST = '127.0.0.1'
@@ -31,8 +30,6 @@ def join(settings: Settings) -> None:
     :raises LinkError: when there is none of that number, or this program is in it already with other settings.
     """
     number, text = settings.domain, configuration(settings)
-    if not 0 <= number <= LAST_DOMAIN:
-        raise LinkError(f'ROS_DOMAIN_ID {number} is not a domain: they go from 0 to {LAST_DOMAIN}')
     if number not in _joined:
         try:
             _joined[number] = _Joined(number, text)

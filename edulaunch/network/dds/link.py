@@ -27,6 +27,7 @@ from edulaunch.network.dds.service_peers import ServicePeers, is_fast_dds
 from edulaunch.network.dds.types import idl_class
 from edulaunch.network.link import (
     CLIENT,
+    MARK,
     PUBLISHER,
     SERVICE,
     SUBSCRIPTION,
@@ -97,6 +98,7 @@ class CycloneLink:
             leave(settings.domain)
             raise LinkError(f'cannot join domain {settings.domain}: {error}') from None
         self._discovery = Discovery(self._participant, self._news)
+        self.add_node('/', MARK)
 
     def add_node(self, namespace: str, name: str) -> int:
         """See `Link.add_node`."""

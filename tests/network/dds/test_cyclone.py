@@ -10,7 +10,7 @@ import pytest
 from edulaunch.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
 from edulaunch.interfaces.cdr import encode
 from edulaunch.interfaces.registry import Registry, underlay_registry
-from edulaunch.network.link import Interface, LinkError, Message, Response, Settings, Trouble
+from edulaunch.network.link import Interface, Message, Response, Settings, Trouble
 from tests.network.places import PUBLISHER, STRING, text, words_in
 
 UNDERLAY = Interface(STRING, underlay_registry())
@@ -178,15 +178,6 @@ def test_messages_of_all_sizes_and_histories_cross_between_links(wire: Any) -> N
         here.publish(mouth, text('x' * size))
     wire.until(lambda: len([words for words in came if words != 'begin']) == len(sizes), take)
     assert [len(words) for words in came if words != 'begin'] == sizes
-
-
-def test_a_domain_that_is_none_is_told(domain: int) -> None:
-    from edulaunch.network.dds.link import CycloneLink
-
-    link = CycloneLink()
-    with pytest.raises(LinkError, match='ROS_DOMAIN_ID 233 is not a domain'):
-        link.open(Settings(233))
-    link.close()
 
 
 def test_the_network_of_a_machine_is_the_loopback_unless_asked_for_more(domain: int) -> None:
