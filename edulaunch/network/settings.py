@@ -19,9 +19,9 @@ def settings_of(env: Mapping[str, str]) -> Settings:
     :raises LinkError: for what makes no sense.
     """
     domain = env.get('ROS_DOMAIN_ID', '').strip() or '0'
-    if not domain.isdigit():
+    if not domain.removeprefix('-').isdecimal():
         raise LinkError(f'ROS_DOMAIN_ID is {domain!r}, not a number')
-    if int(domain) > LAST_DOMAIN:
+    if not 0 <= int(domain) <= LAST_DOMAIN:
         raise LinkError(f'ROS_DOMAIN_ID {domain} is not a domain: they go from 0 to {LAST_DOMAIN}')
     wide = env.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').strip() or 'LOCALHOST'
     if wide not in RANGES:

@@ -7,6 +7,7 @@ import select
 import subprocess
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
@@ -49,6 +50,13 @@ class Machine:
         else:
             program = index.find_program(str(index.find_executable(*words)))
         assert program is not None
+        return self._begin(program, index, words)
+
+    def script(self, file: Path) -> subprocess.Popen[str]:
+        """A program on the real rclpy."""
+        return self._begin(Program('script', '', 'peer', str(file), file=str(file)), Index(), (str(file),))
+
+    def _begin(self, program: Program, index: Index, words: tuple[str, ...]) -> subprocess.Popen[str]:
         started = command(environment.needed(), program, ProcessSpec((), 'real'), index)
         self.children.append(subprocess.Popen([*started, *words], env=self.env, stdout=subprocess.PIPE, text=True))
         return self.children[-1]
@@ -113,3 +121,40 @@ def test_simulated_clients_are_answered_by_real_servers(machine: Machine) -> Non
     machine.until(lambda: 'Goal finished with status: SUCCEEDED' in ''.join(goal))
     value = machine.start('ros2', 'param', 'get', '/add_two_ints_server', 'use_sim_time')
     machine.until(lambda: 'Boolean value is: False' in ''.join(value))
+
+
+HOSTILE = """
+import rclpy
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from std_msgs.msg import Int32, String
+
+rclpy.init()
+node = rclpy.create_node('hostile')
+bad, number = node.create_publisher(String, '/bad', 1000), node.create_publisher(Int32, '/number', 10)
+flood = node.create_publisher(String, '/flood', QoSProfile(depth=1000, reliability=ReliabilityPolicy.BEST_EFFORT))
+broken = ['', '0001', '00010000', '00010000ffffff7f', '0001000004000000ffffffff', '00000000' + '00' * 5]
+
+def attack():
+    for data in broken:
+        bad.publish(bytes.fromhex(data))
+    bad.publish(String(data='whole'))
+    number.publish(Int32(data=1))
+    for _ in range(200):
+        flood.publish(String(data='x' * 1000))
+
+node.create_timer(0.05, attack)
+rclpy.spin(node)
+"""
+
+
+def test_a_peer_that_sends_broken_bytes_another_type_and_far_too_much_does_no_harm(machine: Machine, tmp_path: Path) -> None:
+    """What is no message is told and dropped, and all that is well is heard beside it."""
+    heard = {name: machine.start('ros2', 'topic', 'echo', name, 'std_msgs/msg/String') for name in ('/bad', '/number', '/flood')}
+    (tmp_path / 'hostile.py').write_text(HOSTILE)
+    peer = machine.script(tmp_path / 'hostile.py')
+    machine.until(lambda: ''.join(heard['/bad']).count('data: whole') >= 5 and ''.join(heard['/flood']).count('data: x') >= 100)
+    told = machine.place.bridge.troubles.lines()
+    assert any(line.startswith('/bad: dropped, ') for line in told), told
+    assert 'data' not in ''.join(heard['/number']), 'an Int32 is no String'
+    peer.kill()
+    machine.until(lambda: not any(node.name == 'hostile' for node in machine.place.graph.nodes))
