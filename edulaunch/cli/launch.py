@@ -112,7 +112,7 @@ def _session_class(arguments: argparse.Namespace) -> type[Session]:
     if not arguments.real:
         return Session
     from edulaunch.native.environment import needed
-    from edulaunch.native.host import NativeSession
+    from edulaunch.network.native_session import NativeSession
 
     if arguments.fast:
         raise UnusableInput('--fast needs simulated time.', help='leave out --fast, or --real')

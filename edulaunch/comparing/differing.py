@@ -1,66 +1,91 @@
-"""What differs between a run in simulation and a run for real, as far as it is no matter of chance.
+"""What differs between runs in simulation and a run for real, as far as it is no matter of chance.
 
-Real programs take time to start and to find each other, and messages of a start may be lost. So what was seen in simulation
-during the last :data:`LATE_S` before Ctrl-C need not have been seen for real, rates may differ by a quarter, and ranges of
-numbers by a quarter of their length.
+Real programs take time to start and to find each other, and messages of a start may be lost. What was said in simulation before
+:data:`FOUND_S`, or before anybody heard it for real, need not be heard. Rates may differ by a quarter, and ranges of numbers by a
+quarter of their length.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from edulaunch.comparing.observation import Flow, Observation, Range, Values
+from edulaunch.comparing.observation import BRIEFLY, Flow, Line, Observation, Range, Values, program_of
 
-LATE_S = 5.0
 FOUND_S = 3.0
 """From then on everybody has found everybody."""
+YOUNG_S = 1.0
 SHARE = 0.25
 FEWEST = 5
 """So many messages make a rate."""
 MISSING = 'missing'
-_CHANCE = ('rcl_shutdown already called', 'Failed to publish log message to rosout')
-"""What a program says when Ctrl-C finds the real rclpy at a bad moment, which may also change its exit code."""
+_NOT_THERE = (MISSING, 'none', 'still running')
+_CHANCE = (
+    'rcl_shutdown already called',
+    'Failed to publish log message to rosout',
+    "publisher's context is invalid",
+    'the given context is not valid',
+    'feedback publisher is invalid',
+    'the client may have gone away',
+    'client will not receive response',
+    'exception was never retrieved',
+)
+"""What a program says when Ctrl-C finds it, or those whom it talks to, at a bad moment; its exit code may change, too."""
 
 
 class Difference(NamedTuple):
-    """One thing that is not the same: what kind of thing, which, and how it is in each world."""
+    """One thing that is not the same: what kind of thing, which, and how it is in each world.
+
+    :ivar lacks: whether it is reality that lacks values of messages, not the simulation.
+    """
 
     kind: str
     name: str
     simulated: str
     real: str
+    lacks: bool = False
 
 
-def differences(simulated: Observation, real: Observation) -> list[Difference]:
-    """Everything that differs, in a fixed order."""
-    late_s = simulated.asked_s - LATE_S
+def differences(simulated: Sequence[Observation], real: Observation) -> list[Difference]:
+    """Everything in which the real run differs from all of the simulated ones, in a fixed order; as it was in the last one."""
+    found = [_differences(one, real) for one in simulated]
+    in_all = set.intersection(*({_about(each) for each in row} for row in found))
+    return [each for each in found[-1] if _about(each) in in_all]
+
+
+def _about(difference: Difference) -> tuple[object, ...]:
+    """What makes it the same difference in two simulations."""
+    kind, name, simulated, real, lacks = difference
+    return difference if kind == 'output' else (kind, name, lacks, simulated in _NOT_THERE, real in _NOT_THERE)
+
+
+def _differences(simulated: Observation, real: Observation) -> list[Difference]:
     return [
-        *_nodes(simulated, real, late_s),
-        *_ends(simulated, real, late_s),
+        *_nodes(simulated, real),
+        *_ends(simulated, real),
         *_parameters(simulated, real),
-        *_flows(simulated, real, late_s),
-        *_lines(simulated, real, late_s),
+        *_flows(simulated, real, simulated.asked_s),
+        *_lines(simulated, real),
         *_codes(simulated, real),
     ]
 
 
-def _nodes(simulated: Observation, real: Observation, late_s: float) -> Iterator[Difference]:
+def _nodes(simulated: Observation, real: Observation) -> Iterator[Difference]:
     for node in sorted({*simulated.nodes, *real.nodes}):
         if node not in simulated.nodes:
             yield Difference('node', node, MISSING, 'there')
-        elif node not in real.nodes and simulated.nodes[node] <= late_s:
+        elif node not in real.nodes and simulated.nodes[node] <= simulated.asked_s:
             yield Difference('node', node, 'there', MISSING)
 
 
-def _ends(simulated: Observation, real: Observation, late_s: float) -> Iterator[Difference]:
+def _ends(simulated: Observation, real: Observation) -> Iterator[Difference]:
     types = {(end.kind, end.name, end.node): end.type for end in (*simulated.ends, *real.ends)}
     for kind, name, node in sorted(types):
         here = {end.type: rest for end, rest in simulated.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         there = {end.type: rest for end, rest in real.ends.items() if (end.kind, end.name, end.node) == (kind, name, node)}
         if node not in simulated.nodes or node not in real.nodes:
             continue  # said of the node
-        if not there and min(when for _, when in here.values()) > late_s:
+        if not there and min(when for _, when in here.values()) > simulated.asked_s:
             continue
         what = f'{name} of {node}'
         if here.keys() != there.keys():
@@ -76,7 +101,7 @@ def _parameters(simulated: Observation, real: Observation) -> Iterator[Differenc
         for name in sorted({*here, *there}):
             texts = [_shown(values[name]) if name in values else MISSING for values in (here, there)]
             if texts[0] != texts[1]:
-                yield Difference('parameter', f'{name} of {node}', *texts)
+                yield Difference('parameter', f'{name} of {node}', texts[0], texts[1])
 
 
 def _shown(value: Any) -> str:
@@ -104,8 +129,10 @@ def _values(kind: str, name: str, here: Flow, there: Flow, late_s: float) -> Ite
     for path in sorted({*here.fields, *there.fields}):
         one, other = (flow.fields.get(path) or Values() for flow in (here, there))
         needed = one.between(there.times[0], late_s)
-        if not (_holds(one.range, other.range) and _holds(other.range, needed)):
+        if not _holds(one.range, other.range):
             yield Difference(kind, f'{name} {path}', str(one.range), str(other.range))
+        elif not _holds(other.range, needed):
+            yield Difference(kind, f'{name} {path}', str(one.range), str(other.range), lacks=True)
 
 
 def _holds(outer: Range, inner: Range) -> bool:
@@ -125,26 +152,45 @@ def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference
         yield Difference(f'rate of {kind}', name, f'{one:.3g} Hz', f'{other:.3g} Hz')
 
 
-def _lines(simulated: Observation, real: Observation, late_s: float) -> Iterator[Difference]:
+def not_up(simulated: Observation, real: Observation) -> set[str]:
+    """Programs that got a signal for real before they could be up: they had shown no life, or only just (:data:`YOUNG_S`). What
+    they did then is a matter of chance.
+    """
+    found = set()
+    for name, program in real.programs.items():
+        nodes = simulated.programs[name].nodes if name in simulated.programs else ()
+        came_s = min([program.spoke_s, *(real.nodes[node] for node in nodes if node in real.nodes)])
+        if program.signalled_s < BRIEFLY and program.signalled_s < came_s + YOUNG_S:
+            found.add(program_of(name))
+    return found
+
+
+def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
     said = {(line.process, line.text) for line in simulated.lines}
-    needed = {(line.process, line.text) for line in simulated.lines if line.time_s <= late_s or line.time_s > simulated.asked_s}
     heard = {(line.process, line.text) for line in real.lines}
-    for process, text in sorted(needed - heard):
-        yield Difference('output', process, text, MISSING)
-    for process, text in sorted(heard - said):
-        if not _is_chance(text):
-            yield Difference('output', process, MISSING, text)
+    chance = {(line.process, line.text) for line in (*_unlucky(simulated), *_unlucky(real))}
+    young = not_up(simulated, real)
+    for process, text in sorted((said ^ heard) - chance):
+        if process not in young:
+            yield Difference('output', process, *((text, MISSING) if (process, text) in said else (MISSING, text)))
 
 
-def _is_chance(text: str) -> bool:
-    return any(words in text for words in _CHANCE)
+def _unlucky(seen: Observation) -> Iterator[Line]:
+    """Lines of chance: only after a signal for real."""
+    signalled: dict[str, float] = {}
+    for name, program in seen.programs.items():
+        base = program_of(name)
+        signalled[base] = min(program.signalled_s, seen.asked_s, signalled.get(base, BRIEFLY))
+    for line in seen.lines:
+        if line.time_s >= signalled.get(line.process, seen.asked_s) and any(words in line.text for words in _CHANCE):
+            yield line
 
 
 def _codes(simulated: Observation, real: Observation) -> Iterator[Difference]:
-    unlucky = {line.process for line in real.lines if _is_chance(line.text)}
-    for program in sorted({*simulated.codes, *real.codes} - unlucky):
+    chance = {line.process for line in (*_unlucky(simulated), *_unlucky(real))} | not_up(simulated, real)
+    for program in sorted({*simulated.codes, *real.codes} - chance):
         texts = [
             ', '.join(map(str, sorted(codes.get(program, ())))) or 'still running' for codes in (simulated.codes, real.codes)
         ]
         if texts[0] != texts[1]:
-            yield Difference('exit code', program, *texts)
+            yield Difference('exit code', program, texts[0], texts[1])

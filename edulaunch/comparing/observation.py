@@ -16,7 +16,11 @@ _HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
 _STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')
 _NUMBER = re.compile(r'-?\d+(\.\d+)?(e[+-]?\d+)?')
 _ROW = re.compile(r'#(,? +#)+')
-_UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+')
+_UNIQUE = re.compile(r'\b[0-9a-f]{32}\b|0x[0-9a-f]+|(?<=_)[A-Za-z0-9]{16}(?=\W|$)')
+_SOURCE = re.compile(r', at /\S+\.\w+:\d+')
+"""Where in its own source rcl found a mistake."""
+_NOISE = re.compile(r'\x1b\[[\d;]*m\[?\x1b|RTPS_TRANSPORT_SHM')
+"""What Fast DDS itself has to say of other processes of this computer."""
 _TRANSFORMS = 'tf2_msgs/msg/TFMessage'
 
 
@@ -57,6 +61,9 @@ class Values:
             self._texts.setdefault(masked(value), time_s)
         elif isinstance(value, (bool, int, float)):
             self._numbers.append((time_s, value))
+        elif len(value) > 2 and not isinstance(value[0], str):
+            self.add(time_s, min(value))
+            self.add(time_s, max(value))
         else:
             for each in value:
                 self.add(time_s, each)
@@ -88,6 +95,19 @@ class Line(NamedTuple):
     time_s: float
 
 
+class Program(NamedTuple):
+    """When a program was started and when it ended (None: it still runs), the nodes it made, as far as they are known, and when
+    it got its first signal and wrote its first line.
+    """
+
+    started_s: float
+    ended_s: float | None = None
+    returncode: int | None = None
+    nodes: frozenset[str] = frozenset()
+    signalled_s: float = BRIEFLY
+    spoke_s: float = BRIEFLY
+
+
 class Observation(NamedTuple):
     """Everything that was seen.
 
@@ -96,7 +116,7 @@ class Observation(NamedTuple):
     :ivar parameters: at the end, by node.
     :ivar flows: by topic, or 'tf a -> b'.
     :ivar lines: what programs wrote.
-    :ivar codes: the exit codes of each program that has ended, by launch name without its number.
+    :ivar programs: by launch name.
     :ivar asked_s: when Ctrl-C was pressed.
     """
 
@@ -105,8 +125,26 @@ class Observation(NamedTuple):
     parameters: dict[str, dict[str, Any]]
     flows: dict[str, Flow]
     lines: list[Line]
-    codes: dict[str, list[int]]
+    programs: dict[str, Program]
     asked_s: float
+
+    @property
+    def codes(self) -> dict[str, list[int]]:
+        """The exit codes of each program that has ended, by launch name without its number."""
+        codes: dict[str, list[int]] = {}
+        for name, program in self.programs.items():
+            if program.returncode is not None:
+                codes.setdefault(program_of(name), []).append(program.returncode)
+        return codes
+
+    def until_asked(self) -> Observation:
+        """Without what came of Ctrl-C."""
+        lines = [line for line in self.lines if line.time_s < self.asked_s]
+        programs = {
+            name: program._replace(ended_s=None, returncode=None) if (program.ended_s or 0.0) >= self.asked_s else program
+            for name, program in self.programs.items()
+        }
+        return self._replace(lines=lines, programs=programs)
 
 
 def is_compared(node: str) -> bool:
@@ -116,7 +154,13 @@ def is_compared(node: str) -> bool:
 
 def masked(text: str) -> str:
     """A line of output without what differs from run to run: times, identities, numbers and how many."""
-    return _ROW.sub('#', _NUMBER.sub('#', _UNIQUE.sub('#', _STAMPED_LOG.sub('[#]', text)))).rstrip()
+    text = _UNIQUE.sub('#', _STAMPED_LOG.sub('[#]', _SOURCE.sub('', text)))
+    return _ROW.sub('#', _NUMBER.sub('#', text)).rstrip()
+
+
+def steady_name(node: str) -> str:
+    """The name of a node without letters by chance (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
+    return _UNIQUE.sub('#', node)
 
 
 def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line]:
@@ -127,7 +171,7 @@ def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line
         *whole, rest = (rest + piece).split('\n')
         for text in whole:
             in_traceback = text.startswith('Traceback ') or (in_traceback and text.startswith(' '))
-            if text.strip() and not in_traceback:
+            if text.strip() and not in_traceback and not _NOISE.search(text):
                 yield Line(process, masked(text), last_s)
 
 

@@ -7,16 +7,22 @@ from collections.abc import Mapping, Sequence
 from edulaunch.comparing.observation import (
     BRIEFLY,
     NOT_COMPARED,
+    ClassOf,
     End,
     Flow,
     Line,
     Observation,
+    Program,
     add_messages,
     is_compared,
     lines_of,
     program_of,
+    steady_name,
 )
 from edulaunch.graph.qos import QoS
+from edulaunch.packages.index import interfaces_of
+from edulaunch.processes.host import Host
+from edulaunch.processes.process import Process
 from edulaunch.recording import Recording
 from edulaunch.session import Session
 
@@ -26,47 +32,90 @@ END_S = 15.0
 """After Ctrl-C."""
 
 
-def simulate(path: str, file: str | None, arguments: Mapping[str, str], seconds: float, workspaces: Sequence[str]) -> Observation:
+class LateHost(Host):
+    """A host whose programs take their time to come up: `delays_s`, by launch name, as it was for real."""
+
+    delays_s: Mapping[str, float] = {}
+
+    def begin(self, process: Process) -> None:
+        """See `Host.begin`."""
+        delay_ns = round(self.delays_s.get(process.name, 0.0) * 1e9)
+        if delay_ns:
+            self.sim.schedule(self.sim.now_ns + delay_ns, process.task.start)
+        else:
+            super().begin(process)
+
+
+class LateSession(Session):
+    """A session with such a host."""
+
+    host_class = LateHost
+
+
+def simulate(
+    path: str,
+    file: str | None,
+    arguments: Mapping[str, str],
+    seconds: float,
+    workspaces: Sequence[str],
+    delays_s: Mapping[str, float] | None = None,
+) -> Observation:
     """Run it, press Ctrl-C after `seconds`, and say what was seen.
 
+    :param delays_s: how long programs take to come up, by launch name.
     :raises UnusableInput: when it cannot be launched at all.
     """
-    with Session(workspaces=workspaces) as session:
+    with LateSession(workspaces=workspaces) as session:
+        assert isinstance(session.host, LateHost)
+        session.host.delays_s = delays_s or {}
         launch = session.launch(path, file, arguments)
         session.run(seconds)
         launch.raise_error()
         session.interrupt()
         session.run(END_S)
         recording = session.recording()
-    return observe(recording, seconds)
+        return observe(recording, seconds, interfaces_of(session.index)[1].get)
 
 
-def observe(recording: Recording, asked_s: float) -> Observation:
+def observe(recording: Recording, asked_s: float, class_of: ClassOf) -> Observation:
     """What a recording shows; Ctrl-C was pressed at `asked_s`."""
     nodes: dict[str, float] = {}
     for node in recording.nodes:
         if is_compared(node.name):
             lasted_s = (asked_s if node.ended_s is None else node.ended_s) - node.started_s
             when = node.started_s if lasted_s > FOUND_S else BRIEFLY
-            nodes[node.name] = min(when, nodes.get(node.name, BRIEFLY))
+            name = steady_name(node.name)
+            nodes[name] = min(when, nodes.get(name, BRIEFLY))
     ends: dict[End, tuple[str, float]] = {}
     for record in recording.ends:
         if is_compared(record.node):
             qos = QoS(*record.qos) if record.kind in ('publisher', 'subscription') else None
             words = '' if qos is None else f'{qos.reliability} {qos.durability}'
-            when = record.made_s if nodes[record.node] != BRIEFLY else BRIEFLY
-            ends.setdefault(End(record.kind, record.name, record.type, record.node), (words, when))
-    parameters = {name: {key: each.value for key, each in recording.parameters(name).items()} for name in nodes}
+            name = steady_name(record.node)
+            when = record.made_s if nodes[name] != BRIEFLY else BRIEFLY
+            ends.setdefault(End(record.kind, steady_name(record.name), record.type, name), (words, when))
+    known = dict.fromkeys(node.name for node in recording.nodes if is_compared(node.name))
+    parameters = {steady_name(name): {key: each.value for key, each in recording.parameters(name).items()} for name in known}
     flows: dict[str, Flow] = {}
     for topic, record_of in recording.topics.items():
         if topic not in NOT_COMPARED and record_of.publishers:
             published = recording.published(topic, record_of.type)
             lasting = [
-                (time / 1e9, wire) for time, node, wire in published if nodes.get(node) != BRIEFLY and time / 1e9 <= asked_s
+                (time / 1e9, wire)
+                for time, node, wire in published
+                if nodes.get(steady_name(node)) != BRIEFLY and time / 1e9 <= asked_s
             ]
-            add_messages(flows, topic, record_of.type, lasting, recording.message_class)
+            add_messages(flows, topic, record_of.type, lasting, class_of)
             flows.setdefault(topic, Flow([], {}))
-    return Observation(nodes, ends, parameters, flows, _lines(recording), _codes(recording), asked_s)
+    nodes_of: dict[str, set[str]] = {}
+    for node in recording.nodes:
+        nodes_of.setdefault(node.process, set()).add(steady_name(node.name))
+    programs = {
+        each.name: Program(each.started_s, each.ended_s, each.returncode, frozenset(nodes_of.get(each.name, ())))
+        for each in recording.processes
+        if each.name != 'launch'
+    }
+    return Observation(nodes, ends, parameters, flows, _lines(recording), programs, asked_s)
 
 
 def _lines(recording: Recording) -> list[Line]:
@@ -75,11 +124,3 @@ def _lines(recording: Recording) -> list[Line]:
         if output.process != 'launch':
             pieces.setdefault((output.process, output.stream), []).append((output.time_s, output.text))
     return [line for (process, _), written in pieces.items() for line in lines_of(program_of(process), written)]
-
-
-def _codes(recording: Recording) -> dict[str, list[int]]:
-    codes: dict[str, list[int]] = {}
-    for process in recording.processes:
-        if process.name != 'launch' and process.returncode is not None:
-            codes.setdefault(program_of(process.name), []).append(process.returncode)
-    return codes

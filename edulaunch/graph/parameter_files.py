@@ -103,14 +103,15 @@ def line_of(event: Any) -> int:
 
 
 def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
-    """Read a mapping of namespaces and node names; `path` is where it stands."""
+    """Read a mapping of namespaces and node names; `path` is where it stands. To rcl, /sim and sim are two patterns, of which the
+    later one wins; both mean the same nodes."""
     while type(key := reader.next()).__name__ != 'MappingEndEvent':
         name = _key_text(key)
         value = reader.next()
         if type(value).__name__ != 'MappingStartEvent':
             raise _too_early(value, path)
         if name != PARAMETERS_KEY:
-            _read_nodes(reader, f'{path}/{name.strip("/")}', entries)
+            _read_nodes(reader, f'{path}/{name.strip("/")}' if path else name.rstrip('/'), entries)
         elif path:
             _read_parameters(reader, path, '', entries)
         else:

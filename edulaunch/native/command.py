@@ -26,16 +26,23 @@ def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
     return layers
 
 
-def command(environment: Environment, program: Program, spec: ProcessSpec, index: Index) -> tuple[str, ...]:
-    """The words that run a program in the environment of the real rclpy; the program's own words follow."""
-    return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), told(program, spec, index)
+def command(
+    environment: Environment, program: Program, spec: ProcessSpec, index: Index, *, parent: int | None = None
+) -> tuple[str, ...]:
+    """The words that run a program in the environment of the real rclpy; the program's own words follow.
+
+    :param parent: the process with which it ends: this one, unless another is named; 0: none.
+    """
+    known = told(program, spec, index, os.getpid() if parent is None else parent)
+    return environment.python, os.path.join(HOME, 'edulaunch', 'native', 'program.py'), known
 
 
-def told(program: Program, spec: ProcessSpec, index: Index) -> str:
+def told(program: Program, spec: ProcessSpec, index: Index, parent: int) -> str:
     """What :mod:`edulaunch.native.program` has to know, as JSON."""
     what: dict[str, Any] = {**program._asdict(), 'name': spec.name}
     return json.dumps(
         {
+            'parent': parent,
             'home': HOME,
             'path': [*index.python_roots(), *(folder for folder in sys.path if folder.endswith('-packages'))],
             'interfaces': interface_layers(interfaces_of(index)[1]),

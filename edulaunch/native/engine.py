@@ -13,6 +13,7 @@ import threading
 import time
 from functools import cached_property
 from importlib import import_module
+from select import select
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -82,7 +83,9 @@ class ThisProcess:
     @property
     def stdin(self) -> Any:
         """What it reads."""
-        return sys.stdin
+        stdin: Any = sys.stdin
+        stdin.is_ready = lambda: bool(select([stdin], (), (), 0)[0])
+        return stdin
 
     @property
     def stdout(self) -> Any:

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import os
+import shlex
+import signal
 import time
+from collections.abc import Iterator
+from contextlib import suppress
 from functools import cached_property
-from typing import Any
+from tempfile import TemporaryDirectory
 
 from edulaunch.native.command import command
 from edulaunch.native.environment import Environment, needed
@@ -14,9 +18,9 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.real import RealProcess
 from edulaunch.processes.spec import ProcessSpec
-from edulaunch.session import Session
 
 NATIVE_KINDS = ('entry_point', 'script', 'module')
+ROS2 = Program('ros2', '', 'ros2', 'ros2')
 HERE_VERBS = ('launch', 'run')
 """Commands of ros2 that only start programs: they stay in this process."""
 
@@ -26,6 +30,8 @@ class NativeHost(Host):
 
     What only says why it cannot run (a C++ program of a workspace, one of an absent package) says so as in the simulation.
     """
+
+    _commands: TemporaryDirectory[str] | None = None
 
     @cached_property
     def runs(self) -> list[NativeRun]:
@@ -49,10 +55,11 @@ class NativeHost(Host):
         if known is not None:
             argv, program = known
             if program is None and (len(argv) < 2 or argv[1] not in HERE_VERBS):
-                program = Program('ros2', '', 'ros2', argv[0])
+                program = ROS2
             if program is not None and program.kind in (*NATIVE_KINDS, 'ros2'):
                 return self._start_real(spec, argv, program, index, on_output, on_exit)
-        return super().start(spec, on_output, on_exit, index=index)
+        run = self._run(spec, on_output, on_exit)
+        return super().start(spec, run.hear, run.end, index=index)
 
     def _start_real(
         self,
@@ -69,49 +76,86 @@ class NativeHost(Host):
         environment = dict(self.env if spec.env is None else spec.env)
         environment.pop('PYTHONPATH', None)
         environment['PYTHONUNBUFFERED'] = '1'
+        environment['PATH'] = os.pathsep.join([self.commands(spec, index), environment.get('PATH', os.defpath)])
         words = (*command(self.environment, program, spec, index), *argv)
-        run = NativeRun(self, spec.name, on_output, on_exit)
-        self.runs.append(run)
-        real = RealProcess(self, spec._replace(argv=words, shell=False, env=environment), run.hear, run.end)
+        run = self._run(spec, on_output, on_exit)
+        real = NativeProcess(self, spec._replace(argv=words, shell=False, env=environment), run.hear, run.end)
+        real.run = run
         self.real_programs.append(real)
         return real
+
+    def commands(self, spec: ProcessSpec, index: Index) -> str:
+        """A folder with the `ros2` that programs start themselves, made at first use."""
+        if self._commands is None:
+            self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
+            words = command(self.environment, ROS2, spec._replace(name='ros2'), index, parent=0)
+            path = os.path.join(self._commands.name, 'ros2')
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write(f'#!/bin/sh\nexec {shlex.join(words)} ros2 "$@"\n')
+            os.chmod(path, 0o700)
+        return self._commands.name
+
+    def close(self) -> None:
+        """See `Host.close`. What programs left running in the background ends, too."""
+        super().close()
+        if self._commands is not None:
+            for number in _with_in_environment(self._commands.name):
+                with suppress(ProcessLookupError):
+                    os.kill(number, signal.SIGKILL)
+            self._commands.cleanup()
+
+    def _run(self, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> NativeRun:
+        self.runs.append(NativeRun(spec.name, on_output, on_exit))
+        return self.runs[-1]
+
+
+def _with_in_environment(text: str) -> Iterator[int]:
+    """The processes of this user with a text in their environment."""
+    for number in filter(str.isdigit, os.listdir('/proc')):
+        with suppress(OSError), open(f'/proc/{number}/environ', 'rb') as file:
+            if os.fsencode(text) in file.read():
+                yield int(number)
+
+
+class NativeProcess(RealProcess):
+    """A program on the real rclpy.
+
+    :ivar run: what is noted of it.
+    """
+
+    run: NativeRun
+
+    def send_signal(self, signum: int) -> None:
+        """See `RealProcess.send_signal`."""
+        self.run.signalled_s = min(self.run.signalled_s, time.time())
+        super().send_signal(signum)
 
 
 class NativeRun:
     """What one program wrote, and how it ended.
 
-    :ivar written: (seconds since the start, stream, text).
+    :ivar written: (when, stream, text); times are seconds since 1970.
+    :ivar started_s, ended_s: None for one that still runs.
+    :ivar signalled_s: when it got its first signal; infinite for one that got none.
     """
 
-    def __init__(self, host: Host, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
+    def __init__(self, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
         self.name = name
         self.written: list[tuple[float, str, str]] = []
         self.returncode: int | None = None
-        self._host = host
+        self.started_s = time.time()
+        self.ended_s: float | None = None
+        self.signalled_s = float('inf')
         self._on_output, self._on_exit = on_output, on_exit
 
     def hear(self, stream: str, text: str) -> None:
         """It wrote something."""
-        self.written.append((self._host.sim.elapsed_s, stream, text))
+        self.written.append((time.time(), stream, text))
         if self._on_output is not None:
             self._on_output(stream, text)
 
     def end(self, returncode: int) -> None:
         """It ended."""
-        self.returncode = returncode
+        self.returncode, self.ended_s = returncode, time.time()
         if self._on_exit is not None:
             self._on_exit(returncode)
-
-
-class NativeSession(Session):
-    """A session whose programs are real processes. Its clock shows the time of day.
-
-    They find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE says otherwise.
-    """
-
-    host_class = NativeHost
-
-    def __init__(self, **options: Any) -> None:
-        env = dict(os.environ if options.get('env') is None else options['env'])
-        env.setdefault('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
-        super().__init__(**{**options, 'env': env, 'start_ns': time.time_ns()})

@@ -1,13 +1,14 @@
 """A node on the real rclpy that notes who is there and what is said, for `edulaunch compare`.
 
-It prints a line when it is ready. When its standard input says anything, or ends, it asks all nodes for their parameters and
-prints everything as one line of JSON.
+It prints a line when it is ready. To each line on its standard input it answers with one line of JSON: who was there until now,
+and what was said since the last answer. After 'end', or the end of its input, it asks all nodes for their parameters before.
 """
 
 from __future__ import annotations
 
 import base64
 import json
+import queue
 import sys
 import threading
 import time
@@ -27,7 +28,7 @@ NAME = '_edulaunch_observer'
 LOOK_EVERY_S = 0.25
 MOST_MESSAGES = 20_000
 """Of one topic; what comes after that is left out."""
-PATIENCE_S = 5.0
+PATIENCE_S = 10.0
 """So long nodes may take to tell their parameters."""
 
 
@@ -42,6 +43,7 @@ class Observer:
         self.ends: dict[tuple[str, str, str, str, str], float] = {}
         self.messages: dict[str, tuple[str, list[tuple[float, str]]]] = {}
         self.parameters: dict[str, dict[str, Any]] = {}
+        self.is_over = False
         self._subscriptions: list[Any] = []
 
     def look(self) -> None:
@@ -79,8 +81,7 @@ class Observer:
                 self.ends.setdefault((kind, topic, info.topic_type, full, qos), now)
 
     def _listen(self, topic: str, type_name: str, publishers: list[Any]) -> None:
-        rows: list[tuple[float, str]] = []
-        self.messages[topic] = type_name, rows
+        self.messages[topic] = type_name, []
         registry = installed_registry()
         assert registry is not None
         try:
@@ -96,14 +97,20 @@ class Observer:
             durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
         )
 
-        def heard(data: bytes) -> None:
-            if len(rows) < MOST_MESSAGES:
-                rows.append((time.time(), base64.b64encode(data).decode()))
+        count = 0
+
+        def heard(data: bytes, info: Any) -> None:
+            nonlocal count
+            count += 1
+            if count <= MOST_MESSAGES and not self.is_over:
+                sent_s = info['source_timestamp'] / 1e9 or time.time()
+                self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
 
         self._subscriptions.append(self.node.create_subscription(message_class, topic, heard, qos, raw=True))
 
     def ask(self) -> None:
-        """Ask all nodes for their parameters."""
+        """Ask all nodes for their parameters; what is said meanwhile is not noted."""
+        self.is_over = True
         until = time.monotonic() + PATIENCE_S
         for full in self.nodes:
             if not full.rpartition('/')[2].startswith('_'):
@@ -125,40 +132,36 @@ class Observer:
             self.node.destroy_client(client)
 
     def told(self) -> str:
-        """Everything, as JSON."""
-        return json.dumps(
-            {
-                'nodes': self.nodes,
-                'ends': [[*end, when] for end, when in self.ends.items()],
-                'messages': self.messages,
-                'parameters': self.parameters,
-            },
-            default=list,
-        )
+        """Everything that was not told before, as JSON."""
+        messages, self.messages = self.messages, {topic: (kind, []) for topic, (kind, _) in self.messages.items()}
+        ends = [[*end, when] for end, when in self.ends.items()]
+        told = {'nodes': self.nodes, 'ends': ends, 'messages': messages, 'parameters': self.parameters}
+        return json.dumps(told, default=list)
 
 
-def _wait(end: threading.Event) -> None:
-    sys.stdin.readline()
-    end.set()
+def _read(words: queue.SimpleQueue[str]) -> None:
+    for line in sys.stdin:
+        words.put(line.strip())
+    words.put('end')
 
 
 def main() -> int:
-    """Observe until standard input says something."""
+    """Observe until standard input says 'end'."""
     rclpy.init(args=[])
     observer = Observer()
-    end = threading.Event()
-    threading.Thread(target=_wait, args=(end,), daemon=True).start()
+    words: queue.SimpleQueue[str] = queue.SimpleQueue()
+    threading.Thread(target=_read, args=(words,), daemon=True).start()
     print('ready', flush=True)
-    looked = 0.0
-    while not end.is_set():
-        if time.monotonic() - looked > LOOK_EVERY_S:
+    looked, word = 0.0, ''
+    while word != 'end':
+        word = '' if words.empty() else words.get()
+        if word or time.monotonic() - looked > LOOK_EVERY_S:
             observer.look()
             looked = time.monotonic()
+        if word == 'end':
+            observer.ask()
+        if word:
+            print(observer.told(), flush=True)
         observer.executor.spin_once(timeout_sec=0.05)
-    observer.look()
-    stopped = {topic: (kind, rows[:]) for topic, (kind, rows) in observer.messages.items()}
-    observer.ask()
-    observer.messages = stopped
-    print(observer.told(), flush=True)
     rclpy.try_shutdown()
     return 0

@@ -243,8 +243,12 @@ class Host:
         real_machine.listen()
         self.processes.append(process)
         self.tracer.process_started(process)
-        process.task.start()
+        self.begin(process)
         return process
+
+    def begin(self, process: Process) -> None:
+        """Give a program its first turn: after what is due now."""
+        process.task.start()
 
     def knows(self, spec: ProcessSpec) -> bool:
         """Whether the command runs in the simulation."""

@@ -4,14 +4,21 @@ from typing import Any
 
 import pytest
 
-from edulaunch.comparing.differing import Difference, differences
-from edulaunch.comparing.observation import End, Flow, Line, Observation, Values
+from edulaunch.comparing import differing
+from edulaunch.comparing.differing import Difference
+from edulaunch.comparing.observation import End, Flow, Line, Observation, Program, Values
 
 ASKED_S = 10.0
 
 
+def differences(simulated: Observation, real: Observation) -> list[Difference]:
+    return differing.differences([simulated], real)
+
+
 def seen(**parts: Any) -> Observation:
-    nothing: dict[str, Any] = {'nodes': {'/a': 0.0}, 'ends': {}, 'parameters': {}, 'flows': {}, 'lines': [], 'codes': {}}
+    nothing: dict[str, Any] = {'nodes': {'/a': 0.0}, 'ends': {}, 'parameters': {}, 'flows': {}, 'lines': [], 'programs': {}}
+    codes = parts.pop('codes', {})
+    parts['programs'] = {f'{name}-{number}': Program(0.0, 1.0, code) for name in codes for number, code in enumerate(codes[name])}
     return Observation(**{**nothing, 'asked_s': ASKED_S, **parts})
 
 
@@ -32,7 +39,7 @@ def test_equal_runs_differ_in_nothing() -> None:
 
 
 def test_nodes() -> None:
-    found = differences(seen(nodes={'/a': 0.0, '/b': 1.0, '/late': 9.0}), seen(nodes={'/a': 0.8, '/c': 1.0}))
+    found = differences(seen(nodes={'/a': 0.0, '/b': 1.0, '/late': 10.5}), seen(nodes={'/a': 0.8, '/c': 1.0}))
     assert found == [Difference('node', '/b', 'there', 'missing'), Difference('node', '/c', 'missing', 'there')]
 
 
@@ -41,7 +48,7 @@ def test_types_and_qos_of_endpoints() -> None:
         End('publisher', '/t', 'x/msg/A', '/a'): ('reliable volatile', 0.0),
         End('subscription', '/t', 'x/msg/A', '/a'): ('reliable volatile', 0.0),
         End('service', '/s', 'x/srv/S', '/a'): ('', 0.0),
-        End('client', '/late', 'x/srv/S', '/a'): ('', 9.5),
+        End('client', '/late', 'x/srv/S', '/a'): ('', 10.5),
         End('client', '/of_nobody', 'x/srv/S', '/gone'): ('', 0.0),
     }
     there = {
@@ -64,7 +71,7 @@ def test_parameters() -> None:
 
 
 def test_a_topic_on_which_one_is_silent() -> None:
-    found = differences(seen(flows={'/a': steady(5), '/late': steady(5, 9.0)}), seen(flows={'/b': flow((1.0, 0))}))
+    found = differences(seen(flows={'/a': steady(5), '/early': flow((1.0, 0))}), seen(flows={'/b': flow((1.0, 0))}))
     assert found == [Difference('messages', '/a', '50', 'none'), Difference('messages', '/b', 'none', '1')]
 
 
@@ -87,7 +94,9 @@ def test_numbers_of_what_was_never_so_in_simulation() -> None:
 def test_numbers_that_were_so_in_simulation_only() -> None:
     here = flow(*((float(time), 5.0 if time == 4 else 0.0) for time in range(10)))
     still = flow(*((float(time), 0.0) for time in range(1, 10)))
-    assert [each.simulated for each in differences(seen(flows={'/t': here}), seen(flows={'/t': still}))] == ['0 to 5']
+    assert differences(seen(flows={'/t': here}), seen(flows={'/t': still})) == [
+        Difference('values in messages', '/t x', '0 to 5', '0', lacks=True)
+    ]
 
 
 def test_what_was_said_before_anybody_listened_for_real_is_no_difference() -> None:
@@ -103,7 +112,7 @@ def test_texts_in_messages() -> None:
 
 
 def test_output() -> None:
-    here = [Line('a', 'both', 1.0), Line('a', 'only here', 2.0), Line('a', 'late', 9.0), Line('a', 'at Ctrl-C', 10.1)]
+    here = [Line('a', 'both', 1.0), Line('a', 'only here', 2.0), Line('a', 'at Ctrl-C', 10.1)]
     there = [Line('a', 'both', 1.5), Line('a', 'only there', 2.0)]
     assert differences(seen(lines=here), seen(lines=there)) == [
         Difference('output', 'a', 'at Ctrl-C', 'missing'),
@@ -118,5 +127,27 @@ def test_exit_codes_in_any_order() -> None:
 
 
 def test_a_bad_moment_for_ctrl_c_is_no_difference() -> None:
-    unlucky = [Line('a', 'rclpy.RCLError: failed to shutdown: rcl_shutdown already called', 10.2)]
-    assert differences(seen(codes={'a': [0]}), seen(codes={'a': [1]}, lines=unlucky)) == []
+    error = 'rclpy.RCLError: failed to shutdown: rcl_shutdown already called'
+    assert differences(seen(codes={'a': [0]}), seen(codes={'a': [1]}, lines=[Line('a', error, 10.2)])) == []
+    assert differences(seen(codes={'a': [0]}), seen(codes={'a': [1]}, lines=[Line('a', error, 9.8)])) == [
+        Difference('output', 'a', 'missing', error),
+        Difference('exit code', 'a', '0', '1'),
+    ]
+
+
+def test_what_differs_from_one_of_several_simulations_only_is_a_matter_of_chance() -> None:
+    early, late = seen(nodes={'/a': 0.0, '/b': 0.0}, parameters={'/a': {'n': 1}}), seen(parameters={'/a': {'n': 2}})
+    real = seen(nodes={'/a': 0.0, '/c': 0.0}, parameters={'/a': {'n': 1}})
+    assert differing.differences([early, late], real) == [Difference('node', '/c', 'missing', 'there')]
+    neither = seen(parameters={'/a': {'n': 3}})
+    assert differing.differences([early, late], neither) == [Difference('parameter', 'n of /a', '2', '3')]
+
+
+def test_values_that_a_short_simulation_has_not_yet_and_a_long_one_has_beyond_are_no_difference() -> None:
+    def turn(seconds: int) -> Flow:
+        return flow(*((float(second), 10.0 * second) for second in range(seconds)))
+
+    short, long, real = (seen(flows={'/t': turn(seconds)}) for seconds in (10, 30, 15))
+    assert [each.lacks for each in differences(short, real)] == [False]
+    assert [each.lacks for each in differing.differences([long._replace(asked_s=30.0)], real)] == [True]
+    assert differing.differences([short, long._replace(asked_s=30.0)], real) == []

@@ -64,6 +64,18 @@ def test_what_differs_is_told_and_is_an_exit_code(real: Environment, edulaunch: 
     assert ('output', 'cheater') in found
 
 
+def test_several_files_with_what_is_known(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'cheater.py').write_text(CHEATER)
+    (tmp_path / 'cheater.launch.xml').write_text('<launch><executable cmd="python3 cheater.py" name="cheater"/></launch>')
+    (tmp_path / 'b.launch.xml').write_text('<launch><node pkg="demo_nodes_py" exec="talker"/></launch>')
+    (tmp_path / 'b.yaml').write_text("- {file: '*cheater*', why: it cheats}\n- {file: '*b.launch*', kind: node, why: shy}\n")
+    done = edulaunch('compare', '.', '--for', '4', '--jobs', '2', '--known', 'b.yaml')
+    assert done.stdout.splitlines()[-1] == 'of 2: 1 equal, 1 known', done.stdout + done.stderr
+    assert './cheater.launch.xml known it cheats' in [' '.join(line.split()) for line in done.stdout.splitlines()]
+    assert 'known, and it did not occur: *b.launch*: shy' in done.stderr
+    assert done.returncode == 0
+
+
 def test_what_cannot_be_launched_cannot_be_compared(real: Environment, edulaunch: Run) -> None:
     done = edulaunch('compare', 'nowhere.launch.py')
     assert (done.returncode, done.stdout) == (2, '')

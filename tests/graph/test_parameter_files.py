@@ -17,8 +17,8 @@ def test_patterns_nested_namespaces_and_dotted_names() -> None:
     )
     assert read_parameter_file(text) == [
         Entry('/**', 'rate', 5, 3),
-        Entry('/ns/sim', 'color.r', 1.5, 8),
-        Entry('/ns/sim', 'names', ['a', '5'], 9),
+        Entry('ns/sim', 'color.r', 1.5, 8),
+        Entry('ns/sim', 'names', ['a', '5'], 9),
     ]
 
 

@@ -148,6 +148,14 @@ def test_patterns_count_from_their_first_appearance() -> None:
     assert values(parsed('--params-file', 'f', '-p', 'r:=2', f=text), '/sim') == {'q': 0, 'r': 1}
 
 
+def test_a_pattern_with_and_without_a_slash_are_two() -> None:
+    """As rcl has it: each counts from its own first appearance."""
+    both = '/**:\n  ros__parameters:\n    r: 0\nsim:\n  ros__parameters:\n    r: 1\n'
+    words = '--params-file', 'first', '--params-file', 'both'
+    assert values(parsed(*words, first=FILE, both=both), '/sim') == {'r': 1}
+    assert values(parsed(*words, first=FILE.replace('/sim', 'sim'), both=both), '/sim') == {'r': 0}
+
+
 def test_values_know_where_they_came_from() -> None:
     result = parsed('--params-file', 'f', '-p', 'n:x:=off', f=FILE)
     assert result.overrides_for('/sim')['r'].origin == 'f line 3'

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import re
+import select
+import signal
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -117,3 +122,85 @@ def test_a_program_that_cannot_run_says_so_as_in_the_simulation(real: Environmen
 def test_the_clock_cannot_be_hurried(real: Environment, edulaunch: Run) -> None:
     done = edulaunch('launch', '--real', '--fast', 'turtlesim', 'multisim.launch.py')
     assert (done.returncode, done.stderr) == (2, 'error: --fast needs simulated time.\n  help: leave out --fast, or --real\n')
+
+
+STEERED = """
+from launch import LaunchDescription
+from launch.actions import EmitEvent, RegisterEventHandler, Shutdown
+from launch.event_handlers import OnProcessIO
+from launch.events import matches_action
+from launch_ros.actions import ComposableNodeContainer, LifecycleNode, LoadComposableNodes
+from launch_ros.descriptions import ComposableNode
+from launch_ros.event_handlers import OnStateTransition
+from launch_ros.events.lifecycle import ChangeState
+from lifecycle_msgs.msg import Transition
+
+def generate_launch_description():
+    node = LifecycleNode(package='lifecycle', executable='lifecycle_talker', name='lc_talker', namespace='')
+    steps = [
+        EmitEvent(event=ChangeState(lifecycle_node_matcher=matches_action(node), transition_id=step))
+        for step in (Transition.TRANSITION_CONFIGURE, Transition.TRANSITION_ACTIVATE)
+    ]
+    box = ComposableNodeContainer(
+        name='box', namespace='', package='rclcpp_components', executable='component_container',
+        composable_node_descriptions=[ComposableNode(package='composition', plugin='composition::Talker', name='talker')],
+    )
+    more = ComposableNode(package='composition', plugin='composition::Listener', name='listener')
+    seen = set()
+
+    def hear(event):
+        seen.update(word for word in (b'Publishing: [Lifecycle', b'I heard: [Hello') if word in event.text)
+        return [Shutdown(reason='both')] if len(seen) == 2 else None
+
+    return LaunchDescription([
+        node, box, steps[0], LoadComposableNodes(target_container='box', composable_node_descriptions=[more]),
+        RegisterEventHandler(OnStateTransition(target_lifecycle_node=node, goal_state='inactive', entities=[steps[1]])),
+        RegisterEventHandler(OnProcessIO(on_stdout=hear, on_stderr=hear)),
+    ])
+"""
+
+
+def test_launch_itself_reaches_real_nodes(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'steered.launch.py').write_text(STEERED)
+    done = edulaunch('launch', '--real', 'steered.launch.py', '--for', '100')
+    assert "Loaded node '/listener' in container 'box'" in done.stdout, done.stdout + done.stderr
+    assert done.stdout.count('process has finished cleanly') == 2
+    assert 'ctrl-c' not in done.stdout
+
+
+def test_nodes_end_with_a_launch_that_is_killed(real: Environment, tmp_path: Path) -> None:
+    launch = [sys.executable, '-m', 'edulaunch', 'launch', '--real', 'demo_nodes_cpp', 'talker_listener_launch.py']
+    with subprocess.Popen(launch, stdout=subprocess.PIPE, text=True, cwd=tmp_path, stdin=subprocess.DEVNULL) as child:
+        assert child.stdout is not None
+        numbers: list[int] = []
+        for line in child.stdout:
+            numbers += map(int, re.findall(r'process started with pid \[(\d+)\]', line))
+            if 'I heard' in line:
+                break
+        ends = [os.pidfd_open(number) for number in numbers]
+        child.send_signal(signal.SIGKILL)
+    assert len(ends) == 2
+    for end in ends:
+        assert select.select([end], [], [], 60.0)[0], 'a node outlives its launch'
+        os.close(end)
+
+
+SHELL = """
+import os, subprocess, rclpy
+from rclpy.node import Node
+rclpy.init()
+node = Node('caller')
+os.system('ros2 topic pub -r 5 /beat std_msgs/msg/Empty > /dev/null 2>&1 & echo "number $!"')
+print('said', subprocess.run(['ros2', 'topic', 'info', '/rosout'], capture_output=True, text=True).stdout.split()[:2], flush=True)
+"""
+
+
+def test_programs_start_commands_of_ros2_themselves_and_none_outlives_the_launch(
+    real: Environment, edulaunch: Run, tmp_path: Path
+) -> None:
+    (tmp_path / 'caller.py').write_text(SHELL)
+    (tmp_path / 'x.launch.xml').write_text('<launch><executable cmd="python3 caller.py" output="screen"/></launch>')
+    said = edulaunch('launch', '--real', 'x.launch.xml', '--for', '100').stdout
+    number = re.search(r'number (\d+)', said)
+    assert number is not None and "said ['Type:', 'rcl_interfaces/msg/Log']" in said, said
+    assert not Path('/proc', number[1]).exists() or 'ros2' not in Path('/proc', number[1], 'cmdline').read_text()

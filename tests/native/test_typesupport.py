@@ -22,7 +22,7 @@ def run_program(real: Environment, file: Path, *workspaces: Path) -> str:
     """Run a script as a node of a launch is run, to its end; what it printed."""
     program = Program('script', '', file.name, str(file), file=str(file))
     index = index_for(workspaces)  # what is generated for sources goes with it
-    words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index), str(file)]
+    words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index, 0), str(file)]
     done = subprocess.run(words, capture_output=True, text=True, timeout=LONGEST_S, cwd=file.parent)
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -188,7 +188,7 @@ def test_classes_from_text_and_compiled_ones_understand_each_other(real: Environ
     compiled = subprocess.Popen([real.python, str(file), 'plain', 'ours'], stdout=subprocess.PIPE, text=True)
     try:
         program = Program('script', '', 'x', str(file), file=str(file))
-        words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index_for([])), str(file)]
+        words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index_for([]), 0), str(file)]
         ours = subprocess.run([*words, 'ours', 'plain'], capture_output=True, text=True, timeout=LONGEST_S)
         said, _ = compiled.communicate(timeout=LONGEST_S)
     finally:
@@ -225,7 +225,7 @@ while told < 50:
 def test_ctrl_c_waits_while_c_code_waits_for_a_message(real: Environment, tmp_path: Path) -> None:
     file = script(tmp_path, INTERRUPTED)
     program, index = Program('script', '', 'x', str(file), file=str(file)), index_for([])
-    words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index), str(file)]
+    words = [real.python, f'{HOME}/edulaunch/native/program.py', told(program, ProcessSpec(()), index, 0), str(file)]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
         assert child.stdout is not None and child.stderr is not None
         assert child.stdout.readline() == 'ready\n'

@@ -173,6 +173,36 @@ def test_a_rate_sleeps_on_its_grid_while_another_thread_spins(world: World) -> N
     assert [at for at, _, _ in world.run()] == [250.0, 500.0, 750.0]
 
 
+def test_a_call_while_nobody_slept_ends_the_next_sleep_at_once(world: World) -> None:
+    """Measured with rclpy 7.1.6."""
+
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        current_process().start_thread(lambda: rclpy.spin(node), 'spinner', True)
+        rate = node.create_rate(2)
+        for pause_s in (1.2, 0.0, 0.9, 0.0):
+            sleep(pause_s)
+            rate.sleep()
+            world.say('awake')
+
+    world.start(program)
+    assert [at for at, _, _ in world.run()] == [1200.0, 1500.0, 2400.0, 2500.0]
+
+
+def test_a_timer_without_a_function_ends_the_program_when_it_is_due(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node = Node('n')
+        node.create_timer(1.0, None)
+        with pytest.raises(TypeError, match="'NoneType' object is not callable"):
+            rclpy.spin(node)
+        world.say('over')
+
+    world.start(program)
+    assert world.run(3) == [(1000.0, 'main', 'over')]
+
+
 def test_a_sleeping_rate_is_interrupted_by_shutdown(world: World) -> None:
     def program() -> None:
         rclpy.init()
@@ -192,7 +222,7 @@ def test_a_rate_inside_a_callback_is_explained(world: World) -> None:
         rclpy.init()
         node = Node('n')
         rate = node.create_rate(10)
-        node.create_timer(0.1, rate.sleep)
+        node.create_timer(0.05, rate.sleep)
         rclpy.spin(node)
 
     world.start(program)

@@ -8,7 +8,10 @@ import threading
 from _thread import interrupt_main
 from types import FrameType
 
-SOON_S = 0.001
+SOON_S = 0.0002
+MOST_TRIES = 50
+"""So often it is put off where rclpy may be about to call C code: it may also be waiting for a service."""
+_tries = 0
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '')
 
 
@@ -19,10 +22,30 @@ def defer() -> None:
 
 
 def _interrupt(signum: int, frame: FrameType | None) -> None:
+    global _tries
+    if _tries < MOST_TRIES and frame is not None and _calls_c(frame):
+        _tries += 1
+        _again()
+        return
+    _tries = 0
     at = frame
     while at is not None:
         if at.f_code.co_filename.startswith(_FOLDER):
-            threading.Timer(SOON_S, interrupt_main).start()
+            _again()
             return
         at = at.f_back
     signal.default_int_handler(signum, frame)
+
+
+def _again() -> None:
+    timer = threading.Timer(SOON_S, interrupt_main)
+    timer.daemon = True  # a program that ends meanwhile does not wait for it
+    timer.start()
+
+
+def _calls_c(frame: FrameType) -> bool:
+    """Whether it is a function of rclpy that hands messages to C code; the executor does so where it takes them."""
+    folder, file = os.path.split(frame.f_code.co_filename)
+    return f'{folder}{os.sep}'.find(f'{os.sep}rclpy{os.sep}') >= 0 and (
+        file != 'executors.py' or frame.f_code.co_name.startswith('_take')
+    )

@@ -124,7 +124,7 @@ class Timer(Entity):
         self.due_ns = next_ns if clock.override_ns is None or next_ns <= now else NEVER_NS
         self.ready_list.plan()
         self.ready_list.notify()
-        return self.callback() if self.callback is not None else None
+        return self.callback()  # type: ignore[misc]  # None ends the program, as in ROS 2
 
     def _note_skipped(self, now_ns: int) -> None:
         """The executor comes a whole period late, or later: something holds it up."""
@@ -183,18 +183,19 @@ class Timer(Entity):
 
 
 class Rate:
-    """`sleep()` waits for the next call of a timer, so some other thread must spin. Made by `Node.create_rate`."""
+    """`sleep()` waits for a call of a timer since the last sleep, so some other thread must spin. Made by `Node.create_rate`."""
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
         self._clock = timer.clock
         self.timer = timer
         self._context = context
         self._is_destroyed = False
-        self._called = 0
+        self._has_called = False
+        self._sleepers = 0
         timer.callback = self._on_call
 
     def _on_call(self) -> None:
-        self._called += 1
+        self._has_called = True
         for task in self._context.parked:
             task.wake()
 
@@ -205,20 +206,22 @@ class Rate:
         self.timer.destroy()
 
     def sleep(self) -> None:
-        """Wait for the next call of the timer.
+        """Wait for a call of the timer; one that came while nobody slept ends it at once, as in ROS 2.
 
         :raises ROSInterruptException: when ROS 2 is shut down before that.
         :raises RuntimeError: when the rate was destroyed before; one that is destroyed meanwhile only wakes.
         """
         self._check()
-        called = self._called
         executor = self.timer.ready_list.executor
-        if executor is not None and executor.cannot_serve(self.timer):
+        if not self._has_called and executor is not None and executor.cannot_serve(self.timer):
             from rclpy.impl.facts import note_rate
 
             note_rate(self.timer)
-        while self._called == called and self._context.alive and not self._is_destroyed:
+        self._sleepers += 1
+        while not self._has_called and self._context.alive and not self._is_destroyed:
             self._context.park()
+        self._sleepers -= 1
+        self._has_called = self._has_called and self._sleepers > 0
         self._check_context()
 
     def _check(self) -> None:
