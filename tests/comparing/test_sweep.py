@@ -29,6 +29,7 @@ def test_launch_files_of_a_folder(tmp_path: Path) -> None:
     assert found == ['a/y_launch.xml', 'a/z.launch.yaml', 'b/x.launch.py']
 
 
+@pytest.mark.processes
 def test_a_comparison_that_cannot_be_made_says_why(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv('EDULAUNCH_REAL_RCLPY', str(tmp_path / 'none'))
     told: list[Row] = []
