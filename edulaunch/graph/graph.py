@@ -56,12 +56,12 @@ class Graph:
         self.clients: dict[str, list[ServiceClient]] = {}
         self.changes = 0
         self.on_change: list[Callable[[], object]] = []
-        self._index = 0
+        self.last_index = 0
 
     def next_index(self) -> int:
         """The next number in order of creation, for nodes and endpoints alike."""
-        self._index += 1
-        return self._index
+        self.last_index += 1
+        return self.last_index
 
     def _changed(self) -> None:
         self.changes += 1
@@ -96,7 +96,7 @@ class Graph:
         """A publisher of `node`, connected to all subscriptions that it suits."""
         made = WatchedPublisher if qos.deadline_ns or qos.lease_ns else Publisher
         publisher = made(self, node, topic, cls, qos)
-        self._add(node, self.publishers, topic, publisher)
+        self.add_end(node, self.publishers, topic, publisher)
         for subscription in self.subscriptions.get(topic, ()):
             connect(publisher, subscription)
         return publisher
@@ -106,7 +106,7 @@ class Graph:
     ) -> Subscription:
         """A subscription of `node`, connected to all publishers that suit it; old samples may stand in its queue at once."""
         subscription = Subscription(self, node, topic, cls, qos, on_ready)
-        self._add(node, self.subscriptions, topic, subscription)
+        self.add_end(node, self.subscriptions, topic, subscription)
         for publisher in self.publishers.get(topic, ()):
             connect(publisher, subscription)
         return subscription
@@ -114,13 +114,13 @@ class Graph:
     def create_service(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceServer:
         """A server of `node`. All servers of one name get each request, and the client hears the first reply."""
         server = ServiceServer(self, node, name, cls, qos, on_ready)
-        self._add(node, self.services, name, server)
+        self.add_end(node, self.services, name, server)
         return server
 
     def create_client(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceClient:
         """A client of `node`."""
         client = ServiceClient(self, node, name, cls, qos, on_ready)
-        self._add(node, self.clients, name, client)
+        self.add_end(node, self.clients, name, client)
         return client
 
     def servers_for(self, client: ServiceClient) -> list[ServiceServer]:
@@ -129,8 +129,8 @@ class Graph:
 
     def remove_publisher(self, publisher: Publisher) -> None:
         """See `Publisher.destroy`. What a dying program publishes afterwards is not recorded."""
-        publisher._record = _forget
-        for subscription in list(publisher._matched):
+        publisher.record = _forget
+        for subscription in list(publisher.matched):
             disconnect(publisher, subscription)
         self._remove(self.publishers, publisher.topic_name, publisher)
 
@@ -149,7 +149,7 @@ class Graph:
         """See `ServiceClient.destroy`."""
         self._remove(self.clients, client.service_name, client)
 
-    def _add(self, node: NodeEntry, table: dict[str, list[Any]], name: str, endpoint: Any) -> None:
+    def add_end(self, node: NodeEntry, table: dict[str, list[Any]], name: str, endpoint: Any) -> None:
         table.setdefault(name, []).append(endpoint)
         node.endpoints.append(endpoint)
         self.tracer.endpoint_added(endpoint.kind, endpoint)

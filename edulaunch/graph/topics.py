@@ -49,30 +49,30 @@ class Publisher(Endpoint):
     def __init__(self, graph: Graph, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
         self._sim = graph.sim
-        self._record = graph.tracer.channel(self)
-        self._matched: list[Subscription] = []
-        self._history: deque[Taken] | None = None
+        self.record = graph.tracer.channel(self)
+        self.matched: list[Subscription] = []
+        self.history: deque[Taken] | None = None
         if qos.durability == TRANSIENT_LOCAL:
-            self._history = deque(maxlen=qos.queue_length)
+            self.history = deque(maxlen=qos.queue_length)
 
     @property
     def subscription_count(self) -> int:
         """How many subscriptions this publisher reaches."""
-        return len(self._matched)
+        return len(self.matched)
 
     def publish(self, wire: Any) -> None:
         """Deliver a snapshot: it stands in all matched queues, and their nodes are told, when this returns."""
         now = self._sim.now_ns
-        self._record((now, self.index, wire))
-        if self._history is not None:
-            self._history.append((wire, now, self))
-        for subscription in self._matched:
+        self.record((now, self.index, wire))
+        if self.history is not None:
+            self.history.append((wire, now, self))
+        for subscription in self.matched:
             subscription.queue.append((wire, now, self))
             subscription.on_ready()
 
     def kept(self) -> list[Taken]:
         """What a late subscription gets: the messages whose lifespan is not over."""
-        return [taken for taken in self._history or () if self.is_current(taken[1])]
+        return [taken for taken in self.history or () if self.is_current(taken[1])]
 
     def is_current(self, published_ns: int) -> bool:
         """Whether the lifespan of a message is not over; one that is exactly that old is gone."""
@@ -154,12 +154,12 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
             publisher._tell_incompatible(policy)
             subscription._tell_incompatible(policy)
         return
-    publisher._matched.append(subscription)
+    publisher.matched.append(subscription)
     subscription.publishers.append(publisher)
     subscription.may_expire |= bool(publisher.qos.lifespan_ns)
     publisher._tell_matched(+1)
     subscription._tell_matched(+1)
-    kept = publisher.kept() if publisher._history and subscription.qos.durability == TRANSIENT_LOCAL else ()
+    kept = publisher.kept() if publisher.history and subscription.qos.durability == TRANSIENT_LOCAL else ()
     if kept:
         subscription.queue.extend(kept)
         subscription.on_ready()
@@ -167,8 +167,8 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
 
 def disconnect(publisher: Publisher, subscription: Subscription) -> None:
     """Undo `connect`, if it made a match."""
-    if subscription in publisher._matched:
-        publisher._matched.remove(subscription)
+    if subscription in publisher.matched:
+        publisher.matched.remove(subscription)
         subscription.publishers.remove(publisher)
         publisher._tell_matched(-1)
         subscription._tell_matched(-1)

@@ -42,26 +42,26 @@ class HalfSimulation(Simulation):
 
     def mark(self) -> None:
         """What is asked for from now on comes after all that was asked for in the other half."""
-        self._sequence += 1
+        self.last_number += 1
         soon = self._soon
         if soon and soon[-1][1] == IS_MARK:
-            soon[-1][2] = self._sequence
+            soon[-1][2] = self.last_number
         else:
-            soon.append([self.now_ns, IS_MARK, self._sequence, None])
+            soon.append([self.now_ns, IS_MARK, self.last_number, None])
 
     def sequence(self) -> int:
         """The last number that was given out."""
-        return self._sequence
+        return self.last_number
 
     def continue_from(self, number: int) -> None:
         """The other half has given out numbers up to this one."""
-        self._sequence = number
+        self.last_number = number
         self.mark()
 
     def number_for_the_other(self) -> int:
         """A number for what a frame makes the other half ask for; what is asked for here afterwards comes later."""
-        number = self._sequence + 1
-        self._sequence = number + FOR_THE_OTHER
+        number = self.last_number + 1
+        self.last_number = number + FOR_THE_OTHER
         self.mark()
         self.other = min(self.other, (self.now_ns, 0, 1, number))
         return number
@@ -69,11 +69,11 @@ class HalfSimulation(Simulation):
     def is_marked(self) -> bool:
         """Whether nothing was asked for since the last mark."""
         soon = self._soon
-        return bool(soon) and soon[-1][1] == IS_MARK and soon[-1][2] == self._sequence
+        return bool(soon) and soon[-1][1] == IS_MARK and soon[-1][2] == self.last_number
 
     def head(self) -> Key:
         """The key of the next item here."""
-        agenda, soon = self._agenda, self._soon
+        agenda, soon = self.agenda, self._soon
         while agenda and agenda[0][3] is None:
             heappop(agenda)
         if agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0:
@@ -112,6 +112,6 @@ class HalfSimulation(Simulation):
                     self._number = item[2]
                 item = self._soon.popleft()
         else:
-            item = heappop(self._agenda)
+            item = heappop(self.agenda)
             self.now_ns = item[0]
         item[3]()

@@ -59,9 +59,9 @@ class Half:
     def tell(self, kind: Kind, payload: bytes) -> None:
         """Tell it something that may wake somebody there, in the order of what is asked for here before and after."""
         sim = self.sim
-        if self._marked != sim._sequence or not sim.is_marked():
+        if self._marked != sim.last_number or not sim.is_marked():
             self.send(Kind.MARK, NUMBER.pack(sim.number_for_the_other()))
-            self._marked = sim._sequence
+            self._marked = sim.last_number
         self.send(kind, payload)
 
     _marked = -1

@@ -188,9 +188,9 @@ class Replica:
 
     def _take(self, index: int, make: Callable[[], Any]) -> None:
         """Repeat here what got this number there."""
-        if not self.graph._index < index <= LAST_INDEX or len(self.theirs) >= MOST_ENDS:
+        if not self.graph.last_index < index <= LAST_INDEX or len(self.theirs) >= MOST_ENDS:
             raise Violation('nodes and endpoints are numbered as they come')
-        self.graph._index = index - 1
+        self.graph.last_index = index - 1
         self.theirs[index] = self._repeat(make)
 
     def _end(self, payload: memoryview) -> None:
@@ -207,7 +207,7 @@ class Replica:
     def _subscription(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Subscription:
         subscription = Subscription(self.graph, node, topic, cls, qos, lambda: self._deliver(subscription))
         subscription.queue = Outlet()  # type: ignore[assignment]
-        self.graph._add(node, self.graph.subscriptions, topic, subscription)
+        self.graph.add_end(node, self.graph.subscriptions, topic, subscription)
         for publisher in self.graph.publishers.get(topic, ()):
             connect(publisher, subscription)
         return subscription
@@ -233,9 +233,9 @@ class Replica:
         publisher = self._of(payload, Publisher)
         wire = self.messages.unpacked(publisher.cls, bytes(payload[END.size :]))
         now_ns = self.graph.sim.now_ns
-        publisher._record((now_ns, publisher.index, wire))
-        if publisher._history is not None:
-            publisher._history.append((wire, now_ns, publisher))
+        publisher.record((now_ns, publisher.index, wire))
+        if publisher.history is not None:
+            publisher.history.append((wire, now_ns, publisher))
         self._known[publisher.index] = wire, now_ns
 
     def _ready(self, payload: memoryview) -> None:
@@ -247,7 +247,7 @@ class Replica:
         wire, at_ns = self._known[publisher_index]
         subscription = self.our(subscription_index, Subscription)
         if subscription is not None:
-            if subscription not in publisher._matched:
+            if subscription not in publisher.matched:
                 raise Violation('a message for who does not hear it')
             subscription.queue.append((wire, at_ns, publisher))
             subscription.on_ready()

@@ -160,7 +160,7 @@ class Bridge:
     def _tap(self, publisher: Any, handle: int) -> None:
         """Let what a publisher publishes go out too, from the moment on in which it is recorded."""
         record, cls, topic, listeners, publish = (
-            publisher._record,
+            publisher.record,
             publisher.cls,
             publisher.topic_name,
             self.mirror.listeners,
@@ -175,15 +175,15 @@ class Bridge:
                 publish(handle, encode(cls, item[2]))
 
         self._untap[publisher.index] = record
-        publisher._record = recorded
-        for wire, _, _ in publisher._history or ():
+        publisher.record = recorded
+        for wire, _, _ in publisher.history or ():
             self.sent += 1
             publish(handle, encode(cls, wire))
 
     def _restore(self, end: Any) -> None:
         record = self._untap.pop(end.index, None)
         if record is not None and not end.destroyed:
-            end._record = record
+            end.record = record
 
     def _ask(self, item: Any) -> None:
         """A client here asks a service out there; several of one name get one request together, as DDS does it."""

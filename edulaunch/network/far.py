@@ -56,8 +56,8 @@ class FarPublisher(Publisher):
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS) -> None:
         Endpoint.__init__(self, graph, node, name, cls, qos)
         self._sim = graph.sim
-        self._matched = []
-        self._history = None
+        self.matched = []
+        self.history = None
         self._channel: Callable[[Any], object] | None = None
 
     def heard(self, wire: Any) -> None:
@@ -102,16 +102,16 @@ def join(end: Any) -> None:
     """Let an endpoint that is far away be seen here, and meet its counterparts here."""
     graph = end.graph
     if isinstance(end, FarPublisher):
-        graph._add(end.node, graph.publishers, end.topic_name, end)
+        graph.add_end(end.node, graph.publishers, end.topic_name, end)
         for subscription in graph.subscriptions.get(end.topic_name, ()):
             if not isinstance(subscription, FarSubscription):
                 connect(end, subscription)
     elif isinstance(end, FarSubscription):
-        graph._add(end.node, graph.subscriptions, end.topic_name, end)
+        graph.add_end(end.node, graph.subscriptions, end.topic_name, end)
         for publisher in graph.publishers.get(end.topic_name, ()):
             if not isinstance(publisher, FarPublisher):
                 connect(publisher, end)
     elif isinstance(end, FarService):
-        graph._add(end.node, graph.services, end.service_name, end)
+        graph.add_end(end.node, graph.services, end.service_name, end)
     else:
-        graph._add(end.node, graph.clients, end.service_name, end)
+        graph.add_end(end.node, graph.clients, end.service_name, end)

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from edulaunch.processes.whose_code import is_library, is_own
 from edulaunch.sim.simulation import Simulation
-from edulaunch.sim.task import Task
+from edulaunch.sim.task import Task, task_around
 
 LOOKS = 8
 """How many times in a row a turn is seen, at least, before its program is stopped."""
@@ -124,13 +124,9 @@ class Watchdog:
 
     def _running(self) -> tuple[Task | None, FrameType | None]:
         """The task that has its turn, found at the bottom of what the simulation's thread executes, and the top of that."""
-        top = frame = sys._current_frames().get(self.thread or 0)
-        while frame is not None:
-            if frame.f_code is Task._run.__code__:
-                task: Task = frame.f_locals['self']
-                return task, top
-            frame = frame.f_back
-        return None, None
+        top = sys._current_frames().get(self.thread or 0)
+        task = task_around(top)
+        return (None, None) if task is None else (task, top)
 
     def _processor_s(self) -> float:
         """The processor's time that the simulation's thread has used; where a system does not tell it, that of all threads."""

@@ -62,8 +62,7 @@ def student_line(frame: FrameType | None = None) -> dict[str, Any]:
 
 def waiting_line(task: Task) -> dict[str, Any]:
     """:func:`student_line` of a task that is parked."""
-    frame = getattr(task._greenlet, 'gr_frame', None)
-    return {} if frame is None else student_line(frame)
+    return {} if task.frame is None else student_line(task.frame)
 
 
 def coroutine_line(coroutine: Any) -> dict[str, Any]:

@@ -113,6 +113,13 @@ class Recording:
 
         return hashlib.sha256(file_format.encode(canonical(self._content))).hexdigest()
 
+    def rows(self, part: str) -> list[Any]:
+        """The rows of a part ('topics', 'calls', 'logs', 'output', 'parameters') as the file has them: plain data, times in
+        nanoseconds. For who reads all of a long run; not to be changed.
+        """
+        found: list[Any] = self._content[part]
+        return found
+
     @cached_property
     def launch(self) -> LaunchRecord:
         """What was launched, its declared arguments, and launch's return code."""

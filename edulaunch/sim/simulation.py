@@ -43,11 +43,11 @@ class Simulation:
         self.start_ns = start_ns
         self.now_ns = start_ns
         self.hub: Any = None
-        self._agenda: list[Item] = []
+        self.agenda: list[Item] = []
         self._soon: deque[Item] = deque()
-        self._sequence = 0
+        self.last_number = 0
         self._stopped = False
-        self._hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
+        self.hands_on = False  # whether a task that parks may give the next turn of this instant to its task by itself
 
     @property
     def elapsed_s(self) -> float:
@@ -61,12 +61,12 @@ class Simulation:
         """
         if at_ns < self.now_ns:
             raise SimulationError(f'cannot schedule {self.now_ns - at_ns} ns into the past')
-        self._sequence += 1
-        item = [at_ns, priority, self._sequence, callback]
+        self.last_number += 1
+        item = [at_ns, priority, self.last_number, callback]
         if at_ns == self.now_ns and not priority:
             self._soon.append(item)
         else:
-            heappush(self._agenda, item)
+            heappush(self.agenda, item)
         return item
 
     @staticmethod
@@ -76,7 +76,7 @@ class Simulation:
 
     def next_time_ns(self) -> int | None:
         """When the next item is due, or None on an empty agenda."""
-        agenda = self._agenda
+        agenda = self.agenda
         while agenda and agenda[0][3] is None:
             heappop(agenda)
         if self._soon:
@@ -85,7 +85,7 @@ class Simulation:
 
     def _take(self) -> Item | None:
         """The next item, taken off the agenda; None when there is none."""
-        agenda, soon = self._agenda, self._soon
+        agenda, soon = self.agenda, self._soon
         while soon or agenda:
             if not soon or (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
                 item = heappop(agenda)
@@ -101,7 +101,7 @@ class Simulation:
         if item is None:
             return False
         self.hub = getcurrent()
-        self._hands_on = False
+        self.hands_on = False
         self.now_ns = max(self.now_ns, item[0])
         item[3]()
         return True
@@ -109,9 +109,9 @@ class Simulation:
     def run(self, until_ns: int | None = None) -> None:
         """Step until the agenda is empty, the time is `until_ns` (which is then the time), or :meth:`stop` is called."""
         self._stopped = False
-        self._hands_on = True
+        self.hands_on = True
         self.hub = getcurrent()
-        agenda, soon = self._agenda, self._soon
+        agenda, soon = self.agenda, self._soon
         limit = FAR_NS if until_ns is None else until_ns
         while not self._stopped:
             if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
@@ -126,19 +126,19 @@ class Simulation:
             if callback is not None:
                 self.now_ns = item[0]
                 callback()
-        self._hands_on = False
+        self.hands_on = False
         if until_ns is not None and not self._stopped and self.now_ns < until_ns:
             self.now_ns = until_ns
 
     def stop(self) -> None:
         """Let :meth:`run` return after the item that is running now."""
         self._stopped = True
-        self._hands_on = False
+        self.hands_on = False
 
     def leap(self, to_ns: int) -> None:
         """Let it be later at once: what is on the agenda stays as far ahead as it was. A time that is over changes nothing."""
         by_ns = max(0, to_ns - self.now_ns)
-        for item in self._agenda:
+        for item in self.agenda:
             item[0] += by_ns
         self.now_ns += by_ns
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from greenlet import GreenletExit, getcurrent, greenlet
@@ -57,6 +58,11 @@ class Task:
 
     def __repr__(self) -> str:
         return f'<Task {self.name}>'
+
+    @property
+    def frame(self) -> FrameType | None:
+        """Where it stands while it is parked; None while it runs, and when it has ended."""
+        return getattr(self._greenlet, 'gr_frame', None)
 
     is_real_thread = False
     """Whether it stands for a real thread beside the main one; see `real_threads.py`."""
@@ -136,10 +142,10 @@ class Task:
                 self._set_timer(deadline_ns)
             self._parked = True
             sim, soon = self.sim, self._soon
-            agenda = sim._agenda
+            agenda = sim.agenda
             if self.loop is not None:
                 self.loop.step_aside(sim.hub.switch)
-            elif soon and not soon[0][2] and sim._hands_on and not (agenda and agenda[0][0] == sim.now_ns):
+            elif soon and not soon[0][2] and sim.hands_on and not (agenda and agenda[0][0] == sim.now_ns):
                 # A task's turn is next (turns have the sequence number 0): the hub would switch to it and do nothing else.
                 # Saves a third of all switches where tasks wake each other (2 % of the large project).
                 soon.popleft()[3]()
@@ -293,6 +299,16 @@ def _ambient_task() -> AmbientTask:
     beside = host.real_threads if isinstance(host, AmbientTask) and host.owner is not None else None
     is_main = beside is None or threading.current_thread() is threading.main_thread()
     return AmbientTask(Simulation()) if is_main or beside is None else beside.join()
+
+
+def task_around(frame: FrameType | None) -> Task | None:
+    """The task whose code a frame of another thread belongs to: it stands at the bottom."""
+    while frame is not None:
+        if frame.f_code is Task._run.__code__:
+            task: Task = frame.f_locals['self']
+            return task
+        frame = frame.f_back
+    return None
 
 
 def _main_greenlet() -> Any:

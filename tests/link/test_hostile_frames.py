@@ -184,7 +184,7 @@ def numbers() -> tuple[int, int, int]:
     """Of turtlesim's node, of its pose publisher, and the next one that is free."""
     trusted, error = after_the_sim(b'')
     assert isinstance(error, Gone)
-    return trusted.recorder.nodes[0][4], pose_publisher(trusted), trusted.graph._index + 1
+    return trusted.recorder.nodes[0][4], pose_publisher(trusted), trusted.graph.last_index + 1
 
 
 def test_nothing_is_done_in_the_name_of_a_stock_node(numbers: tuple[int, int, int]) -> None:

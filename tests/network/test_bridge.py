@@ -272,14 +272,14 @@ def test_a_queue_that_is_full_is_read_before_its_oldest_message_is_dropped(place
 def test_at_the_end_the_graph_is_as_it_was(place: Any) -> None:
     here, there = place('a'), place('b')
     publisher = here.publisher('/chatter')
-    before = publisher._record
+    before = publisher.record
     there.subscription('/chatter')
     there.service('/reset')
     turns(here, there)
-    assert publisher._record != before
+    assert publisher.record != before
     here.bridge.close()
     assert here.nodes() == ['/a'] and here.graph.services == {} and here.graph.subscriptions == {}
-    assert publisher._record == before
+    assert publisher.record == before
     turns(there)
     assert there.nodes() == ['/b'] and there.graph.publishers == {}
     publisher.publish(('alone',))

@@ -114,7 +114,7 @@ def test_updates_are_in_alphabetical_order(sim: Any) -> None:
     for publishers in list(sim.graph.publishers.values()):
         for publisher in publishers:
             if publisher.topic_name in numbers:
-                publisher._record = lambda record, topic=publisher.topic_name: order.append(topic)
+                publisher.record = lambda record, topic=publisher.topic_name: order.append(topic)
     sim.until(200 + TICK)
     assert order == ['/alf/pose', '/turtle1/pose', '/turtle10/pose', '/turtle2/pose']
 

@@ -35,7 +35,7 @@ def not_declared(recording: Recording) -> Iterator[Finding]:
     that died had perhaps not come to declaring it.
     """
     dead = {process.name for process in recording.processes if process.returncode not in ENDED_WELL}
-    taken = {(parameter, origin) for _, _, parameter, _, origin in recording._content['parameters']}
+    taken = {(parameter, origin) for _, _, parameter, _, origin in recording.rows('parameters')}
     for fact in recording.facts:
         name = fact.data.get('parameter', '')
         if fact.kind == 'parameter not declared' and (name, fact.data['origin']) not in taken and fact.process not in dead:
@@ -57,7 +57,7 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
 )
 def refused(recording: Recording) -> Iterator[Finding]:
     """By the answer of its parameter service."""
-    if not any(row[2] == SET for row in recording._content['calls']):
+    if not any(row[2] == SET for row in recording.rows('calls')):
         return
     for call in recording.service_calls:
         if call.type != SET or call.response is None:

@@ -140,7 +140,7 @@ def too_early(recording: Recording) -> Iterator[Finding]:
     the program that was started first was first.
     """
     last: dict[str, float] = {}
-    for row in recording._content['topics']:
+    for row in recording.rows('topics'):
         if row['times']:
             last[row['topic']] = max(last.get(row['topic'], 0.0), row['times'][-1] / 1e9)
     order = {id(end): number for number, end in enumerate(recording.ends)}

@@ -26,7 +26,7 @@ TWIST = 'geometry_msgs/msg/Twist'
 
 def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, Any, Any]]:
     """Requests of a service type of turtlesim: time in s, service, who asked, request, reply (both wires)."""
-    for time_ns, service, type_name, client, request, _, replied, response in recording._content['calls']:
+    for time_ns, service, type_name, client, request, _, replied, response in recording.rows('calls'):
         if type_name == f'turtlesim/srv/{kind}':
             yield time_ns / 1e9, service, client, request, response if replied is not None else None
 
@@ -59,7 +59,7 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
 )
 def wall(recording: Recording) -> Iterator[Finding]:
     """Half a second at an edge, with a speed."""
-    if not any('I hit the wall' in row[4] for row in recording._content['logs']):
+    if not any('I hit the wall' in row[4] for row in recording.rows('logs')):
         return
     for turtle, node in turtles(recording).items():
         at = [
@@ -178,7 +178,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
 def kill_unknown(recording: Recording) -> Iterator[Finding]:
     """As turtlesim logs it."""
     names = [turtle.rpartition('/')[2] for turtle in turtles(recording)]
-    for time_ns, process, _, _, message in recording._content['logs']:
+    for time_ns, process, _, _, message in recording.rows('logs'):
         match = _NO_TURTLE.match(message)
         if match is not None:
             asker = next((row[2] for row in _calls(recording, 'Kill') if row[3][0] == match[1]), '')

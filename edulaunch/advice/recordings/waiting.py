@@ -186,7 +186,7 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 )
 def ended_by_force(recording: Recording) -> Iterator[Finding]:
     """launch had to send SIGTERM or SIGKILL, as it says itself."""
-    refused = {word for row in recording._content['output'] if 'failed to terminate' in row[3] for word in _named(row[3])}
+    refused = {word for row in recording.rows('output') if 'failed to terminate' in row[3] for word in _named(row[3])}
     for fact in recording.facts:
         if fact.kind == 'ended by force' and fact.process in refused:
             waits = [wait for wait in fact.data['waits'] if 'file' in wait]
