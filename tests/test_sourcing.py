@@ -55,6 +55,8 @@ import edulaunch
 edulaunch.source(workspaces=[{str(tmp_path)!r}])
 from robo.parts import main
 from robo_msgs.msg import Part
+from rosidl_runtime_py.utilities import get_message
+print(get_message('robo_msgs/msg/Part') is Part)
 from ament_index_python.packages import get_package_prefix
 from launch import LaunchDescription, LaunchService
 from launch_ros.actions import Node
@@ -65,4 +67,4 @@ print(service.run())
 edulaunch.source(workspaces=[{str(tmp_path)!r}])
 """
     done = subprocess.run([sys.executable, '-c', script], cwd='/', capture_output=True, text=True, timeout=60, check=False)
-    assert done.stdout.startswith('arm True\n') and '[go-1] went' in done.stdout + done.stderr, done.stderr
+    assert done.stdout.startswith('True\narm True\n') and '[go-1] went' in done.stdout + done.stderr, done.stderr

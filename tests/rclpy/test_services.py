@@ -267,3 +267,17 @@ def test_a_request_that_waits_is_found_by_its_number(ros: Ros, world: World) -> 
             client.get_pending_request(1)
 
     assert ros(body) == [True]
+
+
+def test_a_call_whose_request_is_cancelled_gives_none(ros: Ros, world: World) -> None:
+    def body() -> None:
+        client = Node('n').create_client(AddTwoInts, 'nobody')
+
+        def cancel() -> None:
+            sleep(1.0)
+            client.get_pending_request(1).cancel()
+
+        current_process().start_thread(cancel, 'canceller', True)
+        world.say(client.call(Request()))
+
+    assert ros(body) == [None]
