@@ -153,6 +153,7 @@ PATHS = [
 """The paths at which launch's modules are in ROS 2, whichever file they are in here."""
 
 
+@pytest.mark.processes
 def test_every_module_of_ros_can_be_imported_at_its_path_alone() -> None:
     """Each in a row of its own order: the last first, so that none finds its file loaded by one before."""
     for paths in (PATHS, PATHS[::-1]):
