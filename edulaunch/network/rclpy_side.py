@@ -35,6 +35,8 @@ LOOK_EVERY_S = 0.1
 """How often the names of nodes and topics are looked at."""
 LOOK_CLOSELY_EVERY_S = 0.5
 """How often all endpoints are, also when no name has come or gone."""
+PAUSE = 9
+"""So many times as long as looking around took, nobody looks again: thousands of topics must not take all the time there is."""
 SETTLED_S = 2.0
 """So long after a name has come or gone, all endpoints are looked at each time: a node makes them one after the other."""
 WAITING = 1000
@@ -260,16 +262,17 @@ class Side:
         """Until the link goes."""
         threading.Thread(target=self.read, daemon=True).start()
         self.say(wire.READY)
-        looked = 0.0
+        looked, pause_s = 0.0, LOOK_EVERY_S
         while rclpy.ok():
             self.executor.spin_once(timeout_sec=0.01 if self.early else LOOK_EVERY_S)
             early, self.early = self.early, []
             self.inbox.extendleft((wire.ASK, *each) for each in reversed(early) if each[0] in self.ends)
             if early:
                 self.work()
-            if time.monotonic() - looked > LOOK_EVERY_S:
+            if time.monotonic() - looked > pause_s:
+                used_s = time.thread_time()
                 self.glance()
-                looked = time.monotonic()
+                looked, pause_s = time.monotonic(), max(LOOK_EVERY_S, PAUSE * (time.thread_time() - used_s))
 
 
 def _node(name: str, namespace: str) -> Any:
