@@ -8,9 +8,7 @@ from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.errors import InterfaceError
-from edulaunch.facts import with_facts
 from edulaunch.interfaces.registry import KINDS_OF_INTERFACE
-from edulaunch.nearest import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -131,6 +129,9 @@ class InterfaceModule(ModuleType):
         return sorted({*super().__dir__(), *self.__all__})
 
     def _no_name(self, name: str, asker: FrameType) -> Exception:
+        from edulaunch.facts import with_facts  # late: every start loads this module
+        from edulaunch.nearest import nearest
+
         # `from m import X` turns any AttributeError into an ImportError of its own, without our facts.
         error: Exception = AttributeError(f'module {self.__name__!r} has no attribute {name!r}', name=name, obj=self)
         if _is_from_import(asker):
