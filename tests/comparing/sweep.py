@@ -1,6 +1,6 @@
 """All launch files at hand in simulation and for real: `python -m tests.comparing.sweep [--jobs N] [--for SECONDS] [GROUP ...]`.
 
-With `--share N` all solutions, and each N-th of the others; `.ci/run` does so.
+What differs is compared once more, in quiet; what differs then counts. With `--share N` all solutions, and each N-th of the others; `.ci/run` does so.
 
 Exits with 1 when something differs that `known.yaml` does not explain.
 """
@@ -48,12 +48,17 @@ def main() -> int:
 
         def tell(row: Row) -> None:
             done.append(row)
-            print(f'{len(done)}/{len(items)} {row.verdict}: {" ".join(row.words)}', file=sys.stderr)
+            print(f'{len(done)} ({len(items)}) {row.verdict}: {" ".join(row.words)}', file=sys.stderr)
             for each in (*row.found, *filter(None, [row.trouble])):
                 print(f'    {each}', file=sys.stderr)
             sys.stderr.flush()
 
-        rows = sweep(items, arguments.seconds, arguments.jobs, [f'--known={KNOWN}'], places.folder_of, tell)
+        options = [f'--known={KNOWN}']
+        rows = sweep(items, arguments.seconds, arguments.jobs, options, places.folder_of, tell)
+        again = [row.words for row in rows if not row.is_well]
+        print(f'{len(again)} of them once more, two at a time', file=sys.stderr)
+        second = {row.words: row for row in sweep(again, arguments.seconds, 2, options, places.folder_of, tell)}
+        rows = [second.get(row.words, row) for row in rows]
         print(table(rows))
         for each in gone(known, rows):
             print(f'known, and it did not occur: {each.file}: {each.why}')
