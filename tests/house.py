@@ -147,3 +147,29 @@ def long_functions(path: Path, most: int) -> Iterator[tuple[str, int]]:
             length = (node.end_lineno or node.lineno) - node.lineno + 1 - len(_docstring(node))
             if length > most:
                 yield node.name, length
+
+
+NAMED_SO_BY_THE_LANGUAGE = {'_replace', '_asdict', '_fields', '_make', '_fields_', '_exit'}
+"""Attributes with an underscore that Python itself has made public: of named tuples, of ctypes, and `os._exit`."""
+
+
+def private_reaches(path: Path) -> Iterator[tuple[int, str]]:
+    """(line, text) of each private attribute that a file reaches for on an object of another file's class.
+
+    What the file itself names, as an attribute of `self` or `cls` or as a function or class, is its own; so is everything behind
+    `self` and `cls`, which a class may have from its bases.
+    """
+    nodes = list(ast.walk(tree(path)))
+    own = {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))}
+    own |= {node.attr for node in nodes if isinstance(node, ast.Attribute) and _is_self(node.value)}
+    for node in nodes:
+        if isinstance(node, ast.Attribute) and _is_private(node.attr) and node.attr not in own and not _is_self(node.value):
+            yield node.lineno, ast.unparse(node)
+
+
+def _is_self(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id in ('self', 'cls')
+
+
+def _is_private(name: str) -> bool:
+    return name.startswith('_') and not name.startswith('__') and name not in NAMED_SO_BY_THE_LANGUAGE

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
-    from edulaunch.plan.outline import Branch
+    from edulaunch.plan.wording import Branch
 
 
 def branches(rehearsal: Rehearsal) -> Iterator[Branch]:

@@ -119,7 +119,7 @@ class Comparison(Tree):
     """What differs between two explanations; `data` is a list of entries with a `sign`."""
 
     def __init__(self, before: Explanation, after: Explanation) -> None:
-        from edulaunch.plan.differences import differences
+        from edulaunch.plan.explanation import differences
 
         self.data = self.entries = differences(before.data, after.data)
         self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')

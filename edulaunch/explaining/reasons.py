@@ -12,7 +12,7 @@ from edulaunch.plan.why import Step, argument_chain, name_of, nodes_named, param
 from edulaunch.plan.wording import shown_value
 
 if TYPE_CHECKING:
-    from edulaunch.plan.outline import Branch
+    from edulaunch.plan.wording import Branch
 
 Declared = Callable[[str, str], Mapping[str, Any]]
 

@@ -5,8 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from shutil import which
+from typing import TYPE_CHECKING, Any
+
+from launch.actions.configurations import SetLaunchConfiguration
 
 from edulaunch.underlay_place import underlay_prefix
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
 
 
 class Assumptions:
@@ -73,3 +79,16 @@ class Assumptions:
     def _note(self, text: str) -> None:
         if text not in self.others:
             self.others.append(text)
+
+
+def include_if_there(assumptions: Assumptions, action: Any, context: LaunchContext) -> Any:
+    """Execute an IncludeLaunchDescription; of a file in a placeholder package only the arguments are set.
+
+    :raises Exception: whatever loading another file raises.
+    """
+    try:
+        return type(action).execute(action, context)
+    except Exception:
+        if not assumptions.lacks_file(action.launch_description_source.described_location):
+            raise
+        return [SetLaunchConfiguration(name, value) for name, value in action.launch_arguments]

@@ -10,8 +10,8 @@ from edulaunch.errors import UnusableInput
 from edulaunch.packages import Index
 from edulaunch.packages.workspace import Image
 from edulaunch.plan.assumptions import Assumptions
-from edulaunch.plan.outline import Branch
 from edulaunch.plan.planner import Plan, Planner
+from edulaunch.plan.wording import Branch
 from edulaunch.processes.host import CommandRunner
 
 

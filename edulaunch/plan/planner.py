@@ -12,10 +12,16 @@ from edulaunch.attached import attached
 from edulaunch.graph.graph import Graph
 from edulaunch.packages import Index
 from edulaunch.plan.assumptions import Assumptions
-from edulaunch.plan.endless import TURN_LIMIT_S, run_to_rest, runaway_error, still_busy
-from edulaunch.plan.lifecycles import ImaginedLifecycles
-from edulaunch.plan.outline import Branch, Setters
-from edulaunch.plan.rehearsal import Notes, RehearsalHost
+from edulaunch.plan.rehearsal import (
+    TURN_LIMIT_S,
+    ImaginedLifecycles,
+    Notes,
+    RehearsalHost,
+    run_to_rest,
+    runaway_error,
+    still_busy,
+)
+from edulaunch.plan.wording import Branch, Setters
 from edulaunch.processes.watchdog import RunawayProgram, Watchdog
 from edulaunch.sim.simulation import Simulation
 
@@ -150,7 +156,7 @@ class Planner:
         from launch.launch_description_sources import AnyLaunchDescriptionSource
         from launch.launch_service import LaunchService
 
-        from edulaunch.plan.assumed_includes import include_if_there
+        from edulaunch.plan.assumptions import include_if_there
         from edulaunch.plan.watching import Watch
 
         launch.logging.launch_config.dry = True

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.graph.parameter_files import Entry
 from edulaunch.graph.tracer import Tracer
@@ -13,6 +14,12 @@ from edulaunch.packages import Index
 from edulaunch.processes.host import Host
 from edulaunch.processes.process import OnExit, OnOutput, Process
 from edulaunch.processes.spec import ProcessSpec
+
+if TYPE_CHECKING:
+    from launch.launch_context import LaunchContext
+
+    from edulaunch.processes.watchdog import RunawayProgram
+    from edulaunch.sim.simulation import Simulation
 
 WARNING = 30
 LOOKING_UP = ('pkg', 'interface')
@@ -156,3 +163,88 @@ class Notes(Tracer):
         """Keep what was printed."""
         if stream == 'stdout':
             self.stdout += text
+
+
+FIRST_STATE = 'unconfigured'
+
+
+class ImaginedLifecycles:
+    """The states that the LifecycleNodes of one plan would be in."""
+
+    def __init__(self) -> None:
+        self._states: dict[Any, str] = {}
+
+    def change(self, context: LaunchContext, node: Any, transition_id: int) -> bool:
+        """Make a transition and tell launch of both its steps, as the node's topic `transition_event` does.
+
+        :param node: the LifecycleNode action.
+        :returns: False when the transition does not begin in the node's state.
+        """
+        from rclpy.lifecycle.state_machine import OUTCOMES, TransitionCallbackReturn, transition_from
+
+        state = self._states.get(node, FIRST_STATE)
+        transition = transition_from(state, transition_id)
+        if transition is None:
+            return False
+        outcome = OUTCOMES[transition.during][TransitionCallbackReturn.SUCCESS]
+        self._tell(context, node, transition.label, state, transition.during)
+        self._tell(context, node, outcome.label, transition.during, outcome.goal)
+        self._states[node] = outcome.goal
+        return True
+
+    @staticmethod
+    def _tell(context: LaunchContext, node: Any, label: str, start: str, goal: str) -> None:
+        from launch_ros.events.lifecycle import StateTransition
+        from lifecycle_msgs.msg import TransitionEvent
+
+        message: Any = TransitionEvent()
+        message.transition.label, message.start_state.label, message.goal_state.label = label, start, goal
+        context.emit_event_sync(StateTransition(action=node, msg=message))
+
+
+TURN_LIMIT_S = 2.0
+"""Seconds of the processor's time that the code of a launch file may take without coming on; see `Watchdog`."""
+MOST_INSTANTS = 2_000
+MOST_STEPS = 500_000
+"""So often may simulated time advance, and so much may be done, before something must end."""
+STEPS_BETWEEN_COLLECTIONS = 20_000
+"""A plan is made without the garbage collector, which takes half of the time of a large one."""
+MOST_REACTIONS = 20_000
+"""So often may event handlers give actions: events that follow from events are all handled in one step."""
+
+
+def run_to_rest(sim: Simulation) -> str | None:
+    """Go on until there is nothing left to do; what to say when that does not happen, else None."""
+    instants, now = 0, sim.now_ns
+    for step in range(MOST_STEPS):
+        if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:
+            gc.collect()
+        if not sim.step():
+            return None
+        if sim.now_ns != now:
+            instants, now = instants + 1, sim.now_ns
+            if instants > MOST_INSTANTS:
+                break
+    return still_busy(sim)
+
+
+def still_busy(sim: Simulation) -> str:
+    """What to say then."""
+    return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
+
+
+def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
+    """The error of a plan whose launch file was stopped in a loop, with the line at which it was."""
+    from traceback import walk_tb
+
+    from launch._failure import is_students
+
+    places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]
+    own = [place for place in places if is_students(place.rpartition(':')[0])]
+    return {
+        'type': 'RunawayProgramError',
+        'text': 'the launch file never came to its end and was stopped',
+        'help': 'look for a loop that does not end: a launch file only says what to start',
+        'origin': own[-1] if own else None,
+        'stage': 'load',
+    }

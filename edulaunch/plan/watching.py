@@ -17,8 +17,8 @@ from launch.event_handler import BaseEventHandler
 from launch.event_handlers.general import OnActionEventBase
 from launch.launch_description_entity import LaunchDescriptionEntity
 
-from edulaunch.plan.endless import MOST_REACTIONS
-from edulaunch.plan.outline import Branch
+from edulaunch.plan.rehearsal import MOST_REACTIONS
+from edulaunch.plan.wording import Branch
 
 if TYPE_CHECKING:
     from launch.events import Event

@@ -16,7 +16,7 @@ from edulaunch.nearest import did_you_mean
 from edulaunch.plan.explanation import default_text, is_declaration, origin_of_setter
 
 if TYPE_CHECKING:
-    from edulaunch.plan.outline import Branch
+    from edulaunch.plan.wording import Branch
 
 Step = dict[str, Any]
 _OF_ARGUMENT = 'launch argument '

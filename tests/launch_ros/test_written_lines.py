@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from launch_ros._written_lines import SHORT_CALL, key_lines
+from launch_ros._parameter_origins import SHORT_CALL, key_lines
 
 AFTER = 'Node(parameters=[{"other": 1}])\n' * 30
 

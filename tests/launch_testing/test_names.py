@@ -12,7 +12,7 @@ import pytest
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, TimerAction
 from launch_testing.junitxml import unittestCaseToXml, unittestResultToXml
-from launch_testing.print_arguments import print_arguments_of_launch_description
+from launch_testing.launch_test import print_arguments_of_launch_description
 from launch_testing.pytest import hooks
 from launch_testing.test_result import TestResult
 from launch_testing.test_runner import LaunchTestRunner

@@ -4,7 +4,7 @@ import pytest
 import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from launch_xml.typed_text import typed
+from launch_xml.entity import typed
 
 
 @pytest.mark.parametrize(

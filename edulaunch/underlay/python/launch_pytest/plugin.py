@@ -18,8 +18,7 @@ from ._items import (
     make_items,
     shutdown_tests_last,
 )
-from ._launched_fixture import launch_description_of, launch_until_ready
-from ._launched_test import run_launched_test
+from ._launched import launch_description_of, launch_until_ready, run_launched_test
 from .fixture import OPTIONS, finalize_launch_service
 
 __all__ = ['LaunchTestWarning', 'has_shutdown_kwarg', 'is_launch_test']

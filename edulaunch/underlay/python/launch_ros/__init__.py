@@ -23,7 +23,7 @@ _EXPORTS = {
     'SomeRemapRules': 'remap_rule_type',
 }
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, {'parameters_type': ('remap_rule_type',)})
 
 if installed_registry() is None:
     from edulaunch.interfaces import install

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 from launch._engine import assumptions, generated_files, running_process, state_of
 
 from ._generated_file import GeneratedFile, GeneratedParameters, temporary_path
-from ._given_parameters import Given, ParameterOrigins, in_force
+from ._parameter_origins import Given, ParameterOrigins, in_force
 from .parameter_descriptions import Parameter, ParameterFile
 from .parameters_type import Parameters
-from .utilities.evaluate_parameters import evaluate_parameter_dict
+from .utilities.parameters import evaluate_parameter_dict
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -3,17 +3,118 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from launch.substitutions.values import LaunchConfiguration
 
-from ._given_parameters import Given
-from ._written_lines import key_lines
+from edulaunch.graph.parameters import pattern_matches
 
 if TYPE_CHECKING:
     from edulaunch.graph.parameter_files import Entry
     from edulaunch.processes import Origin
+
+# A text (with the colon behind it when it is a key; what stands before its quote is not looked at), a comment, a bracket.
+_TOKEN = re.compile(
+    r"""(?P<text>"{3}(?:\\.|(?!"{3}).)*"{3}|\'{3}(?:\\.|(?!\'{3}).)*\'{3}|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\')"""  # noqa: Q001
+    r"""(?P<colon>\s*:)?|\#[^\n]*|(?P<open>[(\[{])|(?P<close>[)\]}])""",
+    re.DOTALL,
+)
+LONGEST_CALL = 400
+"""Lines; what stands farther below the beginning of a call is not looked at."""
+SHORT_CALL = 12
+"""Lines; nearly all calls end here, and to read farther for each takes longer than to launch it."""
+
+
+def key_lines(file: str, line: int) -> dict[str, int]:
+    """Text of each dictionary key in the call that begins on `line`, with the line it stands on (the last one,
+    when it is written more than once); empty when the file cannot be read.
+    """
+    import linecache
+
+    lines = linecache.getlines(file)[line - 1 : line - 1 + LONGEST_CALL]
+    beginning = ''.join(lines[:SHORT_CALL])
+    if len(lines) > SHORT_CALL and '"""' not in beginning and "'''" not in beginning:
+        found, is_closed = _keys_in(beginning, line)
+        if is_closed:
+            return found
+    return _keys_in(''.join(lines), line)[0]
+
+
+def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
+    """The keys, and whether the call ends in the text, which begins on `line`."""
+    found: dict[str, int] = {}
+    depth = 0
+    counted, number = 0, line
+    for token in _TOKEN.finditer(text):
+        kind = token.lastgroup
+        if kind == 'open':
+            depth += 1
+        elif kind == 'close':
+            depth -= 1
+            if depth <= 0:
+                return found, True
+        elif kind == 'colon' and depth:
+            number += text.count('\n', counted, token.start())
+            counted = token.start()
+            found[token['text'].strip('"\'')] = number
+    return found, False
+
+
+class Given(NamedTuple):
+    """One value for one parameter.
+
+    :ivar pattern: of the nodes that it is for.
+    :ivar origin: where it was written, in words.
+    :ivar file, line: the same, as far as it is known; '' and 0 when it is not.
+    :ivar is_of_a_file: whether a parameter file says so, rather than the launch file.
+    """
+
+    pattern: str
+    name: str
+    value: Any
+    origin: str
+    file: str = ''
+    line: int = 0
+    is_of_a_file: bool = False
+
+
+def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
+    """What means the node of that name, in rcl's order: of two for one parameter the later one counts.
+
+    All that stands under one pattern comes where that pattern was met first.
+    """
+    ranks: dict[str, int] = {}
+    for one in given:
+        ranks.setdefault(one.pattern, len(ranks))
+    meant = {pattern for pattern in ranks if pattern_matches(pattern, full_name)}
+    return sorted((one for one in given if one.pattern in meant), key=lambda one: ranks[one.pattern])
+
+
+class ParameterOrigins(Mapping[str, str]):
+    """Parameter name -> origin, of the values that count and that no parameter file gives; found out when somebody asks.
+
+    :param in_force: gives everything that is given, as :func:`in_force` orders it.
+    """
+
+    def __init__(self, in_force: Callable[[], Sequence[Given]]) -> None:
+        self._in_force = in_force
+
+    @cached_property
+    def _found(self) -> dict[str, str]:
+        winners = {one.name: one for one in self._in_force()}
+        return {name: one.origin for name, one in winners.items() if not one.is_of_a_file}
+
+    def __getitem__(self, name: str) -> str:
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
 
 
 class GlobalParameter(tuple[str, Any]):

@@ -7,10 +7,11 @@ uniform lists, or
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from launch.substitution import Substitution
+from launch._lazy import has_ros_paths
+from launch.substitution import SomeSubstitutionsType, Substitution
 
 SomeParameterFile = Any
 """A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
@@ -32,3 +33,13 @@ Parameters = Sequence[Any]
 EvaluatedParameterValue = str | int | float | bool | bytes | tuple[Any, ...]
 EvaluatedParameters = tuple[Any, ...]
 """Of Path, dict of names and plain values, and Parameter."""
+
+SomeRemapRule = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
+"""A pair (from, to) as a launch file writes it."""
+SomeRemapRules = Iterable[SomeRemapRule]
+RemapRule = tuple[tuple[Substitution, ...], tuple[Substitution, ...]]
+"""The same pair, normalized."""
+RemapRules = Sequence[RemapRule]
+
+
+has_ros_paths(__name__)

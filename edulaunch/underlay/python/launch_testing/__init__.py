@@ -7,9 +7,6 @@ runs, and after it was shut down. Names and rules are those of launch_testing in
 
 from launch._lazy import lazy_exports
 
-from .decorator import post_shutdown_test, ready_to_test_action_timeout
-from .parametrize import parametrize
-
 _EXPORTS = {
     'ActiveIoHandler': 'io_handler',
     'ActiveProcInfoHandler': 'proc_info_handler',
@@ -32,5 +29,8 @@ _EXPORTS = {
     'tools': '',
     'util': '',
 }
+_FILES = {'decorator': ('markers', 'parametrize'), 'launch_test': ('print_arguments',), 'test_runner': ('ready_aggregator',)}
 __all__ = ['parametrize', 'post_shutdown_test', 'ready_to_test_action_timeout', *_EXPORTS]
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)
+
+from .decorator import parametrize, post_shutdown_test, ready_to_test_action_timeout  # noqa: E402

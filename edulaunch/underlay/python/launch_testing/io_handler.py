@@ -82,7 +82,7 @@ class ActiveIoHandler(IoHandler):
         :param stream: 'stdout' or 'stderr'; as in ROS 2 the default is stderr, where nodes log.
         :param output_filter: changes what was written before it is compared.
         """
-        from .asserts.assert_output import assertInStream
+        from .asserts import assertInStream
 
         def has_come() -> bool:
             try:

@@ -10,6 +10,9 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from launch._lazy import has_ros_paths
+from launch.launch_description import LaunchDescription
+
 from edulaunch.errors import UnusableInput
 from edulaunch.processes.current import current_process
 from edulaunch.processes.traceback_text import student_traceback
@@ -117,3 +120,13 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 if __name__ == '__main__':
     raise SystemExit(main())
+
+
+def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
+    """Print the launch arguments of a description, as `launch_test --show-args` does."""
+    from ros2launch.api.api import arguments_text
+
+    current_process().stdout.write(arguments_text(launch_description) + '\n')
+
+
+has_ros_paths(__name__)

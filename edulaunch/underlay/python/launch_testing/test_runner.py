@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import unittest
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
+
+from launch._lazy import has_ros_paths
 
 from edulaunch.processes.current import current_process
 
@@ -65,3 +67,24 @@ def __getattr__(name: str) -> Any:
 
         return RunWorker
     raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+
+
+class ReadyAggregator:
+    """Calls a function when `ready_fn` has been called so many times.
+
+    :param parent_ready_fn: the function; it is called once.
+    :param num_calls: how many calls it takes.
+    """
+
+    def __init__(self, parent_ready_fn: Callable[[], object], num_calls: int) -> None:
+        self._parent_ready_fn = parent_ready_fn
+        self._missing = num_calls
+
+    def ready_fn(self) -> None:
+        """One more thing is ready."""
+        self._missing -= 1
+        if self._missing == 0:
+            self._parent_ready_fn()
+
+
+has_ros_paths(__name__)

@@ -18,5 +18,16 @@ _EXPORTS = {
     'SetRemap': 'set_remap',
     'SetUseSimTime': 'set_use_sim_time',
 }
+_FILES = {
+    'load_composable_nodes': ('composable_node_container',),
+    'settings': (
+        'push_ros_namespace',
+        'set_parameter',
+        'set_parameters_from_file',
+        'set_remap',
+        'set_ros_log_dir',
+        'set_use_sim_time',
+    ),
+}
 __all__ = list(_EXPORTS)
-__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS)
+__getattr__, __dir__ = lazy_exports(__name__, _EXPORTS, _FILES)

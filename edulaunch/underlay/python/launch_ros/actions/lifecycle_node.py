@@ -9,10 +9,8 @@ from launch._engine import running_process
 from launch.event_handler import EventHandler
 from launch.substitution import SomeSubstitutionsType
 
-from .._service_calls import call_service
-from ..events.lifecycle.change_state import ChangeState
-from ..events.lifecycle.state_transition import StateTransition
-from ..ros_adapters import get_ros_node
+from ..events.lifecycle import ChangeState, StateTransition
+from ..ros_adapters import call_service, get_ros_node
 from .node import Node
 
 if TYPE_CHECKING:

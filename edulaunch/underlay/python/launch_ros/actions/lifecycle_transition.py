@@ -14,9 +14,8 @@ from launch.logging import get_logger
 from launch.substitution import SomeSubstitutionsType
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
-from ..events.lifecycle.change_state import ChangeState
-from ..events.lifecycle.state_transition import StateTransition
-from ..events.matches_node_name import matches_node_name
+from ..events.lifecycle import ChangeState, StateTransition
+from ..events.matchers import matches_node_name
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext

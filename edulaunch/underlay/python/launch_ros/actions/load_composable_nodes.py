@@ -5,21 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import launch.logging
+from launch._lazy import has_ros_paths
 from launch.action import Action
 from launch.substitution import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 from launch.utilities.type_utils import ensure_argument_type
 
-from .._service_calls import call_service
 from ..descriptions import ComposableNode
-from ..utilities import (
-    add_node_name,
-    evaluate_parameters,
-    get_node_name_count,
-    make_namespace_absolute,
-    prefix_namespace,
-    to_parameters_list,
-)
+from ..ros_adapters import call_service
+from ..utilities.names import add_node_name, get_node_name_count, make_namespace_absolute, prefix_namespace
+from ..utilities.parameters import evaluate_parameters
+from ..utilities.to_parameters_list import to_parameters_list
 from .node import Node
 
 if TYPE_CHECKING:
@@ -192,3 +188,6 @@ def _parameters(description: ComposableNode, request: Any, context: LaunchContex
 def _messages(context: LaunchContext, request: Any, evaluated: Any) -> list[Any]:
     parameters = to_parameters_list(context, request.node_name, request.node_namespace, evaluated)
     return [parameter.to_parameter_msg() for parameter in parameters]
+
+
+has_ros_paths(__name__)

@@ -15,20 +15,17 @@ from launch.utilities.type_utils import ensure_argument_type
 
 from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
-from ..parameters_type import SomeParameters
-from ..remap_rule_type import SomeRemapRules
-from ..substitutions.executable_in_package import ExecutableInPackage
-from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
-from ..utilities.normalize_parameters import normalize_parameters
-from ..utilities.normalize_remap_rule import normalize_remap_rules
-from ..utilities.track_node_names import add_node_name
+from ..parameters_type import SomeParameters, SomeRemapRules
+from ..substitutions import ExecutableInPackage
+from ..utilities.names import add_node_name, make_namespace_absolute, normalize_remap_rules, prefix_namespace
+from ..utilities.parameters import normalize_parameters
 from ._node_extensions import NodeActionExtension, get_extensions, instantiate_extension
 
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
     from launch.launch_description_entity import LaunchDescriptionEntity
 
-    from .._given_parameters import Given
+    from .._parameter_origins import Given
 
 __all__ = ['Node', 'NodeActionExtension', 'get_extensions', 'instantiate_extension']
 

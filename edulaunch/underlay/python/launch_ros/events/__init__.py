@@ -1,6 +1,6 @@
 """Events that know ROS."""
 
 from . import lifecycle
-from .matches_node_name import matches_node_name
+from .matchers import matches_node_name
 
 __all__ = ['lifecycle', 'matches_node_name']

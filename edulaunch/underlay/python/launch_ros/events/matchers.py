@@ -1,5 +1,12 @@
-"""Matchers for events that are addressed to nodes."""
+"""A matcher of nodes."""
 
-from .matches_node_name import matches_node_name
+from __future__ import annotations
 
-__all__ = ['matches_node_name']
+from collections.abc import Callable
+from typing import Any
+
+
+def matches_node_name(node_name: str) -> Callable[[Any], bool]:
+    """A matcher for Node actions with this full name; the leading slash may be missing."""
+    absolute = node_name if node_name.startswith('/') else f'/{node_name}'
+    return lambda action: bool(action.node_name == absolute)

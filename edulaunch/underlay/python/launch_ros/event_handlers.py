@@ -1,21 +1,22 @@
-"""Reacting to a lifecycle node's change of state."""
+"""Event handlers that know ROS."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from launch._lazy import has_ros_paths
 from launch.event_handler import EventHandler
 from launch.launch_description_entity import SomeEntitiesType
 from launch.substitution import SomeSubstitutionsType
 from launch.utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
 
-from ..events.lifecycle.state_transition import StateTransition
+from .events.lifecycle import StateTransition
 
 if TYPE_CHECKING:
     from launch.events import Event
 
-    from ..actions.lifecycle_node import LifecycleNode
+    from .actions.lifecycle_node import LifecycleNode
 
 
 class OnStateTransition(EventHandler):
@@ -66,7 +67,7 @@ class OnStateTransition(EventHandler):
 
 
 def _is_lifecycle_node(target: Any) -> bool:
-    from ..actions.lifecycle_node import LifecycleNode
+    from .actions.lifecycle_node import LifecycleNode
 
     return isinstance(target, LifecycleNode)
 
@@ -76,3 +77,8 @@ def _label(value: SomeSubstitutionsType) -> str:
     from launch.launch_context import LaunchContext
 
     return perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(value))
+
+
+_ROS_PATHS = {'OnStateTransition': 'on_state_transition'}
+__all__ = list(_ROS_PATHS)
+has_ros_paths(__name__, _ROS_PATHS)

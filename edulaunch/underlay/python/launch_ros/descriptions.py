@@ -1,17 +1,19 @@
-"""A node that is loaded into a container."""
+"""Descriptions of composable nodes and of parameters."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from launch._bases import ReadOnly
+from launch._lazy import has_ros_paths
 from launch.conditions import Condition
 from launch.substitution import SomeSubstitutionsType, Substitution
 from launch.utilities.texts import normalize_to_list_of_substitutions
 
-from ..parameters_type import Parameters, SomeParameters
-from ..remap_rule_type import RemapRules, SomeRemapRules
-from ..utilities import normalize_parameters, normalize_remap_rules
+from .parameter_descriptions import Parameter, ParameterFile, ParameterValue
+from .parameters_type import Parameters, RemapRules, SomeParameters, SomeRemapRules
+from .utilities.names import normalize_remap_rules
+from .utilities.parameters import normalize_parameters
 
 
 class ComposableNode:
@@ -55,3 +57,8 @@ class ComposableNode:
     def condition(self) -> Condition | None:
         """The condition, or None. A method, as upstream."""
         return self.__condition
+
+
+_ROS_PATHS = {'ComposableNode': 'composable_node'}
+__all__ = [*_ROS_PATHS, 'Parameter', 'ParameterFile', 'ParameterValue']
+has_ros_paths(__name__, _ROS_PATHS)

@@ -1,15 +1,21 @@
-"""The wish that a lifecycle node changes its state."""
+"""Events of lifecycle nodes."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from launch._bases import ReadOnly
+from launch._lazy import has_ros_paths
 from launch.events import Event
 
+from . import matchers
+
 if TYPE_CHECKING:
-    from ...actions.lifecycle_node import LifecycleNode
+    from lifecycle_msgs.msg import TransitionEvent
+
+    from ..actions.lifecycle_node import LifecycleNode
 
 
 class ChangeState(Event):
@@ -54,3 +60,60 @@ class ChangeState(Event):
 
     lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly('The matcher.')
     transition_id: ReadOnly[int] = ReadOnly('The transition.')
+
+
+class StateTransition(Event):
+    """A lifecycle node has made a transition.
+
+    :param action: its LifecycleNode action.
+    :param msg: what the node published on `transition_event`.
+    """
+
+    name = 'launch_ros.events.lifecycle.StateTransition'
+
+    def __init__(self, *, action: LifecycleNode, msg: TransitionEvent) -> None:
+        super().__init__()
+        self.__action = action
+        self.__msg: Any = msg
+
+    action: ReadOnly[LifecycleNode] = ReadOnly("The node's action.")
+
+    @property
+    def msg(self) -> TransitionEvent:
+        """The message."""
+        msg: TransitionEvent = self.__msg
+        return msg
+
+    @property
+    def timestamp(self) -> int:
+        """When, in nanoseconds, as the message says."""
+        return int(self.__msg.timestamp)
+
+    @property
+    def transition(self) -> str:
+        """The transition's label."""
+        return str(self.__msg.transition.label)
+
+    @property
+    def start_state(self) -> str:
+        """The label of the state before."""
+        return str(self.__msg.start_state.label)
+
+    @property
+    def goal_state(self) -> str:
+        """The label of the state now."""
+        return str(self.__msg.goal_state.label)
+
+
+def matches_node_name(node_name: str) -> Callable[[Any], bool]:
+    """The old place of :func:`launch_ros.events.matchers.matches_node_name`: as there, with a warning."""
+    warnings.warn(
+        'launch_ros.events.lifecycle.matches_node_name is deprecated, use launch_ros.events.matchers.matches_node_name instead',
+        stacklevel=2,
+    )
+    return matchers.matches_node_name(node_name)
+
+
+_ROS_PATHS = {'ChangeState': 'change_state', 'StateTransition': 'state_transition', 'matches_node_name': 'matches_node_name'}
+__all__ = list(_ROS_PATHS)
+has_ros_paths(__name__, _ROS_PATHS)

@@ -1,6 +1,0 @@
-"""Descriptions of composable nodes and of parameters."""
-
-from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
-from .composable_node import ComposableNode
-
-__all__ = ['ComposableNode', 'Parameter', 'ParameterFile', 'ParameterValue']
