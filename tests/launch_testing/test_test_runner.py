@@ -10,7 +10,7 @@ from unittest import mock
 import pytest
 from launch import LaunchDescription
 from launch.actions import ExecuteProcess, OpaqueFunction, TimerAction
-from launch_testing import LaunchTestRunner, LoadTestsFromPythonModule, actions, decorator
+from launch_testing import LaunchTestRunner, LoadTestsFromPythonModule, actions, parametrize
 from launch_testing.asserts import SequentialTextChecker
 from launch_testing.junitxml import unittestResultsToXml
 from launch_testing.test_result import FailResult, SkipResult, TestResult
@@ -46,7 +46,7 @@ def test_each_parameter_is_a_run() -> None:
             [TimerAction(period=delay, actions=[actions.ReadyToTest()]), TimerAction(period=9.0, actions=[])]
         )
 
-    runner = LaunchTestRunner(runs_of(decorator('delay', [1.0, 2.0])(describe), Quick=Quick))
+    runner = LaunchTestRunner(runs_of(parametrize('delay', [1.0, 2.0])(describe), Quick=Quick))
     runner.validate()
     results = runner.run()
     assert [(str(run), result.wasSuccessful(), len(result.testCases)) for run, result in results.items()] == [
@@ -64,7 +64,7 @@ def test_parameters_that_the_description_does_not_take_are_found_too() -> None:
     def describe(ready_fn: Any) -> None: ...
 
     with pytest.raises(TypeError, match='speed'):
-        LaunchTestRunner(runs_of(decorator('speed', [1, 2])(describe))).validate()
+        LaunchTestRunner(runs_of(parametrize('speed', [1, 2])(describe))).validate()
 
 
 def test_two_ready_actions_are_refused() -> None:

@@ -210,7 +210,7 @@ def test_an_event_of_one_process_is_no_question_to_the_others(plan: Plan, monkey
 def test_what_goes_on_without_end_is_an_error_with_its_place(
     plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str, after: str
 ) -> None:
-    monkeypatch.setattr('edulaunch.plan.endless.MOST_INSTANTS', 100)
+    monkeypatch.setattr('edulaunch.plan.rehearsal.MOST_INSTANTS', 100)
     error = plan(body)['error']
     assert error['text'] == f'the launch file goes on without end: after {after} simulated seconds it still does something'
     assert error['origin'].startswith(f'{tmp_path}/a.launch.py:')

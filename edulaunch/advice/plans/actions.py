@@ -12,7 +12,7 @@ from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
     from edulaunch.plan import Rehearsal
-    from edulaunch.plan.outline import Branch
+    from edulaunch.plan.wording import Branch
 
 IDLE = frozenset(
     ('argument', 'include', 'set_configuration', 'push_namespace', 'set_env', 'unset_env', 'set_parameter', 'set_remap')
