@@ -309,7 +309,7 @@ def test_a_rotation_goal_ends_with_the_golden_feedback_and_result(
 def test_a_turtle_at_rest_sends_one_and_the_same_pose_until_it_moves(sim: Any) -> None:
     wires: list[Any] = []
     sim.until(100)
-    next(iter(sim.graph.publishers['/turtle1/pose']))._record = lambda record: wires.append(record[2])
+    next(iter(sim.graph.publishers['/turtle1/pose'])).record = lambda record: wires.append(record[2])
     sim.until(100 + 3 * TICK)
     assert len({id(wire) for wire in wires}) == 1
     sim.publish('/turtle1/cmd_vel', twist(1.0))
