@@ -24,7 +24,7 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
     for fact in recording.facts:
         if fact.kind == kind and fact.process not in explained:
             file, line = fact_place(recording, fact)
-            facts: dict[str, Any] = {name: fact.data.get(name) for name in rest}
+            facts: dict[str, Any] = {name: fact.process if name == 'process' else fact.data.get(name) for name in rest}
             facts['callback'] = fact.data.get('callback') or fact.data.get('function') or 'lambda'
             facts['awaited'] = fact.data.get('name')
             node = fact.data.get('node') or node_of(recording, fact.process)
@@ -149,16 +149,16 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.callback-missing',
-    what='{function}() of {node} is given None in place of a function, so nothing will ever be called',
+    what='{function}() of {node} is given None in place of a function',
     why='with brackets the function runs once, now, and what it returns is handed over: None',
     do='give the function itself, without brackets: self.tick, not self.tick()',
     lesson='09_broadcaster_and_listener',
     level='error',
-    hides=('turtlesim.slow-commands',),
+    hides=('programs.died', 'turtlesim.slow-commands'),
 )
 def callback_missing(recording: Recording) -> Iterator[Finding]:
     """A timer or service."""
-    return _of(recording, 'callback missing', 'function')
+    return _of(recording, 'callback missing', 'function', 'process')
 
 
 @rule(
