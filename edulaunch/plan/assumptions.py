@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from shutil import which
 from typing import TYPE_CHECKING, Any
 
-from launch.actions.configurations import SetLaunchConfiguration
-
 from edulaunch.underlay_place import underlay_prefix
 
 if TYPE_CHECKING:
@@ -91,4 +89,6 @@ def include_if_there(assumptions: Assumptions, action: Any, context: LaunchConte
     except Exception:
         if not assumptions.lacks_file(action.launch_description_source.described_location):
             raise
+        from launch.actions import SetLaunchConfiguration  # edulaunch.plan is imported before launch can be
+
         return [SetLaunchConfiguration(name, value) for name, value in action.launch_arguments]

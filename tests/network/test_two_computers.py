@@ -36,6 +36,7 @@ def own_network(domain: int) -> None:
         )
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(('wide', 'lost', 'delay_ms'), [('SUBNET', 0, 0), ('SUBNET', 100, 0), ('LOCALHOST', 10, 50)])
 def test_all_that_is_reliable_arrives_over_a_cable_that_is_slow_and_loses_packets(wide: str, lost: int, delay_ms: int) -> None:
     """On LOCALHOST the two know each other by ROS_STATIC_PEERS."""
