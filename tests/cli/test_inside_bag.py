@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import itertools
 import re
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from edulaunch.cli.ros2.bag_play import play_arguments
 from edulaunch.processes.inputs import TypedInput
 
 
@@ -192,3 +194,14 @@ def test_calls_of_a_service_are_recorded_and_made_again(machine) -> None:
 def test_an_empty_bag_lasts_no_time(machine) -> None:
     machine.run('ros2 bag record -o nothing /nix').interrupt()
     assert 'Duration:          0.000000000s\n' in machine.read('ros2 bag info nothing')
+
+
+@pytest.mark.parametrize(
+    ('rate', 'told'), [('fast', 'fast is not the valid type (float)'), ('0', '0 is not in the valid range (> 0.0)')]
+)
+def test_a_rate_that_is_none_is_told_as_ros2bag_does(rate: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    parser = argparse.ArgumentParser('ros2 bag play')
+    play_arguments(parser)
+    with pytest.raises(SystemExit):
+        parser.parse_args(['my_bag', '-r', rate])
+    assert capsys.readouterr().err.endswith(f'error: argument -r/--rate: {told}\n')

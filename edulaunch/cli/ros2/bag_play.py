@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.cli.ros2 import cli_node
 from edulaunch.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, Keys, event_kind, opened
 from edulaunch.cli.ros2.fill_message import interface_class
-from edulaunch.cli.ros2.output import positive_float
 from edulaunch.errors import InterfaceError
 from edulaunch.interfaces import current_registry
 from edulaunch.processes.current import current_process
@@ -135,11 +134,22 @@ class Player:
         return publish
 
 
+def _rate_hz(text: str) -> float:
+    """A number above zero; ros2bag words its errors unlike the other commands."""
+    try:
+        rate = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'{text} is not the valid type (float)') from None
+    if rate <= 0:
+        raise argparse.ArgumentTypeError(f'{text} is not in the valid range (> 0.0)')
+    return rate
+
+
 def play_arguments(parser: argparse.ArgumentParser) -> None:
     """Which messages, under which names, and how fast."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument(
-        '-r', '--rate', type=positive_float, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
+        '-r', '--rate', type=_rate_hz, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
     )
     parser.add_argument('--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.')
     parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='topic', help='Topics that are not played.')
@@ -155,7 +165,7 @@ def _add_play_times(parser: argparse.ArgumentParser) -> None:
     """From when to when, how often, and under which clock."""
     parser.add_argument(
         '--clock',
-        type=positive_float,
+        type=_rate_hz,
         nargs='?',
         const=CLOCK_HZ,
         metavar='HZ',
