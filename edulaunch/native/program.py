@@ -53,6 +53,8 @@ def _run(program: dict[str, Any], process: Any) -> Any:
     sys.path[:0] = [root for root in program['python_roots'] if root not in sys.path]  # as PYTHONPATH: before Python's own
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':
+        if sys.argv[1:3] == ['bag', 'record']:
+            return 'ros2 bag record takes its messages from the simulation: leave out --real, or record with an installed ROS 2'
         from edulaunch.attached import attached
 
         process.sim.start_ns += DISCOVERY_NS

@@ -204,3 +204,13 @@ def test_programs_start_commands_of_ros2_themselves_and_none_outlives_the_launch
     number = re.search(r'number (\d+)', said)
     assert number is not None and "said ['Type:', 'rcl_interfaces/msg/Log']" in said, said
     assert not Path('/proc', number[1]).exists() or 'ros2' not in Path('/proc', number[1], 'cmdline').read_text()
+
+
+def test_recording_a_bag_is_refused_in_a_sentence(real: Environment, edulaunch: Run, tmp_path: Path) -> None:
+    (tmp_path / 'record.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
+        "def generate_launch_description():\n    return LaunchDescription([ExecuteProcess(cmd=['ros2', 'bag', 'record', '-a'], output='screen')])\n"
+    )
+    done = edulaunch('launch', '--real', 'record.launch.py', '--for', '3')
+    assert 'ros2 bag record takes its messages from the simulation: leave out --real' in done.stdout + done.stderr
+    assert 'Traceback' not in done.stdout + done.stderr
