@@ -1,6 +1,6 @@
 """All launch files at hand in simulation and for real: `python -m tests.comparing.sweep [--jobs N] [--for SECONDS] [GROUP ...]`.
 
-What differs is compared once more, in quiet; what differs then counts. With `--share N` all solutions, and each N-th of the others; `.ci/run` does so.
+What differs is compared three times more, in quiet; what differs each time counts. With `--share N` all solutions, and each N-th of the others; `.ci/run` does so.
 
 Exits with 1 when something differs that `known.yaml` does not explain.
 """
@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from edulaunch.cli.compare import table
@@ -17,6 +18,8 @@ from edulaunch.comparing.known import read_known
 from edulaunch.comparing.sweep import Row, gone, sweep
 from tests.comparing import places
 
+AGAIN = (2, 2, 1)
+"""What differs is compared so many times more, with so many pairs at a time; only what differs each time counts."""
 KNOWN = str(Path(__file__).with_name('known.yaml'))
 GROUPS = ('solutions', 'demos', 'corpus', 'lessons', 'seeds')
 
@@ -28,6 +31,13 @@ def items_of(group: str, folder: Path) -> places.Items:
     make = getattr(places, group)
     found: places.Items = make() if group in ('solutions', 'corpus') else make(place)
     return found
+
+
+def both(first: Row, second: Row) -> Row:
+    """What differed each time: chance does not come twice in the same way."""
+    if first.trouble or second.trouble:
+        return first if second.trouble else second
+    return second._replace(found=tuple(each for each in second.found if each in first.found))
 
 
 def main() -> int:
@@ -53,12 +63,19 @@ def main() -> int:
                 print(f'    {each}', file=sys.stderr)
             sys.stderr.flush()
 
+        def folder_of(words: Sequence[str]) -> str:
+            return places.folder_of(words) or tempfile.mkdtemp(dir=folder)
+
         options = [f'--known={KNOWN}']
-        rows = sweep(items, arguments.seconds, arguments.jobs, options, places.folder_of, tell)
-        again = [row.words for row in rows if not row.is_well]
-        print(f'{len(again)} of them once more, two at a time', file=sys.stderr)
-        second = {row.words: row for row in sweep(again, arguments.seconds, 2, options, places.folder_of, tell)}
-        rows = [second.get(row.words, row) for row in rows]
+        rows = sweep(items, arguments.seconds, arguments.jobs, options, folder_of, tell)
+        for jobs in AGAIN:
+            again = {row.words: row for row in rows if not row.is_well}
+            print(f'{len(again)} of them once more, {jobs} at a time', file=sys.stderr)
+            seen = {
+                row.words: both(again[row.words], row)
+                for row in sweep(list(again), arguments.seconds, jobs, options, folder_of, tell)
+            }
+            rows = [seen.get(row.words, row) for row in rows]
         print(table(rows))
         for each in gone(known, rows):
             print(f'known, and it did not occur: {each.file}: {each.why}')

@@ -10,6 +10,7 @@ from edulaunch.cli.compare import table
 from edulaunch.comparing.differing import Difference
 from edulaunch.comparing.known import Known
 from edulaunch.comparing.sweep import Row, launch_files, sweep
+from tests.comparing.sweep import both
 
 
 def test_launch_files_of_a_folder(tmp_path: Path) -> None:
@@ -54,3 +55,11 @@ def test_the_table_names_all_that_is_not_equal() -> None:
     assert [line.split()[0] for line in text.splitlines()] == ['launch', 'b.launch.py', 'c.launch.py', 'd.launch.py', 'of']
     assert text.splitlines()[-1] == 'of 4: 1 differs, 1 equal, 1 known, 1 not compared'
     assert 'one type only' in text and 'took more than 100 s' in text
+
+
+def test_what_differs_once_is_chance_in_the_sweep_of_the_tests() -> None:
+    late, lost = Difference('exit code', 'talker', '0', '-9'), Difference('output', 'talker', 'missing', 'lost sys.stderr')
+    first, second = Row(('a.launch.py',), (late, lost)), Row(('a.launch.py',), (lost,))
+    assert both(first, second).found == (lost,) and both(second, Row(('a.launch.py',))).is_well
+    stuck = Row(('a.launch.py',), trouble='not in time')
+    assert both(stuck, first) == first == both(first, stuck) and not both(stuck, stuck).is_well
