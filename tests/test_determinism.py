@@ -39,6 +39,7 @@ def test_two_processes_with_different_hash_seeds_give_the_same_digests() -> None
     assert first == digests(sys.executable, '2') and len(set(first)) == 3
 
 
+@pytest.mark.processes
 def test_another_python_gives_the_same_digests() -> None:
     others = [python for python in os.environ.get('EDULAUNCH_PYTHONS', '').split(os.pathsep) if python]
     if not others:

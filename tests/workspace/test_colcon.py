@@ -47,6 +47,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(
     ('package', 'file'), [('launch_tutorial', 'launch_turtlesim.launch.py'), ('learning_tf2_py', 'turtle_tf2_demo.launch.py')]
 )
@@ -55,6 +56,7 @@ def test_built_and_from_source_the_recordings_are_equal(built: Path, package: st
     assert len(source.nodes) > 3 and source.digest() == installed.digest()
 
 
+@pytest.mark.processes
 def test_a_package_made_here_builds_and_runs(built: Path, tmp_path: Path) -> None:
     index = index_for([built / 'install'])
     assert index.executables('my_package') == ['my_node']
