@@ -70,6 +70,8 @@ def main() -> int:
         rows = sweep(items, arguments.seconds, arguments.jobs, options, folder_of, tell)
         for jobs in AGAIN:
             again = {row.words: row for row in rows if not row.is_well}
+            if not again:
+                break
             print(f'{len(again)} of them once more, {jobs} at a time', file=sys.stderr)
             seen = {
                 row.words: both(again[row.words], row)

@@ -59,7 +59,8 @@ def test_the_table_names_all_that_is_not_equal() -> None:
 
 def test_what_differs_once_is_chance_in_the_sweep_of_the_tests() -> None:
     late, lost = Difference('exit code', 'talker', '0', '-9'), Difference('output', 'talker', 'missing', 'lost sys.stderr')
-    first, second = Row(('a.launch.py',), (late, lost)), Row(('a.launch.py',), (lost,))
+    other = Difference('node', '/talker', 'there', 'missing')
+    first, second = Row(('a.launch.py',), (late, lost)), Row(('a.launch.py',), (lost, other))
     assert both(first, second).found == (lost,) and both(second, Row(('a.launch.py',))).is_well
     stuck = Row(('a.launch.py',), trouble='not in time')
     assert both(stuck, first) == first == both(first, stuck) and not both(stuck, stuck).is_well
