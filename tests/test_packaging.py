@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 import sys
+
+import pytest
 
 from tests.house import ROOT, every_import, modules
 
@@ -12,6 +16,21 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
+TOP = {
+    *(
+        '.ci',
+        '.git-blame-ignore-revs',
+        '.gitignore',
+        'CHANGELOG.md',
+        'LICENSE',
+        'README.md',
+        'constraints.txt',
+        'mkdocs.yml',
+        'pyproject.toml',
+        'setup.sh',
+    ),
+    *('benchmarks', 'docs', 'edulaunch', 'exercises', 'grader', 'lessons', 'solutions', 'tests'),
+}
 HEAVY = {'jupyterlab', 'nbclient', 'nbval', 'ipywidgets', 'IPython', 'pytest'}
 TESTS = (
     'edulaunch.pytest_plugin',
@@ -48,3 +67,11 @@ def test_the_wheel_brings_the_course_as_students_get_it() -> None:
     for folder in ('lessons', 'exercises'):
         assert folder in wheel['only-include'] and wheel['sources'][folder] == f'edulaunch/course/ours/{folder}'
     assert {'/lessons/.outputs', '/lessons/notes'} <= {*wheel['exclude']} and 'solutions' not in wheel['only-include']
+
+
+def test_nothing_lies_at_the_top_that_does_not_belong_there() -> None:
+    """What programs write where they are tried out (rosbag2_*, *.results) does not become a part of the project."""
+    if not (ROOT / '.git').exists() or not (git := shutil.which('git')):
+        pytest.skip('no git here, so that nobody can say what belongs to the project')
+    kept = subprocess.run([git, '-C', str(ROOT), 'ls-files'], capture_output=True, text=True, check=True).stdout.split('\n')
+    assert {name.partition('/')[0] for name in kept if name} <= TOP
