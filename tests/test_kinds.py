@@ -19,7 +19,7 @@ UNIT_TESTS = '<!-- tests -->'
 
 def steps() -> list[tuple[str, list[str]]]:
     """(expression of marks, folders) of the calls of pytest in `.ci/run`, but for lessons, and for what installs a second Python."""
-    calls = re.findall(r'(?m)^[^#\n]*\bpytest (-[^;\n]*)$|\{ pytest ([^;]*);', RUN)
+    calls = re.findall(r'(?m)^[^#\n]*\b(?:pytest|hurried \w+) (-[^;\n]*)$|\{ (?:pytest|hurried \w+) ([^;]*);', RUN)
     found = []
     for call in (' '.join(both).strip() for both in calls):
         marks = re.search(r"-m (?:'([^']*)'|(\w+))", call)
