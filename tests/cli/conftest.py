@@ -1,4 +1,4 @@
-"""A machine with a turtlesim on which `ros2 ...` lines are typed."""
+"""A machine with a turtlesim for lines of `ros2`; launch files of a few entities, launched as on the command line."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from typing import Any
 
 import pytest
 
+from edulaunch.cli.main import main
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.session import Session
+
+HEAD = 'from launch import LaunchDescription\nfrom launch.actions import *\nfrom launch_ros.actions import Node\n'
 
 
 class Typed:
@@ -82,3 +85,21 @@ def machine(tmp_path: Path) -> Iterator[Machine]:
     machine = Machine(tmp_path)
     yield machine
     machine.session.close()
+
+
+def describe(*entities: str) -> str:
+    return f'{HEAD}def generate_launch_description():\n    return LaunchDescription([{", ".join(entities)}])\n'
+
+
+@pytest.fixture
+def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    """Write a launch file, run it as the command does, and return (exit code, stdout, stderr) without the folder's path."""
+
+    def run_command(text: str | bytes, *words: str, name: str = 'my.launch.py') -> tuple[int, str, str]:
+        path = tmp_path / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        code = main(['launch', str(path), '--fast', '--for', '3', *words])
+        out, err = capsys.readouterr()
+        return code, out.replace(str(tmp_path), '@'), err.replace(str(tmp_path), '@')
+
+    return run_command

@@ -18,6 +18,8 @@ from launch_pytest.actions import ReadyToTest
 from launch_ros.actions import Node
 from launch_testing.util import KeepAliveProc
 """
+Run = Callable[..., Any]
+"""What the fixture `inner` is."""
 
 
 class Inner(NamedTuple):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib import import_module
-from typing import Any
 
 import pytest
 
-Run = Callable[..., Any]
+from .conftest import Run
+
 SLOW = """
 @pytest.fixture
 def proc():

@@ -127,7 +127,7 @@ FEATURES = [
     Feature(
         'tf at any time: lookups in the past and too early, with the errors of ROS',
         _code(r'frames_at\(|lookup|tf2_echo|view frames'),
-        ('tests/browser/test_desk.py', 'tests/underlay/test_tf2_ros.py'),
+        ('tests/browser/test_desk.py', 'tests/underlay/test_tf2_buffer.py'),
         7,
     ),
     Feature(

@@ -15,6 +15,10 @@ from edulaunch.processes.host import Host
 from edulaunch.processes.process import Process
 from edulaunch.processes.spec import ProcessSpec
 from edulaunch.sim.simulation import Simulation
+from edulaunch.sim.sync import sleep
+
+Ros = Callable[..., list[Any]]
+"""What the fixture `ros` is: a function to be run between init and the end of a program."""
 
 
 class Notes(Tracer):
@@ -98,13 +102,52 @@ class World:
         return [what for _, _, what in self.log]
 
 
+def raised(act: Callable[..., Any], *arguments: Any, **options: Any) -> str | None:
+    """What a call raises, as the last line of a traceback has it; None when it returns."""
+    try:
+        act(*arguments, **options)
+    except Exception as error:
+        return f'{type(error).__name__}: {error}'
+    return None
+
+
+def results(node: Any, *values: Any) -> list[str]:
+    """Set parameter p to each value; the reasons, '' for success."""
+    from rclpy.parameter import Parameter
+
+    return [node.set_parameters([Parameter('p', value=value)])[0].reason for value in values]
+
+
+def everything_ready(world: World, name: str, topic: str) -> Any:
+    """A node of which everything is ready after 0.1 s: service, client, guard condition, subscription, timer."""
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Empty
+
+    node = Node(name)
+
+    def serve(request: Any, response: Any) -> Any:
+        world.say((name, 'service'))
+        return response
+
+    node.create_service(Empty, f'{topic}/service', serve)
+    node.create_client(Empty, f'{topic}/service').call_async(Empty.Request())
+    node.create_guard_condition(lambda: world.say((name, 'guard'))).trigger()
+    node.create_subscription(String, topic, lambda _: world.say((name, 'subscription')), 10)
+    node.create_publisher(String, topic, 10).publish(String())
+    timer = node.create_timer(0.1, lambda: world.say((name, 'timer')))
+    node.create_guard_condition(timer.cancel)
+    sleep(0.1)
+    return node
+
+
 @pytest.fixture
 def world() -> World:
     return World()
 
 
 @pytest.fixture
-def ros(world: World) -> Callable[[Callable[[], Any]], list[Any]]:
+def ros(world: World) -> Ros:
     """Run a function between rclpy.init() and the end of a program; gives what it said."""
     import rclpy
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import pytest
 import rclpy
@@ -19,9 +18,7 @@ from rosgraph_msgs.msg import Clock as ClockMessage
 from edulaunch.processes.current import current_process
 from edulaunch.sim.sync import sleep
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 def clock_publisher(*seconds: int) -> Callable[[], None]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -11,9 +10,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 def _entities(node: Node) -> dict[str, Any]:

@@ -14,9 +14,7 @@ from rclpy.node import Node
 
 from edulaunch.sim.sync import sleep
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 def output(world: World, body: Callable[[], Any], *arguments: str, env: dict[str, str] | None = None) -> list[str]:

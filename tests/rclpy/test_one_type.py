@@ -14,9 +14,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from edulaunch.facts import facts_of
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 @pytest.mark.parametrize(

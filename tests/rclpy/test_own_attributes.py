@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -14,9 +13,8 @@ from rclpy.node import Node
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
-from .conftest import World
+from .conftest import Ros, World
 
-Ros = Callable[..., list[Any]]
 PLAUSIBLE = (
     'clock',
     'logger',

@@ -10,7 +10,7 @@ import pytest
 import yaml
 from rclpy.parameter import Parameter, get_parameter_value, parameter_dict_from_yaml_file, parameter_value_to_python
 
-from .test_parameters import raised
+from .conftest import raised
 
 
 @pytest.mark.parametrize(('text', 'value'), [('off', False), ('5', 5), ('[1.0]', [1.0]), ('a: b', 'a: b'), ('!!str 5', '5')])
@@ -27,10 +27,7 @@ def test_a_parameter_file_becomes_messages(tmp_path: Path) -> None:
 
 
 def test_type_and_value_must_agree() -> None:
-    assert raised(Parameter, 'p', Parameter.Type.INTEGER, 1.0) == (
-        'ValueError',
-        "Type 'Type.INTEGER' and value '1.0' do not agree",
-    )
+    assert raised(Parameter, 'p', Parameter.Type.INTEGER, 1.0) == "ValueError: Type 'Type.INTEGER' and value '1.0' do not agree"
 
 
 def test_a_parameter_survives_its_message() -> None:
@@ -59,7 +56,7 @@ def test_a_file_without_the_wanted_parameters_is_refused(tmp_path: Path, text: s
 
 def test_the_type_goes_by_its_name_in_ros2() -> None:
     assert (repr(Parameter.Type.DOUBLE), str(Parameter.Type.DOUBLE)) == ('<Type.DOUBLE: 3>', 'Type.DOUBLE')
-    assert raised(Parameter, 'p', 'int', 1) == ('TypeError', "type must be an instance of '<enum 'Type'>'")
+    assert raised(Parameter, 'p', 'int', 1) == "TypeError: type must be an instance of '<enum 'Type'>'"
 
 
 def test_parameters_are_compared_and_shown_as_plain_objects() -> None:
@@ -76,7 +73,7 @@ def test_parameters_are_compared_and_shown_as_plain_objects() -> None:
     ],
 )
 def test_a_value_that_no_parameter_can_hold_is_named(value: Any, words: str) -> None:
-    assert raised(Parameter, 'p', None, value) == ('TypeError', words)
+    assert raised(Parameter, 'p', None, value) == f'TypeError: {words}'
 
 
 @pytest.mark.parametrize(

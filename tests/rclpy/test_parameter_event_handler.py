@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import rclpy
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.parameter_event_handler import ParameterEventHandler
 
-from .conftest import World
+from .conftest import Ros, World
 from .test_parameters import raised, results
-
-Ros = Callable[..., list[Any]]
 
 
 def test_an_event_handler_hears_of_other_nodes(world: World) -> None:

@@ -20,9 +20,7 @@ from std_srvs.srv import Empty
 
 from edulaunch.sim.sync import sleep
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 def listener(world: World, name: str = 'listener', **options: Any) -> Callable[[], None]:

@@ -19,9 +19,8 @@ from rclpy.task import Future
 from edulaunch.processes.current import current_process
 from edulaunch.sim.sync import sleep
 
-from .conftest import World
+from .conftest import Ros, World
 
-Ros = Callable[..., list[Any]]
 Request = AddTwoInts.Request
 
 

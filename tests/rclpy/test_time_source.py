@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import pytest
 import rclpy
 from rclpy.clock import Clock, ClockType, ROSClock
@@ -13,9 +10,7 @@ from rclpy.parameter import Parameter
 from rclpy.time_source import TimeSource
 from rosgraph_msgs.msg import Clock as ClockMessage
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 def listens(*nodes: Node) -> list[list[str]]:

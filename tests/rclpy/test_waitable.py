@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -13,9 +12,7 @@ from rclpy.waitable import NumberOfEntities, Waitable
 
 from edulaunch.facts import facts_of
 
-from .conftest import World
-
-Ros = Callable[..., list[Any]]
+from .conftest import Ros, World
 
 
 class Own(Waitable):

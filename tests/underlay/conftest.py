@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from io import StringIO
 from typing import Any
 
@@ -102,3 +103,15 @@ class Stage:
 @pytest.fixture
 def stage() -> Stage:
     return Stage()
+
+
+@pytest.fixture
+def program(stage: Any) -> Callable[[Callable[[], object]], Any]:
+    """Runs a function as a program of its own at the start of the simulation."""
+
+    def start(body: Callable[[], object]) -> Any:
+        process = Process(stage.host, ProcessSpec(argv=('program',), name='program'), 4242, ['program'], lambda _: body())
+        process.task.start()
+        return process
+
+    return start

@@ -1,0 +1,44 @@
+"""logging, pickle and modules that are imported inside."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def test_logging_is_private_and_its_stamps_are_simulated(world: Any) -> None:
+    import logging
+
+    handlers = list(logging.getLogger().handlers)
+    assert (
+        world.run("""
+        import logging, time
+        logging.basicConfig(level=logging.INFO, format='%(asctime)s %(levelname)s %(name)s %(message)s')
+        time.sleep(1.5)
+        logging.getLogger('robot').info('moves')
+        """)
+        == '2023-11-14 22:13:21,500 INFO robot moves\n'
+    )
+    assert logging.getLogger().handlers == handlers
+
+
+def test_objects_of_the_programs_own_classes_can_be_pickled(world: Any) -> None:
+    world.write('lib/shapes.py', 'class Square:\n    side = 2')
+    assert (
+        world.run("""
+        import pickle
+        from dataclasses import dataclass
+        import shapes
+        @dataclass
+        class Point:
+            x: int
+        print(pickle.loads(pickle.dumps([Point(3), {'a': 1.5}])), pickle.loads(pickle.dumps(shapes.Square())).side)
+        """)
+        == "[Point(x=3), {'a': 1.5}] 2\n"
+    )
+
+
+def test_dates_can_be_pickled(world: Any) -> None:
+    assert (
+        world.run('import pickle, datetime\nprint(pickle.loads(pickle.dumps([datetime.datetime.now(), datetime.date.today()])))')
+        == '[datetime.datetime(2023, 11, 14, 22, 13, 20), datetime.date(2023, 11, 14)]\n'
+    )

@@ -1,0 +1,40 @@
+"""os and sys inside: the simulated machine."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+
+def test_kill_reaches_simulated_programs_only(world: Any) -> None:
+    assert (
+        world.run("""
+        import os, signal
+        try:
+            os.kill(1, signal.SIGTERM)
+        except ProcessLookupError as error:
+            print(error)
+        """)
+        == '[Errno 3] No such process\n'
+    )
+
+
+def test_home_is_that_of_the_simulated_machine(world: Any) -> None:
+    assert world.run('import os\nprint(os.path.expanduser("~/maps"))') == '/home/student/maps\n'
+
+
+@pytest.mark.parametrize(
+    ('text', 'output'),
+    [
+        ('import sys\nprint(sys.argv[1:], sys.stdout.isatty(), sys.version_info.major)', "['a', 'b'] False 3\n"),
+        (
+            'import os\nos.environ["X"] = "1"\nprint(os.getenv("X"), os.environ.get("HOME"), os.path.join("a", "b"))',
+            '1 /home/student a/b\n',
+        ),
+        ('import os, shutil\nprint(os.cpu_count(), shutil.get_terminal_size((70, 20)).columns)', '4 70\n'),
+        ('import os\nos.write(1, b"out ")\nos.write(2, b"err")', 'out err'),
+    ],
+)
+def test_arguments_variables_and_streams_are_those_of_the_simulated_machine(world: Any, text: str, output: str) -> None:
+    assert world.run(text, 'program-1', 'a', 'b') == output
