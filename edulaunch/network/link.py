@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from edulaunch.interfaces.registry import Registry
 
 MARK = '_edulaunch_link'
-"""A node by which machines know each other: hidden, as all names with _ in front, and shown by none of them."""
+"""How nodes begin that a link has for itself: hidden, as all names with _ in front, and shown by none of them."""
+ENCLAVE = f'/{MARK}'
+"""The enclave of a machine's participant, by which machines know each other. It means something to SROS 2 alone."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
 """The kinds of endpoints; the words of `graph` for the same."""
 

@@ -127,7 +127,8 @@ class Mirror:
                 entry = self._nodes[node] = self.graph.add_node(self.network, node.name, node.namespace)
                 name = entry.fully_qualified_name
                 if any(other.fully_qualified_name == name and not is_far(other) for other in self.graph.nodes):
-                    text = f'there are two nodes called {name}: one of this machine, and a real one'
+                    other_one = 'one of another machine' if node.is_simulated else 'a real one'
+                    text = f'there are two nodes called {name}: one of this machine, and {other_one}'
                     self.trouble(
                         Trouble(f'name {name}', f'{text}\n  help: put one of them into a namespace, or give it another name')
                     )

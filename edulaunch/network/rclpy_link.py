@@ -204,15 +204,14 @@ class RclpyLink:
 
     def _see(self, told: list[list[list[object]]]) -> None:
         """A new picture of who is there; an endpoint that was there before is the same object."""
-        machines = {gid for gid, _, name in told[0] if name == MARK and gid}
         nodes = {
-            (space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name), gid in machines)
-            for gid, space, name in told[0]
-            if name != MARK
+            (space, name): FarNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
+            for gid, space, name, is_simulated in told[0]
+            if not str(name).startswith(MARK)
         }
         before, self._known = self._known, {}
         for gid, kind, name, type_name, type_hash, qos, space, node in told[1]:
-            if node == MARK:
+            if str(node).startswith(MARK):
                 continue
             key = (gid, kind, name, type_name, type_hash, tuple(qos) if isinstance(qos, list) else None, nodes.get((space, node)))
             policies = QoS(*qos) if isinstance(qos, list) else QoS()

@@ -8,11 +8,12 @@ that: an executor looks at all its nodes each time, which costs more than the me
 from __future__ import annotations
 
 import json
+import os
 import socket
 import sys
 import threading
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable
 from contextlib import suppress
 from hashlib import sha256
@@ -29,7 +30,7 @@ from rclpy.serialization import deserialize_message, serialize_message
 
 from edulaunch.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.network import rclpy_wire as wire
-from edulaunch.network.link import MARK
+from edulaunch.network.link import ENCLAVE, MARK
 
 LOOK_EVERY_S = 0.1
 """How often the names of nodes and topics are looked at."""
@@ -54,7 +55,7 @@ class Side:
     def __init__(self, connection: socket.socket) -> None:
         self.connection = connection
         self.executor = SingleThreadedExecutor()
-        self.helper = _node(MARK, '/')
+        self.helper = _node(f'{MARK}_{os.urandom(4).hex()}', '/')  # another machine has one, too
         self.executor.add_node(self.helper)
         self.inbox: deque[tuple[int, int, int, bytes]] = deque()
         self.lock, self.mouth = threading.Lock(), threading.Lock()
@@ -74,7 +75,7 @@ class Side:
         """How the gids of our own participant begin."""
         while True:
             for info in self.helper.get_publishers_info_by_topic('/parameter_events'):
-                if info.node_name == MARK:
+                if info.node_name == self.helper.get_name():
                     return bytes(info.endpoint_gid)[:12]
             time.sleep(0.01)
 
@@ -219,7 +220,6 @@ class Side:
 
     def look(self) -> None:
         """Tell who else is there, when that has changed."""
-        mine = {f'{node.get_namespace().rstrip("/")}/{node.get_name()}' for node in (*self.nodes.values(), self.helper)}
         ends: list[list[Any]] = []
         participants: dict[str, str] = {}
         for topic, _ in self.names[1]:
@@ -235,11 +235,13 @@ class Side:
                         what = kind, topic, info.topic_type, str(info.topic_type_hash), _policies(info.qos_profile)
                         ends.append([gid.hex(), *what, *node])
         nodes = []
-        for name, namespace in self.helper.get_node_names_and_namespaces():
-            full = _full(namespace, name)
-            if full not in mine or full in participants:
-                nodes.append([participants.get(full, ''), namespace, name])
-                if full not in mine:
+        mine = [(node.get_name(), node.get_namespace()) for node in (*self.nodes.values(), self.helper)]
+        others = Counter(self.helper.get_node_names_and_namespaces_with_enclaves())
+        others.subtract((*each, ENCLAVE) for each in mine)
+        for (name, namespace, enclave), count in others.items():
+            if count > 0:
+                nodes.append([participants.get(_full(namespace, name), ''), namespace, name, enclave == ENCLAVE])
+                if (name, namespace) not in mine:
                     ends += self._services(name, namespace)
         text = json.dumps([sorted(nodes), sorted(ends, key=lambda end: end[0])])
         if text != self.told:
@@ -341,7 +343,7 @@ _WORK: dict[int, Callable[[Side, int, int, bytes], None]] = {
 def main() -> int:
     """Serve the link on the socket of the given number."""
     connection = socket.socket(fileno=int(sys.argv[1]))
-    rclpy.init(args=[], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+    rclpy.init(args=['--ros-args', '--enclave', ENCLAVE], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
     with suppress(ExternalShutdownException, BrokenPipeError):  # the link has gone
         Side(connection).run()
     return 0

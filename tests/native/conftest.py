@@ -2,29 +2,30 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 from edulaunch.native import environment
+from tests.network.wires import own_domain
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 LONGEST_S = 120
 
 
 @pytest.fixture
-def real(monkeypatch: pytest.MonkeyPatch) -> environment.Environment:
+def real(monkeypatch: pytest.MonkeyPatch) -> Iterator[environment.Environment]:
     """The environment of the real rclpy, in a domain of this test's own, on this computer only."""
     found = environment.found()
     if found is None:
         pytest.skip('the real rclpy is not installed: edulaunch network install')
-    monkeypatch.setenv('ROS_DOMAIN_ID', str(1 + os.getpid() % 58))
     monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST')
-    return found
+    with own_domain() as domain:
+        monkeypatch.setenv('ROS_DOMAIN_ID', str(domain))
+        yield found
 
 
 @pytest.fixture

@@ -35,25 +35,32 @@ from edulaunch.network.link import (
 from edulaunch.network.rclpy_link import RclpyLink
 from edulaunch.packages import Index, Program
 from edulaunch.processes.spec import ProcessSpec
+from tests.network.wires import own_domain
 
 pytestmark = pytest.mark.real
 LONGEST_S = 60.0
-DOMAIN = 1 + os.getpid() % 58
 REGISTRY = underlay_registry()
 
 
 @pytest.fixture
-def link() -> Iterator[RclpyLink]:
+def number() -> Iterator[int]:
+    """The number of a domain for the test alone."""
     if environment.found() is None:
         pytest.skip('the real rclpy is not installed: edulaunch network install')
+    with own_domain() as number:
+        yield number
+
+
+@pytest.fixture
+def link(number: int) -> Iterator[RclpyLink]:
     made = RclpyLink()
-    made.open(Settings(DOMAIN))
+    made.open(Settings(number))
     yield made
     made.close()
 
 
 @pytest.fixture
-def peer(link: RclpyLink, tmp_path: Path) -> Iterator[Callable[[str], subprocess.Popen[str]]]:
+def peer(link: RclpyLink, number: int, tmp_path: Path) -> Iterator[Callable[[str], subprocess.Popen[str]]]:
     """Start a program on the real rclpy."""
     started: list[subprocess.Popen[str]] = []
 
@@ -62,7 +69,7 @@ def peer(link: RclpyLink, tmp_path: Path) -> Iterator[Callable[[str], subprocess
         file.write_text('import rclpy\nrclpy.init()\nnode = rclpy.create_node("peer")\n' + text)
         program = Program('script', '', 'peer', str(file), file=str(file))
         words = command(environment.needed(), program, ProcessSpec((), 'peer'), Index())
-        env = {**os.environ, 'ROS_DOMAIN_ID': str(DOMAIN), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
+        env = {**os.environ, 'ROS_DOMAIN_ID': str(number), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
         started.append(subprocess.Popen([*words, str(file)], env=env, stdout=subprocess.PIPE, text=True))
         return started[-1]
 

@@ -23,9 +23,9 @@ from edulaunch.errors import InterfaceError
 from edulaunch.interfaces.cdr import decode, encode
 from edulaunch.interfaces.registry import underlay_registry
 from edulaunch.network.dds.mangling import far_name
-from edulaunch.network.dds.qos import PLAIN, from_dds
+from edulaunch.network.dds.qos import PLAIN, enclave_of, from_dds
 from edulaunch.network.dds.types import idl_class
-from edulaunch.network.link import MARK, FarEndpoint, FarGraph, FarNode, Trouble
+from edulaunch.network.link import ENCLAVE, MARK, FarEndpoint, FarGraph, FarNode, Trouble
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
@@ -50,6 +50,7 @@ class Discovery:
         self._participant_of: dict[bytes, bytes] = {}
         self._nodes: dict[bytes, dict[FarNode, Sequence[bytes]]] = {}
         self._claims: dict[bytes, FarNode] = {}
+        self._machines: set[bytes] = set()
         self._listener = Listener(on_data_available=lambda reader: wake())
         topic = Topic(participant, 'ros_discovery_info', idl_class(INFO, underlay_registry()), qos=Qos(PLAIN))
         common = (PLAIN, Policy.Reliability.Reliable(10_000_000), Policy.Durability.TransientLocal)
@@ -85,11 +86,20 @@ class Discovery:
         return any(counts), max(counts) >= AT_ONCE
 
     def graph(self) -> FarGraph:
-        """Everybody but us."""
-        return FarGraph([node for nodes in self._nodes.values() for node in nodes], list(self._endpoints.values()))
+        """Everybody but us, without what links have for themselves."""
+        nodes = [node for nodes in self._nodes.values() for node in nodes if not node.name.startswith(MARK)]
+        return FarGraph(
+            nodes, [end for end in self._endpoints.values() if end.node is None or not end.node.name.startswith(MARK)]
+        )
 
     def _participant(self, key: bytes, qos: Any, info: Any) -> None:
-        if not _is_alive(info):
+        if _is_alive(info):
+            if enclave_of(qos) == ENCLAVE and len(self._machines) < MOST_PARTICIPANTS:
+                self._machines.add(key)
+                before = self._nodes.get(key, {})
+                self._claim(key, {node._replace(is_simulated=True): gids for node, gids in before.items()})
+        else:
+            self._machines.discard(key)
             for gid in [gid for gid, whose in self._participant_of.items() if whose == key]:
                 self._forget(gid)
             self._claim(key, {})
@@ -144,11 +154,8 @@ class Discovery:
             )
             return
         claimed: dict[FarNode, Sequence[bytes]] = {}
-        is_simulated = any(name == MARK for _, name, *_ in nodes)
         for namespace, name, readers, writers in nodes[:MOST_NODES]:
-            if name == MARK:
-                continue
-            node = FarNode(participant, namespace, name, is_simulated)
+            node = FarNode(participant, namespace, name, participant in self._machines)
             claimed[node] = [gid for (gid,) in (*readers, *writers)][:MOST_ENDPOINTS]
         if len(nodes) > MOST_NODES:
             self.troubles.append(Trouble('nodes', f'one program tells of {len(nodes)} nodes: {MOST_NODES} of them are shown'))

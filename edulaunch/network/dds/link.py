@@ -27,7 +27,7 @@ from edulaunch.network.dds.service_peers import ServicePeers, is_fast_dds
 from edulaunch.network.dds.types import idl_class
 from edulaunch.network.link import (
     CLIENT,
-    MARK,
+    ENCLAVE,
     PUBLISHER,
     SERVICE,
     SUBSCRIPTION,
@@ -93,12 +93,11 @@ class CycloneLink:
         join(settings)
         self._domain = settings.domain
         try:
-            self._participant = DomainParticipant(settings.domain, qos=Qos(Policy.Userdata(b'enclave=/;')))
+            self._participant = DomainParticipant(settings.domain, qos=Qos(Policy.Userdata(f'enclave={ENCLAVE};'.encode())))
         except DDSException as error:
             leave(settings.domain)
             raise LinkError(f'cannot join domain {settings.domain}: {error}') from None
         self._discovery = Discovery(self._participant, self._news)
-        self.add_node('/', MARK)
 
     def add_node(self, namespace: str, name: str) -> int:
         """See `Link.add_node`."""

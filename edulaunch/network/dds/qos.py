@@ -25,6 +25,7 @@ NEVER_NS = (1 << 63) - 1
 WAITING = 1000
 """How many messages wait for their subscription at most, or as many as its depth says."""
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
+_ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
 HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
 
 
@@ -53,8 +54,7 @@ def from_dds(qos: Qos) -> tuple[QoS, str]:
 
     How much it keeps is nowhere said: ROS 2 shows UNKNOWN, here it is the usual depth.
     """
-    data = qos[Policy.Userdata].data if Policy.Userdata in qos else b''
-    found = HASH.search(data[:1000].decode('ascii', 'replace'))
+    found = HASH.search(_user_data(qos))
     reliable = Policy.Reliability in qos and qos[Policy.Reliability] != Policy.Reliability.BestEffort
     stays = Policy.Durability in qos and qos[Policy.Durability] != Policy.Durability.Volatile
     by_hand = Policy.Liveliness in qos and isinstance(qos[Policy.Liveliness], Policy.Liveliness.ManualByTopic)
@@ -66,6 +66,17 @@ def from_dds(qos: Qos) -> tuple[QoS, str]:
         liveliness=MANUAL_BY_TOPIC if by_hand else AUTOMATIC,
         lease_ns=_time(qos, Policy.Liveliness, 'lease_duration'),
     ), found.group(1) if found else ''
+
+
+def enclave_of(qos: Qos) -> str:
+    """The enclave that a participant tells; '' when it tells none, as who is no ROS 2."""
+    found = _ENCLAVE.search(_user_data(qos))
+    return found[1] if found else ''
+
+
+def _user_data(qos: Qos) -> str:
+    data: bytes = qos[Policy.Userdata].data if Policy.Userdata in qos else b''
+    return data[:1000].decode('ascii', 'replace')
 
 
 def _time(qos: Qos, policy: Any, name: str) -> int:
